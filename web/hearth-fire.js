@@ -23,10 +23,10 @@
  * @typedef {import('./element/types.js').HearthTransition} HearthTransition
  */
 
-import { FireAttributes, ID_OF_PROPERTY, defineProperty, setOrRemove, upgradeProperties } from './element/attributes.js';
-import { postable, quiet } from './element/requests.js';
-import { FireSession } from './element/session.js';
-import { seedOf } from './element/values.js';
+import { FireAttributes, ID_OF_PROPERTY, defineProperty, setOrRemove, upgradeProperties } from './element/attributes/attributes.js';
+import { postable, quiet } from './element/session/requests.js';
+import { FireSession } from './element/session/session.js';
+import { seedOf } from './element/attributes/values.js';
 import { VERSION } from './generated/version.js';
 
 /**

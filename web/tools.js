@@ -1,10 +1,10 @@
 /**
- * The toolbar: hands on a fire. A visitor draws solids and sources, writes words, drops pictures, and moves,
- * turns, sizes and erases what is there, with a mouse, a finger, a pen or keys. It uses the public API of
- * the element and shares the history and the selection of the panel.
+ * The toolbar, which draws, moves and edits objects. A visitor draws solids and sources, writes words, drops
+ * pictures, and moves, turns, sizes and erases objects, with a mouse, a finger, a pen or keys. It uses the public
+ * API of the element and shares the history and the selection of the panel.
  */
 
-import { element } from './element/icon-button.js';
+import { element } from './element/controls/icon-button.js';
 import { editingOf, isOn } from './panel/editing.js';
 import { objectsOf } from './panel/objects.js';
 import { addStyle } from './panel/style.js';
@@ -24,16 +24,17 @@ import { ARROWS, TOOLS } from './tools/table.js';
  * @typedef {import('./tools/gestures.js').How} How
  */
 
-/** Thickness of a new line, as a share of the frame's smaller side. */
+/** Thickness of a new line, as a share of the domain's smaller side. */
 const THICKNESS = 0.03;
 
-/** How far a key moves an object or the cross [m], with the Shift key times {@link FAST}, and how far it turns one [°]. */
+/** How far a key moves an object or the cross [m]; the Shift key multiplies it by {@link FAST}. */
 const STEP = 0.01;
 const FAST = 10;
+/** How far a key turns an object [°]. */
 const TURN = 5;
 
 /** How long a message stays [ms]. */
-const SAID_MS = 5000;
+const STATUS_MS = 5000;
 
 /**
  * Shows the toolbar of a fire.
@@ -71,26 +72,26 @@ class Toolbar {
   #pointers;
   #cross;
   #tool = 'select';
-  /** Where the solids are that forces move, by their ids. @type {Map<number, {x: number, y: number, angle: number}>} */
-  #places = new Map();
+  /** The poses of the solids that forces move, by their ids. @type {Map<number, {x: number, y: number, angle: number}>} */
+  #poses = new Map();
   #bar;
-  #said = element('p', { class: 'hearth-said', role: 'status' });
+  #status = element('p', { class: 'hearth-status', role: 'status' });
   /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #saidEnds;
+  #statusEnds;
 
   /** @param {HTMLElement} host @param {HearthFire} fire @param {() => void} closed */
   constructor(host, fire, closed) {
     this.#host = host;
     this.#fire = fire;
     this.#editing = editingOf(fire);
-    this.#edits = new Edits(fire, this.#editing, () => this.#bar, (text) => this.#say(text), () => this.#objects);
+    this.#edits = new Edits(fire, this.#editing, () => this.#bar, (text) => this.#showStatus(text), () => this.#objects);
     this.#overlay = new Overlay(fire);
     this.#inserts = new Inserts(host, this.#overlay, this.#edits, (text) => this.#open(text));
-    const plotted = (/** @type {boolean} */ shown) => this.#bar.mark('plots', shown);
-    this.#instruments = new Instruments({ host, fire, say: (text) => this.#say(text), plotted }, (act) => this.#edits.attempt(act));
-    const hands = this.#hands;
-    this.#pointers = new Pointers(hands);
-    this.#cross = new Cross(hands, this.#pointers, this.#overlay);
+    const plotsShown = (/** @type {boolean} */ shown) => this.#bar.mark('plots', shown);
+    this.#instruments = new Instruments({ host, fire, showStatus: (text) => this.#showStatus(text), plotsShown }, (act) => this.#edits.attempt(act));
+    const context = this.#context;
+    this.#pointers = new Pointers(context);
+    this.#cross = new Cross(context, this.#pointers, this.#overlay);
     const { history } = this.#editing;
     this.#bar = new Bar({
       tool: (name) => this.#choose(name),
@@ -109,36 +110,36 @@ class Toolbar {
       redo: () => this.#edits.attempt(() => history.redo()),
       close: closed,
     });
-    host.classList.add('hearth-hands');
-    host.append(this.#overlay.element, this.#bar.element, this.#bar.align, this.#said);
+    host.classList.add('hearth-tools');
+    host.append(this.#overlay.element, this.#bar.element, this.#bar.align, this.#status);
     this.#choose('select');
     this.#update();
   }
 
   /** The objects as they are now: forces move some of them. @returns {import('./panel/objects.js').Fields[]} */
   get #objects() {
-    return objectsOf(this.#fire).map((one) => ({ ...one, ...this.#places.get(one.id) }));
+    return objectsOf(this.#fire).map((object) => ({ ...object, ...this.#poses.get(object.id) }));
   }
 
   /** The selected objects as they are now. */
   get #selected() {
     const { all } = this.#editing;
-    return this.#objects.filter(({ id }) => all.some((one) => one.id === id));
+    return this.#objects.filter(({ id }) => all.some((chosen) => chosen.id === id));
   }
 
   /** Follows the solids that forces move, until the signal. @param {AbortSignal} signal */
   async #follow(signal) {
     while (!signal.aborted) {
       await new Promise((resolve) => { requestAnimationFrame(resolve); });
-      if (this.#places.size === 0 && !objectsOf(this.#fire).some(({ motion }) => motion === 'free')) continue;
+      if (this.#poses.size === 0 && !objectsOf(this.#fire).some(({ motion }) => motion === 'free')) continue;
       const solids = await this.#fire.freeSolids().catch(() => []);
-      this.#places = new Map(solids.map(({ id, x, y, angle }) => [id, { x: rounded(x), y: rounded(y), angle: Math.round(10 * angle) / 10 }]));
+      this.#poses = new Map(solids.map(({ id, x, y, angle }) => [id, { x: rounded(x), y: rounded(y), angle: Math.round(10 * angle) / 10 }]));
       this.#outline();
     }
   }
 
-  /** What gestures need. @returns {import('./tools/gestures.js').Hands} */
-  get #hands() {
+  /** What gestures need. @returns {import('./tools/gestures.js').ToolContext} */
+  get #context() {
     return {
       fire: this.#fire,
       editing: this.#editing,
@@ -155,8 +156,8 @@ class Toolbar {
       guide: (lines) => this.#overlay.guide(lines),
       toggle: (id) => this.#edits.toggle(id),
       thickness: () => rounded(Math.max(0.01, THICKNESS * Math.min(this.#fire.params.domain_width, this.#fire.params.domain_height))),
-      write: (at) => this.#inserts.write(at),
-      probe: (at, tells) => this.#tool === 'probe' && this.#instruments.probe(at, tells),
+      askForText: (at) => this.#inserts.askForText(at),
+      probe: (at, options) => this.#tool === 'probe' && this.#instruments.probe(at, options),
     };
   }
 
@@ -186,29 +187,29 @@ class Toolbar {
   }
 
   remove() {
-    clearTimeout(this.#saidEnds);
+    clearTimeout(this.#statusEnds);
     this.#cross.remove();
     this.#pointers.cancelAll();
-    this.#host.classList.remove('hearth-hands');
-    for (const one of [this.#overlay.element, this.#bar.element, this.#bar.align, this.#said]) one.remove();
+    this.#host.classList.remove('hearth-tools');
+    for (const element of [this.#overlay.element, this.#bar.element, this.#bar.align, this.#status]) element.remove();
     this.#inserts.close();
     this.#instruments.remove();
   }
 
-  /** @type {(name: string, says?: boolean) => void} */
-  #choose(name, says = true) {
+  /** @type {(name: string, announces?: boolean) => void} */
+  #choose(name, announces = true) {
     this.#pointers.cancelAll();
     this.#tool = name;
-    const tool = TOOLS.find((one) => one.name === name);
+    const tool = TOOLS.find((candidate) => candidate.name === name);
     this.#bar.choose(name);
     const layer = this.#overlay.element;
     layer.style.cursor = tool?.cursor ?? '';
     layer.classList.toggle('idle', name === 'stir');
-    // It measures where the cross appears, until a pointer moves.
+    // The probe measures at the cross until a pointer moves.
     if (name === 'probe') this.#instruments.probe(this.#cross.at);
-    else this.#instruments.unprobe();
-    const without = ['sparks', 'ignite', 'extinguish', 'water'].includes(name) && this.#fire.params.model === 'classic' ? ' The classic model has none.' : '';
-    if (says && tool) this.#say(`${tool.label}: ${tool.hint}.${without}`);
+    else this.#instruments.hideProbe();
+    const missing = ['sparks', 'ignite', 'extinguish', 'water'].includes(name) && this.#fire.params.model === 'classic' ? ' The classic model has none.' : '';
+    if (announces && tool) this.#showStatus(`${tool.label}: ${tool.hint}.${missing}`);
     this.#update();
   }
 
@@ -223,16 +224,16 @@ class Toolbar {
   #outline() {
     const [all, selected] = [this.#objects, this.#selected];
     // A source at the surface of a solid is where that is.
-    const places = selected.map((one) => all.find(({ id }) => isOn(one, id)) ?? one);
-    const isOne = places.length === 1 && places[0] === selected[0] && this.#tool === 'select';
-    this.#overlay.select(places, isOne ? places[0] : undefined);
+    const outlined = selected.map((object) => all.find(({ id }) => isOn(object, id)) ?? object);
+    const hasHandles = outlined.length === 1 && outlined[0] === selected[0] && this.#tool === 'select';
+    this.#overlay.select(outlined, hasHandles ? outlined[0] : undefined);
   }
 
   /** Shows a message for a while. @param {string} text */
-  #say(text) {
-    this.#said.textContent = text;
-    clearTimeout(this.#saidEnds);
-    this.#saidEnds = setTimeout(() => (this.#said.textContent = ''), SAID_MS);
+  #showStatus(text) {
+    this.#status.textContent = text;
+    clearTimeout(this.#statusEnds);
+    this.#statusEnds = setTimeout(() => (this.#status.textContent = ''), STATUS_MS);
   }
 
   /** Opens settings. @param {string} text */
@@ -296,7 +297,7 @@ class Toolbar {
       if (key.toLowerCase() === 'y') return () => this.#edits.attempt(() => history.redo());
       return key.toLowerCase() === 'd' && selected ? () => this.#edits.duplicate() : undefined;
     }
-    const tool = TOOLS.find((one) => one.key === key.toLowerCase());
+    const tool = TOOLS.find((candidate) => candidate.key === key.toLowerCase());
     if (tool) return () => this.#choose(tool.name);
     if (key.toLowerCase() === 'g') return () => this.#instruments.plot();
     if (key === 'Escape') return () => this.#escape();
@@ -343,6 +344,6 @@ class Toolbar {
   /** @type {(right: number, up: number, how: How) => void} */
   #moveCross(right, up, how) {
     const at = this.#cross.move(right, up, how);
-    this.#say(`${at.x.toFixed(2)}, ${at.y.toFixed(2)} m`);
+    this.#showStatus(`${at.x.toFixed(2)}, ${at.y.toFixed(2)} m`);
   }
 }

@@ -7,7 +7,7 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { Browser } from '../../tests/e2e/driver.mjs';
-import { openTools } from '../../tests/e2e/hands.mjs';
+import { openTools } from '../../tests/e2e/tools.mjs';
 
 /** The window. */
 const SIZE = { width: 1280, height: 800, pixels: Infinity };

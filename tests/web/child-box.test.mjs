@@ -3,7 +3,7 @@
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { NO_MASK, inMetres, radiusOf, solidOf, sourceOf } from '../../web/element/child-box.js';
+import { NO_MASK, inMetres, radiusOf, solidOf, sourceOf } from '../../web/element/children/child-box.js';
 import { PROPERTIES } from '../../web/generated/properties.js';
 
 /** A world of 100 pixels per metre whose origin is 200 pixels right of and 300 below the corner of the fire. */

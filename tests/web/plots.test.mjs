@@ -60,7 +60,7 @@ describe('the record', () => {
     const record = new Record();
     for (let time = 0; time <= 90; time += 0.5) record.add(measures(time), { fps: 50 }, 0);
     assert.equal(record.rows[0].time, 30);
-    assert.deepEqual(record.rows.at(-1), { time: 90, frame: 20, flame: 0.5, power: 190, luminosity: 0.02 });
+    assert.deepEqual(record.rows.at(-1), { time: 90, frameTime: 20, flame: 0.5, power: 190, luminosity: 0.02 });
   });
 
   test('has one row of a time, and starts again with another fire or model', () => {

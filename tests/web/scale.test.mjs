@@ -3,7 +3,7 @@
  */
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
-import { colour, formatNumber, ticks } from '../../web/element/scale.js';
+import { colour, formatNumber, ticks } from '../../web/element/view/scale.js';
 import { PARAMETERS, QUANTITIES } from '../../web/parameters.js';
 
 const entry = Object.fromEntries(PARAMETERS.map((parameter) => [parameter.id, parameter]));

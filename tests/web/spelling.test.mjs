@@ -3,7 +3,7 @@
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { alike, nearest, suggestion, warnOnce } from '../../web/element/spelling.js';
+import { alike, nearest, suggestion, warnOnce } from '../../web/element/attributes/spelling.js';
 import { readUrlParameters } from '../../web/pages/url-parameters.js';
 
 const NAMES = ['fuel-power', 'quality', 'palette', 'cool-colour', 'hot-colour', 'domain-width', 'source-width', 'wind', 'seed'];

@@ -15,7 +15,7 @@ const OWN = ['width', 'max_particles'];
 const PRESETS = { default: {}, windy: { wind: 7 }, old: { model: 'classic', viscosity: 9 } };
 const LARGEST = 5000;
 const REPLACES = { replaces: true };
-/** The first numbers of the random hands. */
+/** The first numbers of the random gestures. */
 const SEEDS = Array.from({ length: 100 }, (_, index) => index + 1);
 
 /** A fire that answers in order, after a while, as the element does. */

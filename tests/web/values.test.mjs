@@ -3,8 +3,8 @@
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { warmth } from '../../web/element/attributes.js';
-import { isColour, seedOf } from '../../web/element/values.js';
+import { warmth } from '../../web/element/attributes/attributes.js';
+import { isColour, seedOf } from '../../web/element/attributes/values.js';
 import { LOGARITHMIC, WHOLE } from '../../web/generated/between.js';
 import { PARAMETERS } from '../../web/parameters.js';
 

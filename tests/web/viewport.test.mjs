@@ -3,8 +3,8 @@
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { cappedSize } from '../../web/element/visibility.js';
-import { alignment, panning, viewportOf } from '../../web/element/viewport.js';
+import { cappedSize } from '../../web/element/view/visibility.js';
+import { alignment, panning, viewportOf } from '../../web/element/view/viewport.js';
 
 test('an alignment is one or two words of object-position, in any order', () => {
   for (const [words, shares] of /** @type {[string, [number, number] | undefined][]} */ ([

@@ -25,34 +25,34 @@ export class PaperLoop {
 
   /** One loop: densities and pressures, forces, motion, lives. */
   step() {
-    for (const one of this.particles) this.findDensity(one);
-    for (const one of this.particles) this.findAcceleration(one);
-    for (const one of this.particles) move(one);
+    for (const particle of this.particles) this.findDensity(particle);
+    for (const particle of this.particles) this.findAcceleration(particle);
+    for (const particle of this.particles) move(particle);
     this.particles = this.particles.filter(({ age }) => age < GAS.lifetime);
   }
 
-  /** Density (2) and pressure. @param {Particle} one */
-  findDensity(one) {
-    one.density = 0;
-    for (const other of this.particles) one.density += MASS * kernel(distance(one, other));
-    one.pressure = Math.max(0, GAS.gasConstant * (one.density - GAS.restDensity));
+  /** Density (2) and pressure. @param {Particle} particle */
+  findDensity(particle) {
+    particle.density = 0;
+    for (const other of this.particles) particle.density += MASS * kernel(distance(particle, other));
+    particle.pressure = Math.max(0, GAS.gasConstant * (particle.density - GAS.restDensity));
   }
 
-  /** Pressure (3), viscosity (4) and buoyancy (7), divided by the density (5). @param {Particle} one */
-  findAcceleration(one) {
-    one.ax = 0;
-    one.ay = lift(one.density, one.temperature, one.vy);
+  /** Pressure (3), viscosity (4) and buoyancy (7), divided by the density (5). @param {Particle} particle */
+  findAcceleration(particle) {
+    particle.ax = 0;
+    particle.ay = lift(particle.density, particle.temperature, particle.vy);
     for (const other of this.particles) {
-      if (one !== other) addForces(one, other);
+      if (particle !== other) addForces(particle, other);
     }
   }
 
   /** Neighbours of a particle within two smoothing lengths, on average. */
   neighbours() {
     let pairs = 0;
-    for (const one of this.particles) {
+    for (const particle of this.particles) {
       for (const other of this.particles) {
-        if (one !== other && distance(one, other) < 2 * GAS.h) pairs += 1;
+        if (particle !== other && distance(particle, other) < 2 * GAS.h) pairs += 1;
       }
     }
     return pairs / this.particles.length;
@@ -85,28 +85,28 @@ function particlesOf({ positions, velocities }) {
   }));
 }
 
-/** Adds what pressure and viscosity of another particle do. @param {Particle} one @param {Particle} other */
-function addForces(one, other) {
-  const dx = one.x - other.x;
-  const dy = one.y - other.y;
+/** Adds what pressure and viscosity of another particle do. @param {Particle} particle @param {Particle} other */
+function addForces(particle, other) {
+  const dx = particle.x - other.x;
+  const dy = particle.y - other.y;
   const r = Math.sqrt(dx * dx + dy * dy);
   if (r >= 2 * GAS.h || r === 0) return;
   const slope = kernelSlope(r);
-  const share = MASS / (Math.max(GAS.densityFloor, one.density) * Math.max(GAS.densityFloor, other.density));
-  const pressure = (-share * (one.pressure + other.pressure) * slope) / r;
+  const share = MASS / (Math.max(GAS.densityFloor, particle.density) * Math.max(GAS.densityFloor, other.density));
+  const pressure = (-share * (particle.pressure + other.pressure) * slope) / r;
   const drag = (2 * GAS.viscosity * share * slope * r) / (r * r + 0.01 * GAS.h * GAS.h);
-  one.ax += pressure * dx + drag * (one.vx - other.vx);
-  one.ay += pressure * dy + drag * (one.vy - other.vy);
+  particle.ax += pressure * dx + drag * (particle.vx - other.vx);
+  particle.ay += pressure * dy + drag * (particle.vy - other.vy);
 }
 
-/** Euler's method with the new velocity (6), cooling and age. @param {Particle} one */
-function move(one) {
-  one.vx += one.ax * GAS.timeStep;
-  one.vy += one.ay * GAS.timeStep;
-  one.x += one.vx * GAS.timeStep;
-  one.y += one.vy * GAS.timeStep;
-  one.temperature = Math.max(GAS.ambientTemperature, one.temperature - GAS.coolingRate * GAS.timeStep);
-  one.age += GAS.timeStep;
+/** Euler's method with the new velocity (6), cooling and age. @param {Particle} particle */
+function move(particle) {
+  particle.vx += particle.ax * GAS.timeStep;
+  particle.vy += particle.ay * GAS.timeStep;
+  particle.x += particle.vx * GAS.timeStep;
+  particle.y += particle.vy * GAS.timeStep;
+  particle.temperature = Math.max(GAS.ambientTemperature, particle.temperature - GAS.coolingRate * GAS.timeStep);
+  particle.age += GAS.timeStep;
 }
 
 /** The cubic spline (1). @param {number} r */

@@ -78,7 +78,7 @@ export function choiceOf(search) {
  */
 function named(list, all) {
   const names = list?.split(',');
-  return all.filter((one) => names === undefined || names.includes(String(one)));
+  return all.filter((value) => names === undefined || names.includes(String(value)));
 }
 
 /** The query that names a choice; empty for all rows. @param {Choice} choice */

@@ -33,8 +33,8 @@ const MARGIN = 6;
 function square(count) {
   const columns = Math.ceil(Math.sqrt(count));
   return Float32Array.from({ length: 2 * count }, (_, at) => {
-    const one = at >> 1;
-    return SPACING * (at % 2 === 0 ? (one % columns) - 0.5 * (columns - 1) : Math.floor(one / columns) + MARGIN);
+    const cell = at >> 1;
+    return SPACING * (at % 2 === 0 ? (cell % columns) - 0.5 * (columns - 1) : Math.floor(cell / columns) + MARGIN);
   });
 }
 
@@ -108,7 +108,7 @@ export async function combustionSteps(count, pause) {
       counts.push(sim.count);
     };
     const [stepMs] = await medians([{ step, rewind: () => {} }], pause);
-    const alive = counts.reduce((sum, one) => sum + one, 0) / counts.length;
+    const alive = counts.reduce((sum, count) => sum + count, 0) / counts.length;
     if (Math.abs(alive - count) > TOLERANCE * count) {
       throw new Error(`${alive} particles burn instead of ${count}`);
     }

@@ -177,7 +177,7 @@ export interface HearthQualityDetail {
 }
 
 /**
- * The properties that reflect an attribute of the same name with hyphens. `element/attributes.js` defines
+ * The properties that reflect an attribute of the same name with hyphens. `element/attributes/attributes.js` defines
  * them on the prototype.
  */
 export interface HearthReflected {

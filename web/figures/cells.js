@@ -28,7 +28,7 @@ export function make(name, properties = {}, ...children) {
 
 /** @param {string} id */
 function parameterOf(id) {
-  const parameter = /** @type {any} */ (PARAMETERS.find((one) => one.id === id));
+  const parameter = /** @type {any} */ (PARAMETERS.find((entry) => entry.id === id));
   return { label: parameter.label, unit: parameter.unit && ` ${parameter.unit}`, log: parameter.scale === 'log' };
 }
 
@@ -75,7 +75,7 @@ export function addCell(parent, cell, warn) {
     controller.abort();
     controller = new AbortController();
     const { signal } = controller;
-    for (const one of cells) one.textContent = '…';
+    for (const cell of cells) cell.textContent = '…';
     try {
       const shape = await afterOthers(async () => {
         signal.throwIfAborted();

@@ -77,10 +77,10 @@ export function showLoop(parent, fire, model) {
     const times = Object.entries({ ...stages, ...passes });
     const most = Math.max(...times.map(([, time]) => time), Number.MIN_VALUE);
     for (const [name, time] of times) {
-      const one = rows.get(name);
-      if (!one) continue;
-      one.time.textContent = `${time < 0.01 ? '< 0.01' : shown(time)} ms`;
-      one.item.style.setProperty('--share', String(time / most));
+      const row = rows.get(name);
+      if (!row) continue;
+      row.time.textContent = `${time < 0.01 ? '< 0.01' : shown(time)} ms`;
+      row.item.style.setProperty('--share', String(time / most));
     }
     step.textContent = `Each step: ${shown(stepsPerFrame)} a picture`;
     picture.textContent = `Each picture: passes by their time ${passTimer === 'gpu' ? 'on the graphics card' : 'until they are submitted'}`;

@@ -15,7 +15,7 @@ import { frameScenes } from './framing.js';
 import { showHint } from './hint.js';
 import { PagePanel } from './panel.js';
 import { toQuery } from '../share.js';
-import { offerTools } from '../tools/offer.js';
+import { offerTools } from '../tools/tools-button.js';
 
 /** How long a message stays [ms]. */
 const TOAST_MS = 8000;
@@ -143,7 +143,7 @@ fire.ready.then(
   () => {
     document.documentElement.dataset.fire = 'shown';
     panel.begin();
-    const [button, host] = ['draw', 'hands'].map((id) => /** @type {HTMLElement} */ (document.getElementById(id)));
+    const [button, host] = ['draw', 'tools'].map((id) => /** @type {HTMLElement} */ (document.getElementById(id)));
     const shown = (/** @type {boolean} */ open) => (document.documentElement.dataset.tools = open ? 'shown' : 'hidden');
     const failed = (/** @type {unknown} */ why) => {
       console.warn('Hearth: the tools could not be loaded.', why);

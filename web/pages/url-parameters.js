@@ -14,7 +14,7 @@
  */
 
 import { DEFAULTS, OWN_ATTRIBUTES } from '../generated/defaults.js';
-import { alike } from '../element/spelling.js';
+import { alike } from '../element/attributes/spelling.js';
 import { fromQuery } from '../share.js';
 
 /** The maximum length of the query in characters; some servers have the same limit. */
@@ -59,7 +59,7 @@ export function readUrlParameters(search, names = []) {
       const same = name === 'preset' ? 'scene' : name.replaceAll('_', '-');
       if (!names.includes(name) && !KNOWN.includes(same)) {
         // Names of others are short, or words such as `source`. A misspelt name of the fire is nearly right.
-        const isWord = KNOWN.some((one) => one.split('-').includes(name));
+        const isWord = KNOWN.some((known) => known.split('-').includes(name));
         const [meant] = isWord ? [] : alike(name, KNOWN, Math.floor(name.length / 5));
         if (meant === undefined) unknown.push([name, value]);
         else refused.push(`The URL parameter ${shortened(name)} is unknown; did you mean “${meant}”?`);

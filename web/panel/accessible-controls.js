@@ -89,7 +89,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     return button;
   }
   const limited = controller.only !== undefined;
-  const shownParameters = controller.only?.flatMap((id) => PARAMETERS.filter((one) => one.id === id)) ?? PARAMETERS;
+  const shownParameters = controller.only?.flatMap((id) => PARAMETERS.filter((parameter) => parameter.id === id)) ?? PARAMETERS;
 
   const pause = addButton('pause', 'Pause', () => (fire.paused ? controller.play() : controller.pause()));
   const step = addButton('step', 'One step', () => {
@@ -125,7 +125,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   quality.addEventListener('focus', () => reveal('quality'));
   places.set('quality', quality);
   if (limited) {
-    for (const one of [step, picture, fullscreen, ...copies, paste, help, scenes, ...variants, quality.parentElement]) one?.remove();
+    for (const control of [step, picture, fullscreen, ...copies, paste, help, scenes, ...variants, quality.parentElement]) control?.remove();
   }
 
   /** @type {HTMLFieldSetElement | undefined} */
@@ -168,7 +168,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
       if (domain) show(value, domain);
       const excluded = Object.entries(parameter.unless ?? {});
       const isExcluded = excluded.length > 0 && excluded.every(isChosen);
-      const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map((one) => inWords(one, PARAMETERS)).join(' and ');
+      const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map((condition) => inWords(condition, PARAMETERS)).join(' and ');
       note.textContent = missing.length > 0 ? `Only with ${list(missing)}` : isExcluded ? `Not with ${list(excluded)}` : '';
       row.classList.toggle('idle', missing.length > 0 || isExcluded);
     });

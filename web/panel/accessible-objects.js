@@ -104,7 +104,7 @@ export function mountAccessibleObjects({ root, fire, controller, reveal, addButt
       const missing = Object.entries(entry.when ?? {}).filter((chosen) => !isChosen(chosen));
       const excluded = Object.entries(entry.unless ?? {});
       const isExcluded = excluded.length > 0 && excluded.every(isChosen);
-      const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map((one) => inWords(one, entriesOf(kind))).join(' and ');
+      const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map((condition) => inWords(condition, entriesOf(kind))).join(' and ');
       note.textContent = missing.length > 0 ? `Only with ${list(missing)}` : isExcluded ? `Not with ${list(excluded)}` : '';
       row.classList.toggle('idle', missing.length > 0 || isExcluded);
     }

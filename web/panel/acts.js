@@ -43,7 +43,7 @@ export const ACTS = [
 
 /** Does one of {@link ACTS} at an object. @type {(fire: HearthFire, editing: Editing, name: string, id: number) => Promise<void>} */
 export async function act(fire, editing, name, id) {
-  const found = ACTS.find((one) => one.name === name);
+  const found = ACTS.find((candidate) => candidate.name === name);
   const object = editing.find(id);
   if (found && object) await found.on(fire, await bodyOf(fire, editing, object), object, editing);
 }

@@ -110,13 +110,13 @@ export class Editing extends EventTarget {
 
   /** Selects an object besides the others, or deselects it. @param {number} id */
   toggle(id) {
-    const others = this.#ids.filter((one) => one !== id);
+    const others = this.#ids.filter((other) => other !== id);
     this.select(...others, ...(others.length < this.#ids.length ? [] : [id]));
   }
 
   /** The object of this id; undefined without one. @param {number} id */
   find(id) {
-    return objectsOf(this.#fire).find((one) => one.id === id);
+    return objectsOf(this.#fire).find((object) => object.id === id);
   }
 
   /** Adds an object and selects it: one step. @param {() => object | undefined} fields  Called when the fire is ready for it. */
@@ -138,7 +138,7 @@ export class Editing extends EventTarget {
 
   /** Removes objects, and the sources that are their surfaces: they would burn elsewhere. @param {number[]} ids */
   async takeAway(...ids) {
-    const on = objectsOf(this.#fire).filter((one) => ids.some((id) => isOn(one, id)));
+    const on = objectsOf(this.#fire).filter((object) => ids.some((id) => isOn(object, id)));
     await Promise.all([...new Set([...on.map(({ id }) => id), ...ids])].map((id) => this.#fire.removeObject(id)));
   }
 
@@ -150,7 +150,7 @@ export class Editing extends EventTarget {
     return this.history.objects(() => {
       const all = objectsOf(this.#fire);
       const moves = (/** @type {Fields} */ { id, kind }) => kind === 'solid' && ids.includes(id);
-      const [moved, rest] = [all.filter(moves), all.filter((one) => !moves(one))];
+      const [moved, rest] = [all.filter(moves), all.filter((object) => !moves(object))];
       return this.#fire.set({ objects: /** @type {any[]} */ (front ? [...rest, ...moved] : [...moved, ...rest]) });
     });
   }

@@ -3,7 +3,7 @@
  * small for it, or if the visitor folded it at the last visit.
  */
 
-import { iconButton } from '../element/icon-button.js';
+import { iconButton } from '../element/controls/icon-button.js';
 import { remember, remembered } from './memory.js';
 
 /** The minimum height of an open panel: a lower one shows hardly more than its header [CSS pixels]. */

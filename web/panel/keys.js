@@ -76,7 +76,7 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
     const act = actionOf(key);
     if (!act || isTaken(key)) return;
     const path = key.composedPath();
-    if (page && !nowhere.includes(path[0]) && !own.some((one) => path.includes(one))) return;
+    if (page && !nowhere.includes(path[0]) && !own.some((element) => path.includes(element))) return;
     key.preventDefault();
     if (!page) key.stopPropagation();
     // The element's error event reports a refusal.
@@ -94,7 +94,7 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
  * @type {(...places: EventTarget[]) => boolean}
  */
 export function areForbidden(...places) {
-  return [document.documentElement, ...places].some((one) => /** @type {HTMLElement} */ (one).dataset?.shortcuts === 'off');
+  return [document.documentElement, ...places].some((element) => /** @type {HTMLElement} */ (element).dataset?.shortcuts === 'off');
 }
 
 /**

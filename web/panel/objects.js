@@ -45,7 +45,7 @@ const NAME = SOLID.filter(({ id }) => id === 'name');
 /** The properties of each kind. @type {{[kind in Kind]: Entry[]}} */
 const ENTRIES = {
   source: [...entriesOfSolid(NAME), ...Object.entries(SOURCE).flatMap(([name, id]) => {
-    const parameter = PARAMETERS.find((one) => one.id === id);
+    const parameter = PARAMETERS.find((entry) => entry.id === id);
     if (!parameter) return [];
     const { when, unless } = /** @type {Pick<Entry, 'when' | 'unless'>} */ (parameter);
     return [{ ...parameter, name, when, unless, domain: (/** @type {ModelName} */ model) => parameter.domains[model] }];
@@ -104,7 +104,7 @@ export function isFirstSource(fire, { id }) {
 
 /** Whether there are as many objects of a kind as a scene can have. @type {(fire: Pick<HearthFire, 'objects'>, kind: Kind) => boolean} */
 export function isFull(fire, kind) {
-  return objectsOf(fire).filter((one) => one.kind === kind).length >= MAX_OBJECTS;
+  return objectsOf(fire).filter((object) => object.kind === kind).length >= MAX_OBJECTS;
 }
 
 /** An object in a list: "Source 1", "Solid 2 · wood line", "Back log · Solid 3 · off". @param {Fields} object */
@@ -121,7 +121,7 @@ export function nameOf({ id, kind, shape, material, name, enabled }) {
  */
 export function newObject(fire, kind) {
   const { domain_width: width, domain_height: height } = fire.params;
-  const first = objectsOf(fire).find((one) => one.kind === 'source');
+  const first = objectsOf(fire).find((object) => object.kind === 'source');
   if (kind === 'source') {
     if (!first) return { kind, enabled: true };
     const { id, shape, solid, name: own, enabled, ...fields } = first;
@@ -143,7 +143,7 @@ export function copyOf(fire, object) {
 
 /** The range decides about half a value. @type {(fire: Pick<HearthFire, 'params'>, kind: Kind, name: string, value: number) => number} */
 function inRange(fire, kind, name, value) {
-  const { min = value, max = value } = entriesOf(kind).find((one) => one.name === name)?.domain(fire.params.model) ?? {};
+  const { min = value, max = value } = entriesOf(kind).find((entry) => entry.name === name)?.domain(fire.params.model) ?? {};
   return rounded(Math.min(max, Math.max(min, value)));
 }
 
@@ -165,7 +165,7 @@ function place(fire, fields, anchor) {
   const all = objectsOf(fire);
   const isClear = (/** @type {number} */ x, /** @type {number} */ y) => (
     x - radius >= seen.left && x + radius <= seen.right && y >= seen.bottom && y + radius <= seen.top
-    && all.every((one) => distance(one, x, y) >= radius)
+    && all.every((object) => distance(object, x, y) >= radius)
   );
   for (let row = 0; row < TRIES; row += 1) {
     for (let at = 0; at < TRIES; at += 1) {

@@ -23,7 +23,7 @@ const PICTURE = { width: 120, height: 160 };
 export function ownScenes() {
   try {
     const all = JSON.parse(localStorage.getItem(KEY) ?? '[]');
-    const isScene = (/** @type {any} */ one) => typeof one?.name === 'string' && typeof one.config === 'object' && one.config !== null;
+    const isScene = (/** @type {any} */ scene) => typeof scene?.name === 'string' && typeof scene.config === 'object' && scene.config !== null;
     return (Array.isArray(all) ? all : []).filter(isScene).map(({ name, config, picture }) => ({
       name: name.slice(0, MAX_NAME), config, picture: /^data:image\//.test(picture) ? picture : '',
     }));
@@ -47,7 +47,7 @@ function store(all) {
 /** A name that no scene has yet. @type {(name: string, all: OwnScene[]) => string} */
 function unused(name, all) {
   const base = name.trim().slice(0, MAX_NAME) || 'My fire';
-  const taken = new Set(all.map((one) => one.name));
+  const taken = new Set(all.map((scene) => scene.name));
   for (let number = 1; ; number += 1) {
     const next = number === 1 ? base : `${base.slice(0, MAX_NAME - 4)} ${number}`;
     if (!taken.has(next)) return next;
@@ -66,14 +66,14 @@ export function saveScene(name, config, picture) {
 /** Renames a scene and returns its new name. @type {(from: string, to: string) => string} @throws {Error} there is no room */
 export function renameScene(from, to) {
   const all = ownScenes();
-  const name = unused(to, all.filter((one) => one.name !== from));
-  store(all.map((one) => (one.name === from ? { ...one, name } : one)));
+  const name = unused(to, all.filter((scene) => scene.name !== from));
+  store(all.map((scene) => (scene.name === from ? { ...scene, name } : scene)));
   return name;
 }
 
 /** Deletes a scene. @param {string} name */
 export function deleteScene(name) {
-  store(ownScenes().filter((one) => one.name !== name));
+  store(ownScenes().filter((scene) => scene.name !== name));
 }
 
 /**

@@ -79,8 +79,8 @@ export function sceneObjects(fire) {
 export function sceneProperty(fire, { id, kind }, name) {
   const [first, ...others] = sceneObjects(fire);
   if (id === first.id && kind === first.kind && name in SOURCE) return sceneValue(fire, /** @type {Id} */ (SOURCE[/** @type {keyof typeof SOURCE} */ (name)]));
-  const same = others.find((one) => one.id === id && one.kind === kind);
-  const entry = entriesOf(kind).find((one) => one.name === name);
+  const same = others.find((other) => other.id === id && other.kind === kind);
+  const entry = entriesOf(kind).find((property) => property.name === name);
   return same?.[name] ?? entry?.domain(fire.params?.model ?? DEFAULT_MODEL)?.default;
 }
 

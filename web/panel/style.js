@@ -25,7 +25,7 @@ export function addStyle(host, href) {
   const root = host.getRootNode();
   const parent = root instanceof ShadowRoot ? root : document.head;
   const links = /** @type {HTMLLinkElement[]} */ ([...parent.querySelectorAll('link[rel=stylesheet]')]);
-  const link = links.find((one) => one.href === href) ?? add(parent, href);
+  const link = links.find((candidate) => candidate.href === href) ?? add(parent, href);
   const sheet = added.get(link);
   if (!sheet) return { styled: Promise.resolve(), removeStyle() {} };
   sheet.users += 1;

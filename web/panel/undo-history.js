@@ -133,7 +133,7 @@ export class UndoHistory {
   async changeAll(changes) {
     const gesture = this.#gesture;
     while (this.#gate) await this.#gate;
-    const find = (/** @type {number} */ id) => objectsOf(this.#fire).find((one) => one.id === id);
+    const find = (/** @type {number} */ id) => objectsOf(this.#fire).find((object) => object.id === id);
     // A step before this one may have removed some.
     const target = [...changes].filter(([id]) => find(id));
     if (target.length === 0) return;
@@ -170,7 +170,7 @@ export class UndoHistory {
     if (last?.key === POINTER && last.gesture === this.#gesture) this.#done.pop();
     const now = objectsOf(this.#fire);
     const pairs = objects.map((old) => [old, now.find(({ id }) => id === old.id) ?? old])
-      .filter(([old, one]) => old.x !== one.x || old.y !== one.y);
+      .filter(([old, moved]) => old.x !== moved.x || old.y !== moved.y);
     const [before, after] = [0, 1].map((side) => {
       const changed = pairs.map((pair) => /** @type {[number, Properties]} */ ([pair[side].id, { x: pair[side].x, y: pair[side].y }]));
       return { value: changed, changed };
@@ -325,7 +325,7 @@ export class UndoHistory {
     if (objects) {
       // Objects that are there keep what a page has changed meanwhile.
       const now = objectsOf(fire);
-      const list = objects.map((one) => now.find(({ id, kind }) => id === one.id && kind === one.kind) ?? one);
+      const list = objects.map((object) => now.find(({ id, kind }) => id === object.id && kind === object.kind) ?? object);
       await fire.set({ objects: /** @type {any[]} */ (list) });
     }
     if (!values) return;

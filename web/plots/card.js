@@ -1,5 +1,5 @@
 /**
- * The card of plots: how frame time, height, power and light of a flame go on, the spectrum of its light, and
+ * The card of plots: the frame time, height, power and light of a flame over time, the spectrum of its light, and
  * temperature and velocity over the height.
  *
  * @typedef {import('./record.js').Record} Record
@@ -7,7 +7,7 @@
  * @typedef {import('./record.js').Level} Level
  */
 
-import { element } from '../element/icon-button.js';
+import { element } from '../element/controls/icon-button.js';
 import { download } from '../panel/download.js';
 import { Chart, roundUp } from './chart.js';
 import { peakOf, SHORTEST } from './spectrum.js';
@@ -17,11 +17,11 @@ const SHOWN = 20;
 
 /**
  * The series of a record.
- * @typedef {{field: 'frame' | 'flame' | 'power' | 'luminosity', title: string, unit: string, digits: number}} Series
+ * @typedef {{field: 'frameTime' | 'flame' | 'power' | 'luminosity', title: string, unit: string, digits: number}} Series
  * @type {Series[]}
  */
 const SERIES = [
-  { field: 'frame', title: 'Frame time', unit: 'ms', digits: 0 },
+  { field: 'frameTime', title: 'Frame time', unit: 'ms', digits: 0 },
   { field: 'flame', title: 'Flame height', unit: 'm', digits: 2 },
   { field: 'power', title: 'Power', unit: 'kW/m', digits: 0 },
   { field: 'luminosity', title: 'Luminosity', unit: 'm²', digits: 3 },
@@ -38,7 +38,11 @@ const PROFILES = [
 ];
 
 /** All charts in their order. @type {{field: string, title: string, shape?: string}[]} */
-const CHARTS = [...SERIES, { field: 'spectrum', title: 'Luminosity spectrum', shape: 'wide' }, ...PROFILES.map((one) => ({ ...one, shape: 'tall' }))];
+const CHARTS = [
+  ...SERIES,
+  { field: 'spectrum', title: 'Luminosity spectrum', shape: 'wide' },
+  ...PROFILES.map((profile) => ({ ...profile, shape: 'tall' })),
+];
 
 /** The card of one fire. */
 export class Card {
@@ -71,7 +75,7 @@ export class Card {
   /** Shows the record. */
   show() {
     for (const series of SERIES) this.#series(series);
-    // No gap beside the last one.
+    // The last chart of an odd number fills its row.
     const shown = SERIES.filter(({ field }) => !this.#charts[field].element.hidden);
     this.#charts.luminosity.element.classList.toggle('wide', shown.length % 2 > 0);
     this.#spectrum();
@@ -95,7 +99,8 @@ export class Card {
       alongX: [`−${SHOWN} s`, 'now'],
       alongY: ['0', `${top} ${unit}`],
       now: now === undefined ? '' : inUnit(now),
-      says: now === undefined ? '' : `now ${inUnit(now)}; in the last ${Math.min(SHOWN, end - rows[0].time).toFixed(0)} s from ${inUnit(Math.min(...values))} to ${inUnit(Math.max(...values))}`,
+      description: now === undefined ? ''
+        : `now ${inUnit(now)}; in the last ${Math.min(SHOWN, end - rows[0].time).toFixed(0)} s from ${inUnit(Math.min(...values))} to ${inUnit(Math.max(...values))}`,
     });
   }
 
@@ -110,7 +115,7 @@ export class Card {
       alongX: ['0', `${highest} Hz`],
       alongY: ['', ''],
       now: peak === undefined ? `after ${SHORTEST} s of fire` : `${peak.toFixed(1)} Hz`,
-      says: peak === undefined ? 'the fire is not measured long enough' : `the peak is at ${peak.toFixed(1)} Hz`,
+      description: peak === undefined ? 'the fire is not measured long enough' : `the peak is at ${peak.toFixed(1)} Hz`,
       mark: peak,
     });
   }
@@ -132,7 +137,7 @@ export class Card {
       alongX: [String(left), `${right} ${unit}`],
       alongY: ['', `${height.toFixed(1)} m`],
       now: at ? `≤ ${at}` : '',
-      says: most ? `over the height at x = ${x.toFixed(2)} m, on average at most ${at}, at ${most.y.toFixed(2)} m` : 'there is no gas',
+      description: most ? `over the height at x = ${x.toFixed(2)} m, on average at most ${at}, at ${most.y.toFixed(2)} m` : 'there is no gas',
     });
   }
 }

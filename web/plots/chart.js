@@ -1,22 +1,22 @@
 /**
- * A chart: a title, the present value in words, and lines in a frame of its own SVG.
+ * A chart: a title, the present value as text, and lines in an SVG.
  *
  * @typedef {{x: number, y: number}} Point
  * @typedef {[min: number, max: number]} Range
  * @typedef {[first: string, last: string]} Ends  The labels of an axis.
  *
- * @typedef {object} Shown
+ * @typedef {object} ChartData
  * @property {(Point | undefined)[][]} lines  Of points, with gaps. The last line is the main one.
  * @property {Range} across
  * @property {Range} up
  * @property {Ends} alongX
  * @property {Ends} alongY
  * @property {string} now  The present value.
- * @property {string} says  The chart in words.
+ * @property {string} description  The accessible name, after the title.
  * @property {number} [mark]  A line upwards there.
  */
 
-import { element } from '../element/icon-button.js';
+import { element } from '../element/controls/icon-button.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
 
@@ -31,15 +31,15 @@ const ROUND = [1, 2, 3, 5, 8, 10];
 export function roundUp(most) {
   if (!(most > 0)) return 1;
   const power = 10 ** Math.floor(Math.log10(most));
-  return Number(((ROUND.find((one) => one * power >= most * 0.999_999) ?? 10) * power).toPrecision(3));
+  return Number(((ROUND.find((step) => step * power >= most * 0.999_999) ?? 10) * power).toPrecision(3));
 }
 
 /** A chart of the card. */
 export class Chart {
   element = element('div', { role: 'img' });
   #now = element('b', {});
-  /** @type {{[place: string]: HTMLElement}} */
-  #labels = Object.fromEntries(['top', 'bottom', 'left', 'right'].map((place) => [place, element('span', { class: place })]));
+  /** @type {{[side: string]: HTMLElement}} */
+  #labels = Object.fromEntries(['top', 'bottom', 'left', 'right'].map((side) => [side, element('span', { class: side })]));
   #drawing = document.createElementNS(SVG, 'svg');
   #title;
 
@@ -49,26 +49,26 @@ export class Chart {
     this.element.className = `chart ${shape}`;
     const caption = element('p', {});
     caption.append(Object.assign(element('span', {}), { textContent: title }), this.#now);
-    const frame = element('div', {});
+    const area = element('div', {});
     for (const [name, value] of Object.entries({ viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: 'none' })) this.#drawing.setAttribute(name, value);
-    frame.append(this.#drawing, ...Object.values(this.#labels));
-    this.element.append(caption, frame);
+    area.append(this.#drawing, ...Object.values(this.#labels));
+    this.element.append(caption, area);
   }
 
-  /** @param {Shown} shown */
-  show({ lines, across, up, alongX, alongY, now, says, mark }) {
-    const place = (/** @type {Point} */ { x, y }) => {
+  /** @param {ChartData} data */
+  show({ lines, across, up, alongX, alongY, now, description, mark }) {
+    const coordinates = (/** @type {Point} */ { x, y }) => {
       const [right, above] = [share(x, across) * WIDTH, (1 - share(y, up)) * HEIGHT];
       return `${right.toFixed(1)},${above.toFixed(1)}`;
     };
     const middle = `M0,${HEIGHT / 2}H${WIDTH}M${WIDTH / 2},0V${HEIGHT}`;
-    const paths = [path('grid', middle), ...lines.map((line, at) => path(at === lines.length - 1 ? 'main' : 'beside', pathOf(line, place)))];
+    const paths = [path('grid', middle), ...lines.map((line, at) => path(at === lines.length - 1 ? 'main' : 'beside', pathOf(line, coordinates)))];
     if (mark !== undefined) paths.push(path('mark', `M${(share(mark, across) * WIDTH).toFixed(1)},0V${HEIGHT}`));
     this.#drawing.replaceChildren(...paths);
     this.#now.textContent = now;
     [this.#labels.left.textContent, this.#labels.right.textContent] = alongX;
     [this.#labels.bottom.textContent, this.#labels.top.textContent] = alongY;
-    this.element.setAttribute('aria-label', `${this.#title}: ${says}`);
+    this.element.setAttribute('aria-label', `${this.#title}: ${description}`);
   }
 }
 
@@ -85,11 +85,11 @@ function path(name, d) {
   return made;
 }
 
-/** @type {(line: (Point | undefined)[], place: (point: Point) => string) => string} */
-function pathOf(line, place) {
+/** @type {(line: (Point | undefined)[], coordinates: (point: Point) => string) => string} */
+function pathOf(line, coordinates) {
   let pen = 'M';
   return line.map((point) => {
-    const drawn = point && pen + place(point);
+    const drawn = point && pen + coordinates(point);
     pen = point ? 'L' : 'M';
     return drawn ?? '';
   }).join('');

@@ -5,11 +5,11 @@
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
  * @typedef {{x: number, y: number}} Point
  *
- * @typedef {object} Parts
- * @property {HTMLElement} host  Gets them.
+ * @typedef {object} Options
+ * @property {HTMLElement} host  The parent of the probe and the plots.
  * @property {HearthFire} fire
- * @property {(text: string) => void} say
- * @property {(shown: boolean) => void} plotted  The plots are shown, or hidden.
+ * @property {(text: string) => void} showStatus  Shows a message.
+ * @property {(shown: boolean) => void} plotsShown  Runs when the plots appear or disappear.
  */
 
 import { addStyle } from '../panel/style.js';
@@ -26,15 +26,15 @@ const NEWS = ['stats', 'ready', 'restored', 'params-change', 'objects-change', '
 
 /** The probe and the plots of one fire. */
 export class Instruments {
-  #parts;
+  #options;
   #readout = new Readout();
   #record = new Record();
   /** @type {Card | undefined} */
   #card;
   /** Where the probe is. @type {Point | undefined} */
   #at;
-  /** Whether the next values are told. */
-  #tells = false;
+  /** Whether the status gets the next values. */
+  #announces = false;
   #runs = false;
   #news = true;
   #ended = new AbortController();
@@ -42,23 +42,23 @@ export class Instruments {
   #drawnAt = 0;
   #style;
 
-  /** @param {Parts} parts */
-  constructor(parts) {
-    this.#parts = parts;
-    this.#style = addStyle(parts.host, new URL('./plots.css', import.meta.url).href);
+  /** @param {Options} options */
+  constructor(options) {
+    this.#options = options;
+    this.#style = addStyle(options.host, new URL('./plots.css', import.meta.url).href);
     const news = () => (this.#news = true);
-    for (const name of NEWS) parts.fire.addEventListener(name, news, { signal: this.#ended.signal });
+    for (const name of NEWS) options.fire.addEventListener(name, news, { signal: this.#ended.signal });
   }
 
-  /** Puts the probe at a place, or away. @type {(at: Point | undefined, tells?: boolean) => void} */
-  probe(at, tells = false) {
-    const { host } = this.#parts;
+  /** Measures at a point, or hides the probe. @type {(at: Point | undefined, options?: {announce?: boolean}) => void} */
+  probe(at, { announce = false } = {}) {
+    const { host } = this.#options;
     if (at && !this.#at) host.append(this.#readout.element);
     if (!at) this.#readout.element.remove();
     this.#at = at && { x: at.x, y: at.y };
-    this.#tells = at !== undefined && (tells || this.#tells);
+    this.#announces = at !== undefined && (announce || this.#announces);
     this.#readAt = 0;
-    this.#place();
+    this.#move();
     this.#run();
   }
 
@@ -66,8 +66,8 @@ export class Instruments {
   plot() {
     if (this.close()) return;
     this.#card = new Card(this.#record, () => this.close());
-    this.#parts.host.append(this.#card.element);
-    this.#parts.plotted(true);
+    this.#options.host.append(this.#card.element);
+    this.#options.plotsShown(true);
     this.#drawnAt = 0;
     this.#card.show();
     this.#run();
@@ -80,8 +80,8 @@ export class Instruments {
     this.#card = undefined;
     const focused = card.element.matches(':focus-within');
     card.element.remove();
-    this.#parts.plotted(false);
-    if (focused) /** @type {HTMLElement | null} */ (this.#parts.host.querySelector('[data-tool="plots"]'))?.focus();
+    this.#options.plotsShown(false);
+    if (focused) /** @type {HTMLElement | null} */ (this.#options.host.querySelector('[data-tool="plots"]'))?.focus();
     return true;
   }
 
@@ -97,9 +97,9 @@ export class Instruments {
     this.#news = true;
     if (this.#runs) return;
     this.#runs = true;
-    const { fire } = this.#parts;
+    const { fire } = this.#options;
     while (this.#at || this.#card) {
-      const now = await frame();
+      const now = await nextFrame();
       if (fire.paused && !this.#news) continue;
       this.#news = false;
       await this.#measure(now);
@@ -109,7 +109,7 @@ export class Instruments {
 
   /** @param {number} now */
   async #measure(now) {
-    const { fire, say } = this.#parts;
+    const { fire, showStatus } = this.#options;
     const at = this.#at;
     const { x, y } = at ?? { x: sourceOf(fire), y: 0 };
     try {
@@ -118,9 +118,9 @@ export class Instruments {
       if (at && this.#at) this.#read(measures.place, at, now);
     } catch (error) {
       if (this.#ended.signal.aborted) return;
-      say(error instanceof Error ? error.message : String(error));
-      // Each frame would say so.
-      while (!this.#news && (this.#at || this.#card)) await frame();
+      showStatus(error instanceof Error ? error.message : String(error));
+      // Without a change, each frame would repeat the message.
+      while (!this.#news && (this.#at || this.#card)) await nextFrame();
     }
     if (this.#card && (fire.paused || now - this.#drawnAt >= DRAW_MS)) {
       this.#drawnAt = now;
@@ -128,9 +128,9 @@ export class Instruments {
     }
   }
 
-  /** Moves the values to where the probe is seen. */
-  #place() {
-    const { fire, host } = this.#parts;
+  /** Moves the values to the pixel of the probe. */
+  #move() {
+    const { fire, host } = this.#options;
     const pixel = this.#at && fire.toPixels(this.#at.x, this.#at.y);
     if (!pixel) return;
     const [inner, outer] = [fire.getBoundingClientRect(), host.getBoundingClientRect()];
@@ -139,15 +139,18 @@ export class Instruments {
 
   /** Shows the values of the probe. @type {(place: import('./readout.js').Place, at: Point, now: number) => void} */
   #read(place, at, now) {
-    const { fire, say } = this.#parts;
+    const { fire, showStatus } = this.#options;
     if (fire.paused || now - this.#readAt >= READ_MS) {
       this.#readAt = now;
       this.#readout.show(place, at);
     }
-    this.#place();
-    if (!this.#tells || at !== this.#at) return;
-    this.#tells = false;
-    say(`${Object.entries(valuesOf(place)).map(([name, value]) => (name === 'place' ? value : `${name} ${value.replace(/[^\d\w\s./³%-]/g, '')}`)).join(', ')}.`);
+    this.#move();
+    if (!this.#announces || at !== this.#at) return;
+    this.#announces = false;
+    const phrases = Object.entries(valuesOf(place)).map(([name, value]) => (
+      name === 'place' ? value : `${name} ${value.replace(/[^\d\w\s./³%-]/g, '')}`
+    ));
+    showStatus(`${phrases.join(', ')}.`);
   }
 }
 
@@ -157,7 +160,7 @@ function sourceOf(fire) {
 }
 
 /** The next frame's time [ms]. @returns {Promise<number>} */
-function frame() {
+function nextFrame() {
   return new Promise((resolve) => {
     requestAnimationFrame(resolve);
   });

@@ -1,19 +1,18 @@
 /**
- * What the probe shows beside the place that it measures: a ring, and values with their units. It shows what the model
- * has there and nothing else.
+ * What the probe shows beside the point that it measures: a ring, and values with their units. Quantities that the
+ * model lacks have no row.
  *
  * @typedef {import('../hearth-fire.js').HearthMeasures['place']} Place
  * @typedef {{x: number, y: number}} Point
  */
 
-
-import { element } from '../element/icon-button.js';
+import { element } from '../element/controls/icon-button.js';
 
 /** Distance of the values from the place, and of both from the edges [px]. */
 const BESIDE = 18;
 const EDGE = 8;
 
-/** Speed below which gas rests [m/s]. */
+/** Speed below which the velocity reads “at rest” [m/s]. */
 const STILL = 0.05;
 
 /** Directions by eighths of a turn, counterclockwise from the right. */
@@ -26,7 +25,7 @@ function eighth(u, v) {
 }
 
 /**
- * The values of a place in words, by their names.
+ * The values at a point as text, by their names.
  * @param {Place} place
  * @returns {{[name: string]: string}}
  */
@@ -35,8 +34,8 @@ export function valuesOf({ gas, solid, temperature, u = 0, v = 0, density, fuel,
   if (!gas) return { place: 'no gas' };
   const speed = Math.hypot(u, v);
   const along = eighth(u, v);
-  const inUnit = (/** @type {number | undefined} */ one, /** @type {number} */ digits, unit = '') => one?.toFixed(digits).concat(unit);
-  const share = (/** @type {number | undefined} */ one) => (one === undefined ? one : inUnit(100 * one, one > 0 && one < 0.095 ? 1 : 0, ' %'));
+  const inUnit = (/** @type {number | undefined} */ value, /** @type {number} */ digits, unit = '') => value?.toFixed(digits).concat(unit);
+  const share = (/** @type {number | undefined} */ fraction) => (fraction === undefined ? fraction : inUnit(100 * fraction, fraction > 0 && fraction < 0.095 ? 1 : 0, ' %'));
   const all = {
     temperature: inUnit(temperature, 0, ' K'),
     velocity: speed < STILL ? 'at rest' : `${inUnit(speed, 2, ' m/s')} ${ARROWS[along]} ${DIRECTIONS[along]}`,

@@ -5,7 +5,7 @@
  *
  * @typedef {object} Row
  * @property {number} time  Age of the fire [s].
- * @property {number} [frame]  Time between two pictures [ms].
+ * @property {number} [frameTime]  Time between two pictures [ms].
  * @property {number} flame  Height of the flame [m].
  * @property {number} [power]  Power of the combustion [kW/m].
  * @property {number} luminosity  [m²]
@@ -47,7 +47,7 @@ export class Record {
     this.x = x;
     const passed = time - (this.rows.at(-1)?.time ?? -Infinity);
     if (passed === 0) this.rows.pop();
-    this.rows.push({ time, ...(stats?.fps ? { frame: 1000 / stats.fps } : {}), flame: flameHeight, ...(power === undefined ? {} : { power }), luminosity });
+    this.rows.push({ time, ...(stats?.fps ? { frameTime: 1000 / stats.fps } : {}), flame: flameHeight, ...(power === undefined ? {} : { power }), luminosity });
     const first = this.rows.findIndex((row) => row.time >= time - KEPT);
     this.rows.splice(0, first);
     const share = 1 - Math.exp(-passed / AVERAGED);
@@ -71,7 +71,7 @@ export class Record {
   csv() {
     const columns = [
       ...columnsOf(this.rows, {
-        'time [s]': 'time', 'frame time [ms]': 'frame', 'flame height [m]': 'flame', 'power [kW/m]': 'power', 'luminosity [m²]': 'luminosity',
+        'time [s]': 'time', 'frame time [ms]': 'frameTime', 'flame height [m]': 'flame', 'power [kW/m]': 'power', 'luminosity [m²]': 'luminosity',
       }),
       ...columnsOf(this.spectrum(), { 'frequency [Hz]': 'frequency', 'luminosity spectrum [1]': 'power' }),
       ...columnsOf(this.levels, {

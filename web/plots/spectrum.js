@@ -59,16 +59,16 @@ function add(lines, samples, from, length) {
 
 /** The line of least squares. @param {Sample[]} samples */
 function trendOf(samples) {
-  const mean = (/** @type {(one: Sample) => number} */ of) => samples.reduce((sum, one) => sum + of(one), 0) / samples.length;
-  const [at, value] = [mean(({ time }) => time), mean((one) => one.value)];
+  const mean = (/** @type {(sample: Sample) => number} */ of) => samples.reduce((sum, sample) => sum + of(sample), 0) / samples.length;
+  const [at, value] = [mean(({ time }) => time), mean((sample) => sample.value)];
   const spread = mean(({ time }) => (time - at) ** 2);
-  return { at, value, slope: spread > 0 ? mean((one) => (one.time - at) * (one.value - value)) / spread : 0 };
+  return { at, value, slope: spread > 0 ? mean((sample) => (sample.time - at) * (sample.value - value)) / spread : 0 };
 }
 
 /** The frequency of the most power [Hz]; undefined without a spectrum. @param {Line[]} spectrum */
 export function peakOf(spectrum) {
   const [first] = spectrum;
-  // Slower swings are not told from the trend.
+  // The trend hides slower swings.
   const able = spectrum.filter(({ frequency }) => frequency >= (SLOWEST / FINE) * first.frequency);
   return able.length > 0 ? able.reduce((most, line) => (line.power > most.power ? line : most)).frequency : undefined;
 }

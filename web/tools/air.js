@@ -4,16 +4,16 @@
  *
  * @typedef {import('./geometry.js').Point} Point
  * @typedef {import('./gestures.js').Gesture} Gesture
- * @typedef {import('./gestures.js').Hands} Hands
+ * @typedef {import('./gestures.js').ToolContext} ToolContext
  */
 
 import { EVERY_MS, SPEED, pour } from '../panel/effects.js';
 
-/** The movement that has a direction, and the distance of sparks from each other [px]. */
+/** The movement that sets a direction, and the distance of sparks from each other [px]. */
 const AIM_PX = 5;
 const APART_PX = 12;
 
-/** Sparks of a press, sparks at each place of a drag, and the most places between two events. */
+/** Sparks of a press, sparks at each point of a drag, and the most points between two events. */
 const FIRST = 24;
 const EACH = 6;
 const MOST = 20;
@@ -24,7 +24,7 @@ const HEAD_PX = 12;
 
 /**
  * Blows while the pointer is pressed, in the direction in which it has moved.
- * @type {(hands: Hands, from: Point, towards?: Point) => Gesture}
+ * @type {(context: ToolContext, from: Point, towards?: Point) => Gesture}
  */
 export function blow({ fire, preview }, from, towards) {
   let [anchor, at] = [from, from];
@@ -57,11 +57,11 @@ function arrow(tip, { x, y }, perPixel) {
     x: tip.x - (along * x + aside * y) * perPixel,
     y: tip.y - (along * y - aside * x) * perPixel,
   });
-  const [one, other] = [HEAD_PX, -HEAD_PX].map((aside) => back(HEAD_PX, aside));
-  return { points: [back(ARROW_PX, 0), tip, one, tip, other], closed: false };
+  const [left, right] = [HEAD_PX, -HEAD_PX].map((aside) => back(HEAD_PX, aside));
+  return { points: [back(ARROW_PX, 0), tip, left, tip, right], closed: false };
 }
 
-/** Throws sparks at the press and along the way. @type {(hands: Hands, from: Point) => Gesture} */
+/** Throws sparks at the press and along the way. @type {(context: ToolContext, from: Point) => Gesture} */
 export function throwSparks({ fire }, from) {
   const sparks = (/** @type {Point} */ { x, y }, /** @type {number} */ count) => fire.sparks(x, y, count).catch(() => {});
   sparks(from, FIRST);
@@ -69,18 +69,18 @@ export function throwSparks({ fire }, from) {
   return {
     move(to, { perPixel }) {
       const [x, y] = [to.x - last.x, to.y - last.y];
-      const places = Math.min(MOST, Math.floor(Math.hypot(x, y) / (APART_PX * perPixel)));
-      for (let place = 1; place <= places; place += 1) {
-        sparks({ x: last.x + (x * place) / places, y: last.y + (y * place) / places }, EACH);
+      const count = Math.min(MOST, Math.floor(Math.hypot(x, y) / (APART_PX * perPixel)));
+      for (let step = 1; step <= count; step += 1) {
+        sparks({ x: last.x + (x * step) / count, y: last.y + (y * step) / count }, EACH);
       }
-      if (places > 0) last = to;
+      if (count > 0) last = to;
     },
     end() {},
     cancel() {},
   };
 }
 
-/** Sprays water downwards from the pointer while it is pressed. @type {(hands: Hands, from: Point) => Gesture} */
+/** Sprays water downwards from the pointer while it is pressed. @type {(context: ToolContext, from: Point) => Gesture} */
 export function spray({ fire, attempt }, from) {
   let at = from;
   attempt(() => pour(fire, at.x, at.y));

@@ -3,7 +3,7 @@
  *
  * @typedef {import('../panel/objects.js').Fields} Fields
  *
- * @typedef {object} Acts  What the bar asks for.
+ * @typedef {object} BarActions
  * @property {(name: string) => void} tool
  * @property {(id: number | undefined) => void} select
  * @property {(file: Blob) => void} picture
@@ -17,7 +17,7 @@
  * @property {() => void} close
  */
 
-import { element, iconButton } from '../element/icon-button.js';
+import { element, iconButton } from '../element/controls/icon-button.js';
 import { nameOf } from '../panel/objects.js';
 import { ALIGNMENTS, ARROWS, ICONS, TOOLS } from './table.js';
 
@@ -26,7 +26,7 @@ const MATERIALS = ['stone', 'wood', 'iron', 'brick', 'coal', 'wax', 'glass', 'no
 
 /** The bar of one toolbar. */
 export class Bar {
-  element = element('div', { class: 'hearth-tools', role: 'toolbar', 'aria-label': 'Tools', 'aria-orientation': 'vertical' });
+  element = element('div', { class: 'hearth-toolbar', role: 'toolbar', 'aria-label': 'Tools', 'aria-orientation': 'vertical' });
   /** Shown while several objects are selected. */
   align = element('div', { class: 'hearth-align', role: 'toolbar', 'aria-label': 'Align', hidden: '' });
   #list = /** @type {HTMLSelectElement} */ (element('select', { 'aria-label': 'Selected object', title: 'Selected object' }));
@@ -38,7 +38,7 @@ export class Bar {
   #several;
   #names = '';
 
-  /** @param {Acts} acts */
+  /** @param {BarActions} acts */
   constructor(acts) {
     for (const { name, key, label, hint, icon } of TOOLS) {
       const shown = key.toUpperCase();
@@ -116,29 +116,29 @@ export class Bar {
 
   /** Shows the objects, the selected ones, and what can be done. @type {(all: Fields[], selected: Fields[], history: {canUndo: boolean, canRedo: boolean}) => void} */
   show(all, selected, { canUndo, canRedo }) {
-    const [one, ...more] = selected;
+    const [first, ...more] = selected;
     const none = more.length > 0 ? `${selected.length} selected` : 'nothing selected';
     const names = [none, ...all.map((object) => `${object.id}:${nameOf(object)}`)].join();
     if (this.#names !== names) {
       this.#names = names;
       this.#list.replaceChildren(new Option(none, ''), ...all.map((object) => new Option(nameOf(object), String(object.id))));
     }
-    this.#list.value = one && more.length === 0 ? String(one.id) : '';
+    this.#list.value = first && more.length === 0 ? String(first.id) : '';
     this.align.hidden = more.length === 0;
     const solid = selected.some(({ kind }) => kind === 'solid');
-    for (const [name, works] of Object.entries({ undo: canUndo, redo: canRedo, duplicate: one, remove: one, back: solid, front: solid })) {
+    for (const [name, works] of Object.entries({ undo: canUndo, redo: canRedo, duplicate: first, remove: first, back: solid, front: solid })) {
       this.#buttons.get(name)?.setAttribute('aria-disabled', String(!works));
     }
   }
 
   /** Arrow keys lead through the buttons, of which the Tab key reaches one. @type {(button: HTMLElement, key: string) => boolean} */
   rove(button, key) {
-    const all = [...this.#buttons.values()].filter((one) => one.parentElement === button.parentElement);
+    const all = [...this.#buttons.values()].filter((other) => other.parentElement === button.parentElement);
     const at = all.indexOf(/** @type {HTMLButtonElement} */ (button));
     const [right, up] = ARROWS[key] ?? [0, 0];
     const to = { Home: 0, End: all.length - 1 }[key] ?? (at + right - up + all.length) % all.length;
     if (at < 0 || to === at) return false;
-    for (const one of all) one.tabIndex = -1;
+    for (const other of all) other.tabIndex = -1;
     all[to].tabIndex = 0;
     all[to].focus();
     return true;

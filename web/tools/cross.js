@@ -18,7 +18,7 @@ const PUFF_MS = 250;
 
 /** The cross of one toolbar. */
 export class Cross {
-  #hands;
+  #context;
   #pointers;
   #overlay;
   /** @type {Point | undefined} */
@@ -29,12 +29,12 @@ export class Cross {
   #puffEnds;
 
   /**
-   * @param {import('./gestures.js').Hands} hands
+   * @param {import('./gestures.js').ToolContext} context
    * @param {import('./pointers.js').Pointers} pointers
    * @param {import('./overlay.js').Overlay} overlay
    */
-  constructor(hands, pointers, overlay) {
-    this.#hands = hands;
+  constructor(context, pointers, overlay) {
+    this.#context = context;
     this.#pointers = pointers;
     this.#overlay = overlay;
   }
@@ -76,7 +76,7 @@ export class Cross {
   puff(how, towards = this.#aim) {
     const at = this.#show();
     this.#aim = towards;
-    const gesture = blow(this.#hands, at, towards);
+    const gesture = blow(this.#context, at, towards);
     this.#pointers.follow(KEYS, gesture);
     gesture.move(at, how);
     clearTimeout(this.#puffEnds);

@@ -5,7 +5,7 @@
  * @typedef {import('../panel/objects.js').Fields} Fields
  * @typedef {import('./geometry.js').Fields} Drawn
  *
- * @typedef {object} Made  What new solids are.
+ * @typedef {object} NewSolidStyle
  * @property {string} material
  * @property {boolean} burns
  */
@@ -22,23 +22,23 @@ const POWER = 150;
 export class Edits {
   #fire;
   #editing;
-  #made;
-  #say;
+  #newSolidStyle;
+  #showStatus;
   #objects;
 
   /**
    * @param {HearthFire} fire
    * @param {import('../panel/editing.js').Editing} editing
-   * @param {() => Made} made
-   * @param {(text: string) => void} say
+   * @param {() => NewSolidStyle} newSolidStyle
+   * @param {(text: string) => void} showStatus
    * @param {() => Fields[]} objects  Where they are now.
    */
-  constructor(fire, editing, made, say, objects) {
+  constructor(fire, editing, newSolidStyle, showStatus, objects) {
     this.#objects = objects;
     this.#fire = fire;
     this.#editing = editing;
-    this.#made = made;
-    this.#say = say;
+    this.#newSolidStyle = newSolidStyle;
+    this.#showStatus = showStatus;
   }
 
   /** Does something that the fire may refuse; a refusal becomes a message. @param {() => unknown} act */
@@ -46,7 +46,7 @@ export class Edits {
     try {
       await act();
     } catch (error) {
-      this.#say(error instanceof Error ? error.message : String(error));
+      this.#showStatus(error instanceof Error ? error.message : String(error));
     }
   }
 
@@ -55,7 +55,7 @@ export class Edits {
     return this.attempt(async () => {
       const kind = /** @type {'source' | 'solid'} */ (drawn.kind);
       if (isFull(this.#fire, kind)) throw new Error(`A fire has at most ${MAX_OBJECTS} ${kind}s.`);
-      const { material, burns } = this.#made();
+      const { material, burns } = this.#newSolidStyle();
       const fields = kind === 'source' ? this.#sourceOf(drawn) : { ...drawn, material };
       const isSurface = kind === 'solid' && burns && !isFull(this.#fire, 'source');
       let id = 0;
@@ -65,7 +65,7 @@ export class Edits {
       });
       this.#editing.select(id);
       const object = this.#editing.selected;
-      if (object) this.#say(`${nameOf(object)} at ${object.x.toFixed(2)}, ${object.y.toFixed(2)} m.`);
+      if (object) this.#showStatus(`${nameOf(object)} at ${object.x.toFixed(2)}, ${object.y.toFixed(2)} m.`);
     });
   }
 
@@ -90,7 +90,7 @@ export class Edits {
 
   /** @type {(name: string, value: number, kind?: 'source' | 'solid') => number} */
   #inRange(name, value, kind = 'source') {
-    const { min = value, max = value } = entriesOf(kind).find((one) => one.name === name)?.domain(this.#fire.params.model) ?? {};
+    const { min = value, max = value } = entriesOf(kind).find((entry) => entry.name === name)?.domain(this.#fire.params.model) ?? {};
     return Math.min(max, Math.max(min, value));
   }
 
@@ -107,7 +107,7 @@ export class Edits {
         }
       });
       this.#editing.select(...ids);
-      this.#say(`${this.#named} ${ids.length > 1 ? 'are' : 'is'} new.`);
+      this.#showStatus(`${this.#named} ${ids.length > 1 ? 'are' : 'is'} new.`);
     });
   }
 
@@ -115,7 +115,7 @@ export class Edits {
   remove() {
     const { all, history } = this.#editing;
     if (all.length === 0) return;
-    this.#say(`${this.#named} ${all.length > 1 ? 'are' : 'is'} removed.`);
+    this.#showStatus(`${this.#named} ${all.length > 1 ? 'are' : 'is'} removed.`);
     this.attempt(() => history.objects(() => this.#editing.takeAway(...all.map(({ id }) => id))));
   }
 
@@ -123,17 +123,17 @@ export class Edits {
   order(front) {
     const solids = this.#editing.all.filter(({ kind }) => kind === 'solid');
     if (solids.length === 0) return;
-    this.#say(`${this.#named} ${solids.length > 1 ? 'are' : 'is'} ${front ? 'before' : 'behind'} the other solids.`);
+    this.#showStatus(`${this.#named} ${solids.length > 1 ? 'are' : 'is'} ${front ? 'before' : 'behind'} the other solids.`);
     this.attempt(() => this.#editing.order(solids.map(({ id }) => id), front));
   }
 
   /** Aligns the selected objects. @param {import('./geometry.js').Alignment} to */
   align(to) {
     const { all } = this.#editing;
-    const objects = placed(this.#objects()).filter(({ id }) => all.some((one) => one.id === id));
+    const objects = placed(this.#objects()).filter(({ id }) => all.some((chosen) => chosen.id === id));
     const by = aligned(objects, to);
     this.change(objects.map((object, at) => moved(object, { x: 0, y: 0 }, by[at])), objects);
-    this.#say(`${this.#named} are aligned: ${to}.`);
+    this.#showStatus(`${this.#named} are aligned: ${to}.`);
   }
 
   /** Changes objects. @type {(fields: Drawn[], objects: Fields[]) => void} */
@@ -159,10 +159,10 @@ export class Edits {
   toggle(id) {
     this.#editing.toggle(id);
     const { length } = this.#editing.all;
-    this.#say(length === 1 ? `${this.#named} is selected.` : `${length} objects are selected.`);
+    this.#showStatus(length === 1 ? `${this.#named} is selected.` : `${length} objects are selected.`);
   }
 
-  /** The selected objects in words. */
+  /** A phrase that names the selected objects. */
   get #named() {
     const { all } = this.#editing;
     return all.length === 1 ? nameOf(all[0]) : `${all.length} objects`;

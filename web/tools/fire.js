@@ -1,16 +1,16 @@
 /**
- * The tools that light what has fuel, and put it out. Neither is a step of the history, but for the fuel that a
- * solid gets.
+ * The tools that light fuels and sources, and put fuels out. Only the fuel that a solid gets is a step of the
+ * history.
  *
  * @typedef {import('./geometry.js').Point} Point
  * @typedef {import('./gestures.js').Gesture} Gesture
- * @typedef {import('./gestures.js').Hands} Hands
+ * @typedef {import('./gestures.js').ToolContext} ToolContext
  */
 
 import { giveFuel, needCombustion } from '../panel/effects.js';
 import { distance } from '../panel/objects.js';
 
-/** How far a press lights, and the distance of the places that a drag lights [m]. */
+/** How far a press lights, and the distance between two points that a drag lights [m]. */
 const REACH = 0.1;
 const APART = 0.05;
 
@@ -18,13 +18,13 @@ const APART = 0.05;
 const RADIUS = 0.2;
 
 /**
- * Does something at the press and along the way of a drag, one place after the other. Only what the press meets is
- * told: a drag crosses the air.
- * @type {(hands: Hands, from: Point, apart: number, act: (at: Point) => Promise<void>) => Gesture}
+ * Acts at the press and then at equal distances along a drag. Only the press reports a refusal, because a drag also
+ * crosses empty air.
+ * @type {(context: ToolContext, from: Point, apart: number, act: (at: Point) => Promise<void>) => Gesture}
  */
-function along(hands, from, apart, act) {
+function repeatAlong(context, from, apart, act) {
   let last = from;
-  let done = hands.attempt(() => act(from));
+  let done = context.attempt(() => act(from));
   return {
     move(to) {
       if (Math.hypot(to.x - last.x, to.y - last.y) < apart) return;
@@ -38,30 +38,30 @@ function along(hands, from, apart, act) {
 
 /**
  * Lights what is under the pointer, a wet source too. A solid without fuel gets that of its material.
- * @type {(hands: Hands, from: Point, pressed: import('./gestures.js').Owned | undefined) => Gesture}
+ * @type {(context: ToolContext, from: Point, pressed: import('./gestures.js').Owned | undefined) => Gesture}
  */
-export function ignite(hands, from, pressed) {
-  const { fire, editing } = hands;
-  return along(hands, from, APART, async (at) => {
+export function ignite(context, from, pressed) {
+  const { fire, editing } = context;
+  return repeatAlong(context, from, APART, async (at) => {
     needCombustion(fire, 'fuels');
     if (at === from && pressed?.kind === 'solid') await giveFuel(editing, pressed);
     // A source there may be wet.
-    if (!hands.objects().some((one) => one.kind === 'source' && distance(one, at.x, at.y) <= REACH)) needFuel(hands, at, REACH);
+    if (!context.objects().some((source) => source.kind === 'source' && distance(source, at.x, at.y) <= REACH)) needFuel(context, at, REACH);
     await fire.ignite(at.x, at.y);
   });
 }
 
-/** Puts out what is around the pointer. @type {(hands: Hands, from: Point) => Gesture} */
-export function extinguish(hands, from) {
-  return along(hands, from, RADIUS / 2, async (at) => {
-    needFuel(hands, at, RADIUS);
-    await hands.fire.extinguish(at.x, at.y, RADIUS);
+/** Puts out what is around the pointer. @type {(context: ToolContext, from: Point) => Gesture} */
+export function extinguish(context, from) {
+  return repeatAlong(context, from, RADIUS / 2, async (at) => {
+    needFuel(context, at, RADIUS);
+    await context.fire.extinguish(at.x, at.y, RADIUS);
   });
 }
 
-/** Throws unless a solid with fuel is that near. @type {(hands: Hands, at: Point, radius: number) => void} */
+/** Throws unless a solid with fuel is that near. @type {(context: ToolContext, at: Point, radius: number) => void} */
 function needFuel({ objects }, { x, y }, radius) {
-  if (!objects().some((one) => one.kind === 'solid' && one.fuel !== 'none' && distance(one, x, y) <= radius)) {
+  if (!objects().some((solid) => solid.kind === 'solid' && solid.fuel !== 'none' && distance(solid, x, y) <= radius)) {
     throw new Error('Nothing there has fuel: press a solid.');
   }
 }

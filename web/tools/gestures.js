@@ -1,6 +1,6 @@
 /**
- * What each tool does with a press, a move and a release at points of the world. A mouse, a finger, a pen
- * and the keys that move the cross all come here.
+ * What each tool does with a press, a move and a release at points of the world, for a mouse, a finger, a
+ * pen and the keys that move the cross.
  *
  * @typedef {import('./geometry.js').Point} Point
  * @typedef {import('./geometry.js').Fields} Fields
@@ -13,7 +13,7 @@
  * @property {boolean} free  Whether what moves does not snap to other objects.
  * @property {number} perPixel  Metres of a pixel.
  *
- * @typedef {object} Hands  What gestures need of the toolbar.
+ * @typedef {object} ToolContext  What gestures need of the toolbar.
  * @property {import('../hearth-fire.js').HearthFire} fire
  * @property {import('../panel/editing.js').Editing} editing
  * @property {() => Owned[]} objects
@@ -27,8 +27,8 @@
  * @property {(lines: Point[][]) => void} guide  Shows the lines to which an object snaps.
  * @property {(id: number) => void} toggle  Adds an object to the selection, or takes it out.
  * @property {() => number} thickness  Of a new line [m].
- * @property {(at: Point) => void} write  Asks for a word.
- * @property {(at: Point, tells?: boolean) => void} probe  Measures there, if that is the tool.
+ * @property {(at: Point) => void} askForText
+ * @property {(at: Point, options?: {announce?: boolean}) => void} probe  Measures there if the probe is the tool.
  *
  * @typedef {object} Gesture
  * @property {(to: Point, how: How) => void} move
@@ -56,44 +56,44 @@ const SNAP_PX = 6;
 /** The objects on the fire that have a place: a source on a solid is where that is. @param {Owned[]} objects */
 export function placed(objects) {
   return objects.filter(({ kind, shape, solid, enabled }) => enabled !== false && (
-    kind !== 'source' || shape !== 'solid' || !objects.some((one) => one.kind === 'solid' && one.id === solid)
+    kind !== 'source' || shape !== 'solid' || !objects.some((other) => other.kind === 'solid' && other.id === solid)
   ));
 }
 
-/** The last object at a point, which is drawn before the others; undefined without one. @type {(hands: Hands, at: Point, near: number) => Owned | undefined} */
-function objectAt(hands, at, near) {
-  return placed(hands.objects()).findLast((object) => distance(object, at.x, at.y) <= near);
+/** The last object at a point, which is drawn before the others; undefined without one. @type {(context: ToolContext, at: Point, near: number) => Owned | undefined} */
+function objectAt(context, at, near) {
+  return placed(context.objects()).findLast((object) => distance(object, at.x, at.y) <= near);
 }
 
-/** Draws something between the press and the release. @type {(hands: Hands, from: Point, draw: (from: Point, to: Point) => Fields, turns?: boolean) => Gesture} */
-function between(hands, from, draw, turns = false) {
+/** Draws something between the press and the release. @type {(context: ToolContext, from: Point, draw: (from: Point, to: Point) => Fields, turns?: boolean) => Gesture} */
+function drawBetween(context, from, draw, turns = false) {
   const end = (/** @type {Point} */ to, /** @type {How} */ { snaps }) => (snaps && turns ? snapped(from, to) : to);
   return {
-    move: (to, how) => hands.preview([outlineOf(draw(from, end(to, how)))]),
+    move: (to, how) => context.preview([outlineOf(draw(from, end(to, how)))]),
     end: (to, how) => {
-      if (Math.hypot(to.x - from.x, to.y - from.y) > SHORT_PX * how.perPixel) hands.add(draw(from, end(to, how)));
+      if (Math.hypot(to.x - from.x, to.y - from.y) > SHORT_PX * how.perPixel) context.add(draw(from, end(to, how)));
     },
     cancel() {},
   };
 }
 
-/** Changes objects while a pointer drags: one step of the history. @type {(hands: Hands, objects: Owned[], change: (to: Point, how: How) => Fields[]) => Gesture} */
-function changing(hands, objects, change) {
-  const { history } = hands.editing;
+/** Changes objects while a pointer drags: one step of the history. @type {(context: ToolContext, objects: Owned[], change: (to: Point, how: How) => Fields[]) => Gesture} */
+function dragObjects(context, objects, change) {
+  const { history } = context.editing;
   /** @type {Fields[] | undefined} */
   let wanted;
   /** @type {Fields[] | undefined} */
   let last;
   let busy = false;
   let held = true;
-  // A pointer moves more often than the fire answers; the last place counts.
+  // A pointer moves more often than the fire answers; the last position counts.
   const send = async () => {
     if (busy) return;
     busy = true;
     while (wanted) {
       const next = wanted;
       wanted = undefined;
-      await history.changeAll(hands.changes(objects, next, held)).catch(() => {});
+      await history.changeAll(context.changes(objects, next, held)).catch(() => {});
     }
     busy = false;
   };
@@ -107,27 +107,27 @@ function changing(hands, objects, change) {
     end(at, how) {
       held = false;
       if (last) to(change(at, how));
-      hands.guide([]);
+      context.guide([]);
     },
     cancel() {
       held = false;
       const names = Object.keys(last?.[0] ?? {});
       if (last) to(objects.map((object) => Object.fromEntries(names.map((name) => [name, object[name]]))));
-      hands.guide([]);
+      context.guide([]);
     },
   };
 }
 
-/** Moves objects; a press that moves nothing ends in `click`. @type {(hands: Hands, objects: Owned[], from: Point, click: () => void) => Gesture} */
-function moving(hands, objects, from, click) {
+/** Moves objects; a press that moves nothing ends in `click`. @type {(context: ToolContext, objects: Owned[], from: Point, click: () => void) => Gesture} */
+function moveObjects(context, objects, from, click) {
   const box = boundsOf(objects);
   const ids = objects.map(({ id }) => id);
-  const others = placed(hands.objects()).filter(({ id }) => !ids.includes(id)).map((one) => boundsOf([one]));
-  const drag = changing(hands, objects, (to, { free, perPixel }) => {
+  const others = placed(context.objects()).filter(({ id }) => !ids.includes(id)).map((object) => boundsOf([object]));
+  const drag = dragObjects(context, objects, (to, { free, perPixel }) => {
     const [x, y] = [to.x - from.x, to.y - from.y];
-    const there = { left: box.left + x, right: box.right + x, bottom: box.bottom + y, top: box.top + y };
-    const { by, guides } = snapTo(there, free ? [] : others, SNAP_PX * perPixel);
-    hands.guide(guides);
+    const target = { left: box.left + x, right: box.right + x, bottom: box.bottom + y, top: box.top + y };
+    const { by, guides } = snapTo(target, free ? [] : others, SNAP_PX * perPixel);
+    context.guide(guides);
     return objects.map((object) => moved(object, from, { x: to.x + by.x, y: to.y + by.y }));
   });
   let began = false;
@@ -144,72 +144,72 @@ function moving(hands, objects, from, click) {
   };
 }
 
-/** @type {(hands: Hands, from: Point, how: How) => Gesture | undefined} */
-function select(hands, from, { perPixel, adds }) {
-  const { editing } = hands;
-  const [chosen, ...more] = hands.objects().filter(({ id }) => editing.all.some((one) => one.id === id));
-  const handle = more.length === 0 && hands.handleAt(chosen, from);
+/** @type {(context: ToolContext, from: Point, how: How) => Gesture | undefined} */
+function select(context, from, { perPixel, adds }) {
+  const { editing } = context;
+  const [chosen, ...more] = context.objects().filter(({ id }) => editing.all.some((selected) => selected.id === id));
+  const handle = more.length === 0 && context.handleAt(chosen, from);
   if (handle && chosen) {
     const before = /** @type {Owned & Placed} */ ({ ...chosen });
-    return changing(hands, [before], (to, { snaps }) => [handle.does === 'turn' ? turned(before, to, snaps) : sized(before, handle.at, to)]);
+    return dragObjects(context, [before], (to, { snaps }) => [handle.does === 'turn' ? turned(before, to, snaps) : sized(before, handle.at, to)]);
   }
-  const object = objectAt(hands, from, NEAR_PX * perPixel);
+  const object = objectAt(context, from, NEAR_PX * perPixel);
   const isChosen = editing.all.some(({ id }) => id === object?.id);
   if (adds) {
-    if (object) hands.toggle(object.id);
+    if (object) context.toggle(object.id);
   } else if (!isChosen) {
     editing.select(object?.id);
   }
   if (!object || (adds && isChosen)) return undefined;
-  const objects = placed(hands.objects()).filter(({ id }) => editing.all.some((one) => one.id === id));
+  const objects = placed(context.objects()).filter(({ id }) => editing.all.some((selected) => selected.id === id));
   // A click on one of several selects it alone.
-  return moving(hands, objects, from, () => adds || editing.select(object.id));
+  return moveObjects(context, objects, from, () => adds || editing.select(object.id));
 }
 
-/** @type {(hands: Hands, from: Point, how: How) => Gesture} */
-function erase(hands, from, { perPixel }) {
+/** @type {(context: ToolContext, from: Point, how: How) => Gesture} */
+function erase(context, from, { perPixel }) {
   let done = () => {};
   const ended = /** @type {Promise<void>} */ (new Promise((resolve) => (done = resolve)));
   const gone = new Set();
   /** @type {Promise<unknown>[]} */
   const removals = [];
   // All of it is one step.
-  hands.editing.history.objects(async () => {
+  context.editing.history.objects(async () => {
     await ended;
     await Promise.allSettled(removals);
   });
   const rub = (/** @type {Point} */ at) => {
-    const object = objectAt({ ...hands, objects: () => hands.objects().filter(({ id }) => !gone.has(id)) }, at, NEAR_PX * perPixel);
+    const object = objectAt({ ...context, objects: () => context.objects().filter(({ id }) => !gone.has(id)) }, at, NEAR_PX * perPixel);
     if (!object) return;
     gone.add(object.id);
-    removals.push(hands.remove(object.id));
+    removals.push(context.remove(object.id));
   };
   rub(from);
   return { move: rub, end: done, cancel: done };
 }
 
-/** @type {(hands: Hands, from: Point) => Gesture} */
-function brush(hands, from) {
+/** @type {(context: ToolContext, from: Point) => Gesture} */
+function brush(context, from) {
   const path = [from];
   return {
     move(to) {
       path.push(to);
-      hands.preview([{ points: path, closed: false }]);
+      context.preview([{ points: path, closed: false }]);
     },
-    end: () => hands.add(strokeAlong(path, hands.thickness())),
+    end: () => context.add(strokeAlong(path, context.thickness())),
     cancel() {},
   };
 }
 
 /** The corners of a polygon, which a visitor clicks one after the other. */
 export class PolygonDrawing {
-  #hands;
+  #context;
   /** @type {Point[]} */
   #corners = [];
 
-  /** @param {Hands} hands */
-  constructor(hands) {
-    this.#hands = hands;
+  /** @param {ToolContext} context */
+  constructor(context) {
+    this.#context = context;
   }
 
   get active() {
@@ -218,48 +218,48 @@ export class PolygonDrawing {
 
   /** A click adds a corner; one at the first corner or the last one closes it. @type {(at: Point, how: How) => void} */
   press(at, { perPixel }) {
-    const near = (/** @type {Point | undefined} */ one) => one && Math.hypot(one.x - at.x, one.y - at.y) <= NEAR_PX * perPixel;
+    const near = (/** @type {Point | undefined} */ corner) => corner && Math.hypot(corner.x - at.x, corner.y - at.y) <= NEAR_PX * perPixel;
     if (this.#corners.length > 2 && (near(this.#corners[0]) || near(this.#corners.at(-1)))) this.close();
     else if (!near(this.#corners.at(-1))) this.#corners.push(at);
   }
 
   /** Shows the sides so far. @param {Point} at */
   show(at) {
-    if (this.active) this.#hands.preview([{ points: [...this.#corners, at], closed: false }]);
+    if (this.active) this.#context.preview([{ points: [...this.#corners, at], closed: false }]);
   }
 
   /** Adds the polygon. */
   close() {
     const polygon = polygonOf(this.#corners);
     this.cancel();
-    if (polygon) this.#hands.add(polygon);
+    if (polygon) this.#context.add(polygon);
   }
 
   cancel() {
     this.#corners = [];
-    this.#hands.preview([]);
+    this.#context.preview([]);
   }
 }
 
 /**
  * Begins the gesture of a tool; undefined if a press is all.
- * @type {(tool: string, hands: Hands, from: Point, how: How) => Gesture | undefined}
+ * @type {(tool: string, context: ToolContext, from: Point, how: How) => Gesture | undefined}
  */
-export function begin(tool, hands, from, how) {
+export function begin(tool, context, from, how) {
   switch (tool) {
-    case 'blow': return blow(hands, from);
-    case 'sparks': return throwSparks(hands, from);
-    case 'ignite': return ignite(hands, from, objectAt(hands, from, NEAR_PX * how.perPixel));
-    case 'extinguish': return extinguish(hands, from);
-    case 'water': return spray(hands, from);
-    case 'select': return select(hands, from, how);
-    case 'erase': return erase(hands, from, how);
-    case 'brush': return brush(hands, from);
-    case 'line': return between(hands, from, (a, b) => lineBetween(a, b, hands.thickness()), true);
-    case 'box': return between(hands, from, boxBetween);
-    case 'circle': return between(hands, from, circleAround);
-    case 'source': return between(hands, from, sourceBetween, true);
-    case 'text': hands.write(from); return undefined;
+    case 'blow': return blow(context, from);
+    case 'sparks': return throwSparks(context, from);
+    case 'ignite': return ignite(context, from, objectAt(context, from, NEAR_PX * how.perPixel));
+    case 'extinguish': return extinguish(context, from);
+    case 'water': return spray(context, from);
+    case 'select': return select(context, from, how);
+    case 'erase': return erase(context, from, how);
+    case 'brush': return brush(context, from);
+    case 'line': return drawBetween(context, from, (a, b) => lineBetween(a, b, context.thickness()), true);
+    case 'box': return drawBetween(context, from, boxBetween);
+    case 'circle': return drawBetween(context, from, circleAround);
+    case 'source': return drawBetween(context, from, sourceBetween, true);
+    case 'text': context.askForText(from); return undefined;
     default: return undefined;
   }
 }

@@ -18,7 +18,7 @@ const MAX_LETTERS = 60;
 /** Families that every browser has, and some that most computers have. */
 const FAMILIES = ['serif', 'sans-serif', 'monospace', 'cursive', 'Georgia', 'Impact', 'Arial Black', 'Courier New', 'Brush Script MT'];
 
-/** Width of a letter [m], and the largest share of the frame that a word or a picture takes. */
+/** Width of a letter [m], and the largest share of the visible width that a word or a picture takes. */
 const LETTER = 0.13;
 const LARGEST = 0.8;
 
@@ -44,22 +44,22 @@ export class Inserts {
     this.#open = open;
   }
 
-  /** Listens to files that are dropped on `places` or pasted. @type {(places: EventTarget[], signal: AbortSignal) => void} */
-  listen(places, signal) {
+  /** Listens to files that are dropped on `targets` or pasted. @type {(targets: EventTarget[], signal: AbortSignal) => void} */
+  listen(targets, signal) {
     document.addEventListener('paste', (event) => this.#paste(event), { signal });
-    for (const place of places) {
-      place.addEventListener('dragover', (event) => {
+    for (const target of targets) {
+      target.addEventListener('dragover', (event) => {
         if (/** @type {DragEvent} */ (event).dataTransfer?.types.includes('Files')) event.preventDefault();
       }, { signal });
-      place.addEventListener('drop', (event) => this.#drop(/** @type {DragEvent} */ (event)), { signal });
+      target.addEventListener('drop', (event) => this.#drop(/** @type {DragEvent} */ (event)), { signal });
     }
   }
 
   /** Asks for a word at a point. @param {Point} at */
-  write(at) {
+  askForText(at) {
     this.close();
-    const place = (/** @type {Fields} */ fields) => this.#edits.add({ ...fields, x: rounded(at.x), y: rounded(at.y) });
-    this.close = askForText(this.#host, this.#overlay.seen.width, place, () => (this.close = () => {}));
+    const add = (/** @type {Fields} */ fields) => this.#edits.add({ ...fields, x: rounded(at.x), y: rounded(at.y) });
+    this.close = wordForm(this.#host, this.#overlay.seen.width, add, () => (this.close = () => {}));
   }
 
   /** Adds a picture, by default in the middle of what is seen. @type {(file: Blob, at?: Point | null) => Promise<void>} */
@@ -95,11 +95,11 @@ export class Inserts {
  * Asks for a word.
  * @param {HTMLElement} host  Gets the form.
  * @param {number} across  The width that is seen [m].
- * @param {(fields: Fields) => void} place  Gets the solid, without a place.
+ * @param {(fields: Fields) => void} add  Adds the solid, which has no position yet.
  * @param {() => void} closed
  * @returns {() => void} closes the form
  */
-function askForText(host, across, place, closed) {
+function wordForm(host, across, add, closed) {
   const form = document.createElement('form');
   form.className = 'hearth-text';
   form.setAttribute('aria-label', 'A word as a solid');
@@ -109,11 +109,11 @@ function askForText(host, across, place, closed) {
   list.id = 'hearth-families';
   list.append(...FAMILIES.map((name) => Object.assign(document.createElement('option'), { value: name })));
   family.input.setAttribute('list', list.id);
-  const said = document.createElement('p');
-  said.setAttribute('role', 'alert');
+  const alert = document.createElement('p');
+  alert.setAttribute('role', 'alert');
   const done = Object.assign(document.createElement('button'), { type: 'submit', textContent: 'Place it' });
   const cancel = Object.assign(document.createElement('button'), { type: 'button', textContent: 'Cancel' });
-  form.append(word.label, family.label, list, said, done, cancel);
+  form.append(word.label, family.label, list, alert, done, cancel);
   const close = () => {
     form.remove();
     closed();
@@ -132,9 +132,9 @@ function askForText(host, across, place, closed) {
       const fields = await textOf(word.input.value, family.input.value, across);
       if (!form.isConnected) return;
       close();
-      place(fields);
+      add(fields);
     } catch (error) {
-      said.textContent = error instanceof Error ? error.message : String(error);
+      alert.textContent = error instanceof Error ? error.message : String(error);
     }
     done.disabled = false;
   });

@@ -1,39 +1,39 @@
 /**
  * The probe and the plots, whose code is loaded with the first use of either.
  *
- * @typedef {import('../plots/instruments.js').Instruments} Made
+ * @typedef {import('../plots/instruments.js').Instruments} LoadedInstruments
  * @typedef {import('./geometry.js').Point} Point
  */
 
 /** The probe and the plots of one toolbar. */
 export class Instruments {
-  #parts;
+  #options;
   #attempt;
-  /** @type {Promise<Made> | undefined} */
+  /** @type {Promise<LoadedInstruments> | undefined} */
   #loading;
-  /** @type {Made | undefined} */
-  #made;
+  /** @type {LoadedInstruments | undefined} */
+  #loaded;
   #removed = false;
 
-  /** @param {import('../plots/instruments.js').Parts} parts @param {(act: () => unknown) => Promise<void>} attempt */
-  constructor(parts, attempt) {
-    this.#parts = parts;
+  /** @param {import('../plots/instruments.js').Options} options @param {(act: () => unknown) => Promise<void>} attempt */
+  constructor(options, attempt) {
+    this.#options = options;
     this.#attempt = attempt;
   }
 
-  /** @param {(made: Made) => void} act */
+  /** @param {(loaded: LoadedInstruments) => void} act */
   #use(act) {
-    if (this.#made) {
-      act(this.#made);
+    if (this.#loaded) {
+      act(this.#loaded);
       return;
     }
-    this.#loading ??= import('../plots/instruments.js').then(({ Instruments: Loaded }) => new Loaded(this.#parts));
+    this.#loading ??= import('../plots/instruments.js').then(({ Instruments: Loaded }) => new Loaded(this.#options));
     this.#attempt(async () => {
       try {
-        const made = await this.#loading;
-        if (!made || this.#removed) return;
-        this.#made = made;
-        act(made);
+        const loaded = await this.#loading;
+        if (!loaded || this.#removed) return;
+        this.#loaded = loaded;
+        act(loaded);
       } catch (error) {
         // The next use tries again.
         this.#loading = undefined;
@@ -42,28 +42,28 @@ export class Instruments {
     });
   }
 
-  /** Puts the probe at a place, and says what is there if it `tells`. @type {(at: Point, tells?: boolean) => void} */
-  probe(at, tells) {
-    this.#use((made) => made.probe(at, tells));
+  /** Shows the values at a point; `announce` writes them into the status, too. @type {(at: Point, options?: {announce?: boolean}) => void} */
+  probe(at, options) {
+    this.#use((loaded) => loaded.probe(at, options));
   }
 
-  /** Takes the probe away. */
-  unprobe() {
-    if (this.#loading) this.#use((made) => made.probe(undefined));
+  /** Hides the probe. */
+  hideProbe() {
+    if (this.#loading) this.#use((loaded) => loaded.probe(undefined));
   }
 
   /** Shows or hides the plots. */
   plot() {
-    this.#use((made) => made.plot());
+    this.#use((loaded) => loaded.plot());
   }
 
   /** Hides the plots, if they are shown. */
   close() {
-    return this.#made?.close() ?? false;
+    return this.#loaded?.close() ?? false;
   }
 
   remove() {
     this.#removed = true;
-    this.#made?.remove();
+    this.#loaded?.remove();
   }
 }

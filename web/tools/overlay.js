@@ -16,9 +16,9 @@ const GRIP_PX = 16;
 
 /** @type {(name: string, attributes: {[name: string]: string | number}) => SVGElement} */
 function svg(name, attributes) {
-  const made = document.createElementNS(SVG, name);
-  for (const [attribute, value] of Object.entries(attributes)) made.setAttribute(attribute, String(value));
-  return made;
+  const node = document.createElementNS(SVG, name);
+  for (const [attribute, value] of Object.entries(attributes)) node.setAttribute(attribute, String(value));
+  return node;
 }
 
 /** The layer of one fire. */
@@ -51,8 +51,8 @@ export class Overlay {
 
   /** Metres of a pixel. */
   get perPixel() {
-    const [one, other] = [this.#fire.toMetres(0, 0), this.#fire.toMetres(1, 0)];
-    return one && other ? other.x - one.x : 0.001;
+    const [origin, next] = [this.#fire.toMetres(0, 0), this.#fire.toMetres(1, 0)];
+    return origin && next ? next.x - origin.x : 0.001;
   }
 
   /** Width and middle of what is seen [m]. */
@@ -68,7 +68,7 @@ export class Overlay {
   handleAt(object, at) {
     const size = this.perPixel;
     const all = object ? handlesOf(object, size) : [];
-    const away = (/** @type {Point} */ one) => Math.hypot(one.x - at.x, one.y - at.y);
+    const away = (/** @type {Point} */ point) => Math.hypot(point.x - at.x, point.y - at.y);
     const [nearest] = all.sort((a, b) => away(a.at) - away(b.at));
     return nearest && away(nearest.at) <= GRIP_PX * size ? nearest : undefined;
   }
@@ -85,7 +85,7 @@ export class Overlay {
 
   /** Shows what a gesture draws: objects, or an open path. @type {(shown: {points: Point[], closed: boolean}[]) => void} */
   preview(shown) {
-    this.#preview.setAttribute('d', shown.map((one) => this.#path(one)).join(''));
+    this.#preview.setAttribute('d', shown.map((outline) => this.#path(outline)).join(''));
   }
 
   /** Shows the lines to which a moved object snaps. @param {Point[][]} lines */

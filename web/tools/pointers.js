@@ -1,9 +1,9 @@
 /**
- * The gestures that pointers make with a tool, one each. The keys that move the cross are a pointer, too.
+ * The gestures that pointers make with a tool. The keys that move the cross count as a pointer.
  *
  * @typedef {import('./geometry.js').Point} Point
  * @typedef {import('./gestures.js').Gesture} Gesture
- * @typedef {import('./gestures.js').Hands} Hands
+ * @typedef {import('./gestures.js').ToolContext} ToolContext
  * @typedef {import('./gestures.js').How} How
  */
 
@@ -11,14 +11,14 @@ import { begin, PolygonDrawing } from './gestures.js';
 
 /** The pointers of one toolbar. */
 export class Pointers {
-  #hands;
+  #context;
   /** @type {Map<number, Gesture>} */
   #gestures = new Map();
 
-  /** @param {Hands} hands */
-  constructor(hands) {
-    this.#hands = hands;
-    this.polygon = new PolygonDrawing(hands);
+  /** @param {ToolContext} context */
+  constructor(context) {
+    this.#context = context;
+    this.polygon = new PolygonDrawing(context);
   }
 
   /** Whether any of them draws. */
@@ -33,16 +33,16 @@ export class Pointers {
 
   /** @type {(tool: string, pointer: number, at: Point, how: How) => void} */
   begin(tool, pointer, at, how) {
-    // Keys have no value before their eyes.
-    this.#hands.probe(at, pointer < 0);
-    this.#hands.editing.history.press();
+    // Keyboard users see no hover readout.
+    this.#context.probe(at, { announce: pointer < 0 });
+    this.#context.editing.history.press();
     if (tool === 'polygon') {
       this.polygon.press(at, how);
       return;
     }
     // A second finger ends what the first one draws.
     this.#cancelGestures();
-    const gesture = begin(tool, this.#hands, at, how);
+    const gesture = begin(tool, this.#context, at, how);
     if (gesture) this.#gestures.set(pointer, gesture);
   }
 
@@ -55,7 +55,7 @@ export class Pointers {
   /** @type {(pointer: number, at: Point, how: How) => void} */
   move(pointer, at, how) {
     this.polygon.show(at);
-    this.#hands.probe(at);
+    this.#context.probe(at);
     this.#gestures.get(pointer)?.move(at, how);
   }
 
@@ -65,14 +65,14 @@ export class Pointers {
     this.#gestures.delete(pointer);
     if (!gesture) return;
     gesture.end(at, how);
-    this.#hands.preview([]);
+    this.#context.preview([]);
   }
 
   /** @param {number} pointer */
   cancel(pointer) {
     this.#gestures.get(pointer)?.cancel();
     this.#gestures.delete(pointer);
-    this.#hands.preview([]);
+    this.#context.preview([]);
   }
 
   /** Cancels all gestures, and the polygon. */

@@ -1,5 +1,5 @@
 /**
- * The tools: their names, what they do in words, and their icons as paths of 24 × 24.
+ * The tools: their names, hints, and icons as paths of 24 × 24.
  *
  * @typedef {object} Tool
  * @property {string} name

@@ -1,7 +1,7 @@
 //! Copies of values from JavaScript.
 //!
 //! Scripts copy the values of a page into plain data (`postable` in
-//! `web/element/requests.js`, `columns` in `web/sim/values.js`), so no getter of a page runs during
+//! `web/element/session/requests.js`, `columns` in `web/sim/values.js`), so no getter of a page runs during
 //! a call of wasm. This module makes a tree of it in Rust, which is checked without a browser.
 
 use hearth_core::params::{AnyValue, Input};

@@ -33,7 +33,7 @@ pub struct Viewport {
 
 impl Viewport {
     /// The viewport of a picture \[pixels\] on a domain \[m\].
-    // `web/element/viewport.js` computes the same for pages.
+    // `web/element/view/viewport.js` computes the same for pages.
     pub fn new(picture: [u32; 2], domain: [f32; 2], camera: Camera) -> Viewport {
         let aspect = picture[0] as f32 / picture[1].max(1) as f32;
         let [width, height] = domain;

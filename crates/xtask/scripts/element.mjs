@@ -127,7 +127,7 @@ async function describe(declared, exported) {
   const type = declared('hearth-fire.js', 'HearthFire');
   const about = read(type);
   const named = (/** @type {string} */ tag) => about.all(tag).map(({ name, type: kind, text }) => ({ name, type: kind, doc: text }));
-  const members = [...type.members, ...declared('element/attributes.js', 'FireAttributes').members].filter(isPublic);
+  const members = [...type.members, ...declared('element/attributes/attributes.js', 'FireAttributes').members].filter(isPublic);
   const reflected = [...declared('element/types.d.ts', 'HearthReflected').members];
   const properties = [
     ...members.filter(({ kind }) => kind === SyntaxKind.PropertyDeclaration || kind === SyntaxKind.GetAccessor)

@@ -28,7 +28,7 @@ const source = (tab) => tab.fire(async (fire) => {
 /** Waits until the fire is ready, and listens to pointers. */
 const listens = async (tab) => {
   await tab.ready();
-  await tab.evaluate(() => import(/** @type {any} */ ('/web/element/pointer.js')).then(() => undefined));
+  await tab.evaluate(() => import(/** @type {any} */ ('/web/element/pointer/pointer.js')).then(() => undefined));
 };
 
 /** How many embers fly, as the fire says when that changes. */

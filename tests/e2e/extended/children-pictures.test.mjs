@@ -296,7 +296,7 @@ test('a mask for which there is no room is refused once, and the box counts', as
 });
 
 test('without the code for masks the box counts, with a warning', async () => {
-  const tab = await opened(`<img id="it" src="${DISC}">`, '<hearth-solid of="#it"></hearth-solid>', { style: 'left: 40px; top: 30px', options: { without: 'element/child-picture.js' } });
+  const tab = await opened(`<img id="it" src="${DISC}">`, '<hearth-solid of="#it"></hearth-solid>', { style: 'left: 40px; top: 30px', options: { without: 'element/children/child-picture.js' } });
   await boxed(tab);
   assert.ok(tab.problems.some((problem) => /The code for masks could not be loaded/.test(problem)), tab.problems.join('\n'));
 });

@@ -204,7 +204,7 @@ test('the code is loaded with the first child', async () => {
 });
 
 test('without the code the fire burns without its children, with a warning', async () => {
-  const tab = await browser.open(recording(fireOf('<hearth-solid></hearth-solid>')), { without: 'element/children.js' });
+  const tab = await browser.open(recording(fireOf('<hearth-solid></hearth-solid>')), { without: 'element/children/children.js' });
   await tab.ready();
   assert.deepEqual(await listed(tab), ['source 0']);
   const [error, ...more] = await events(tab, 'error');

@@ -94,7 +94,7 @@ test('the methods are those of the element, each in an example', () => {
 });
 
 test('the events are those that the element sends, each in an example', () => {
-  const source = read('web/element/session.js') + read('web/element/reports.js');
+  const source = read('web/element/session/session.js') + read('web/element/session/reports.js');
   const types = read('web/hearth-fire.d.ts');
   const sent = [...source.matchAll(/\.emit\(([^;]*?)[,)]/g)].flatMap(([, what]) => (
     [...what.matchAll(/'([a-z-]+)'/g)].map(([, name]) => name)

@@ -5,7 +5,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
-import { openTools } from '../hands.mjs';
+import { openTools } from '../tools.mjs';
 import { Panel } from '../panel.mjs';
 
 /** @type {Browser} */
@@ -159,7 +159,7 @@ test('with an open toolbar a dropped file is opened once, and the toolbar keeps 
   await drop(tab, '.hearth-overlay', { name: 'disc.svg', type: 'image/svg+xml', text: disc });
   await tab.until('a mask', () => /** @type {any} */ (document.querySelector('hearth-fire')).objects.some(({ shape }) => shape === 'mask'));
   await drop(tab, '.hearth-overlay', { name: 'notes.txt', type: 'text/plain', text: '' });
-  await tab.until('the words of the toolbar', () => /“notes.txt” is no image/.test(document.querySelector('.hearth-said')?.textContent ?? ''));
+  await tab.until('the words of the toolbar', () => /“notes.txt” is no image/.test(document.querySelector('.hearth-status')?.textContent ?? ''));
   assert.equal(await tab.evaluate(() => /no file of settings/.test(document.body.textContent ?? '')), false);
   assert.deepEqual(tab.problems, []);
 });

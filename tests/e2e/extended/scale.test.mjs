@@ -10,7 +10,7 @@ import { Browser } from '../driver.mjs';
 import { SITE } from '../site.mjs';
 
 const load = (/** @type {string} */ name) => import(pathToFileURL(path.join(SITE, 'web', name)).href);
-const { colour } = await load('element/scale.js');
+const { colour } = await load('element/view/scale.js');
 const { QUANTITIES } = await load('parameters.js');
 
 /** @type {Browser} */
@@ -206,7 +206,7 @@ describe('the bar', () => {
 
   test('that fails to load is reported once, and the fire burns on', async () => {
     const tab = await browser.open('<hearth-fire display-mode="density"></hearth-fire>', {
-      without: 'element/scale.js',
+      without: 'element/view/scale.js',
       before: () => {
         const said = (/** @type {any} */ (window).said = []);
         addEventListener('error', () => {}, true);

@@ -30,13 +30,13 @@ impl Fire {
 
     /// The object with this id.
     pub fn object(&self, id: u32) -> Option<Object<'_>> {
-        self.objects.objects().find(|one| one.id == id)
+        self.objects.objects().find(|object| object.id == id)
     }
 
     /// Whether there are as many objects of a kind as a scene can have.
     pub fn is_full(&self, kind: &Kind) -> bool {
         let all = self.objects.objects();
-        all.filter(|one| one.kind.name == kind.name).count() >= MAX_OBJECTS
+        all.filter(|object| object.kind.name == kind.name).count() >= MAX_OBJECTS
     }
 
     /// The properties of an object that have rows: of the first source its name alone, because its

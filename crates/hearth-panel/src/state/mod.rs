@@ -166,7 +166,7 @@ impl State {
         }
         if let Some(object) = self.selected_object() {
             let mut properties = self.fire.properties(object);
-            if let Some(found) = properties.find(|one| one.id == id) {
+            if let Some(found) = properties.find(|property| property.id == id) {
                 self.reveal.marked = Some(found.id);
                 self.reveal.row = true;
                 self.show_objects();
@@ -199,7 +199,7 @@ impl State {
             None => fire.used().any(|param| param.id == subject.id),
             Some(owner) => fire
                 .object(owner.id)
-                .is_some_and(|object| fire.properties(object).any(|one| one == subject)),
+                .is_some_and(|object| fire.properties(object).any(|other| other == subject)),
         };
         self.open.field.take_if(|field| !used(field.subject));
     }

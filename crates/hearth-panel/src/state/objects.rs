@@ -17,14 +17,14 @@ pub type Fields = Vec<(String, Entry)>;
 /// distance from an outline takes milliseconds to sample.
 pub fn update(scene: &mut Scene, settings: &Parameters, objects: &[Fields]) {
     let wanted: Vec<_> = objects.iter().map(identity).collect();
-    let is_wanted = |one: &Object<'_>| objects.iter().any(|fields| describes(fields, *one));
+    let is_wanted = |object: &Object<'_>| objects.iter().any(|fields| describes(fields, *object));
     let kept = scene.objects().filter(is_wanted);
-    let mut kept: Vec<_> = kept.map(|one| (one.id, one.kind.name)).collect();
+    let mut kept: Vec<_> = kept.map(|object| (object.id, object.kind.name)).collect();
     // Objects of a scene are in the order in which they were added.
     if settings.model() != scene.settings().model() || !wanted.starts_with(&kept) {
         kept.clear();
     }
-    let all: Vec<u32> = scene.objects().map(|one| one.id).collect();
+    let all: Vec<u32> = scene.objects().map(|object| object.id).collect();
     for id in all {
         if !kept.iter().any(|(known, _)| *known == id) {
             let _ = scene.remove(id);
@@ -33,7 +33,7 @@ pub fn update(scene: &mut Scene, settings: &Parameters, objects: &[Fields]) {
     scene.set_settings(settings.clone());
     for (index, (fields, (id, _))) in objects.iter().zip(wanted).enumerate() {
         let object = match index < kept.len() {
-            true => scene.objects().find(|one| one.id == id),
+            true => scene.objects().find(|object| object.id == id),
             false => None,
         };
         let given: Vec<(&str, Input<'_>)> = fields
@@ -91,7 +91,7 @@ pub fn has_row(property: Property, model: Model) -> bool {
 fn find(scene: &Scene, subject: Subject) -> Option<AnyValue<'_>> {
     let owner = subject.object?;
     let mut all = scene.objects();
-    let object = all.find(|one| one.id == owner.id && one.kind.name == owner.kind)?;
+    let object = all.find(|object| object.id == owner.id && object.kind.name == owner.kind)?;
     let mut values = object.properties();
     let (.., value) = values.find(|(name, ..)| *name == owner.property)?;
     Some(value)

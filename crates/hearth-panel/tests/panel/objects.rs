@@ -106,7 +106,7 @@ fn the_rows_are_the_properties_that_the_model_uses() {
             let used = kind.properties();
             let used = used.filter(|property| has_row(*property, model));
             let used: Vec<_> = used
-                .map(|one| format!("{}:{}", kind.name, one.name))
+                .map(|property| format!("{}:{}", kind.name, property.name))
                 .collect();
             let rows = select(&mut harness, id);
             assert_eq!(rows.iter().map(|row| row.id).collect::<Vec<_>>(), used);

@@ -1,0 +1,201 @@
+/**
+ * The card of plots: by button and by key, at each size; its values follow the fire, and its CSV has the same numbers.
+ */
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { violations } from '../axe.mjs';
+import { Browser, eventually } from '../driver.mjs';
+import { canUndo, openTools, PHONES, tool, WIDE } from '../tools.mjs';
+import { keepSaved } from '../waits.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+});
+after(() => browser?.close());
+
+const PAUSED = 'scene=default&paused&quality=low';
+/** Of a paused fire, which has no frames. */
+const CHARTS = ['Flame height', 'Power', 'Luminosity', 'Luminosity spectrum', 'Temperature', 'Velocity'];
+
+/** The charts in words, by their titles; hidden ones are left out. */
+const charts = (tab) => tab.evaluate(() => Object.fromEntries([...document.querySelectorAll('.hearth-plots .chart')]
+  .filter((one) => one.checkVisibility())
+  .map((one) => (one.getAttribute('aria-label') ?? '').split(/: (.*)/s))));
+
+/** Steps the fire so often, each time for so long [s of fire], which is a row of the record. */
+async function burn(tab, rows, seconds = 0.2) {
+  for (let row = 0; row < rows; row += 1) {
+    await tab.fire(async (fire, length) => {
+      await fire.step(Math.max(1, Math.round(length / (fire.stats?.stepLength || 0.003))));
+      // The page measures once a frame, and before this.
+      await new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); });
+      await fire.measure(0, 0);
+    }, seconds);
+  }
+  await tab.until('the charts', () => /now/.test(document.querySelector('.hearth-plots .chart:nth-of-type(2)')?.getAttribute('aria-label') ?? ''));
+}
+
+/** Opens the plots with the key, and waits until they show something. */
+async function openPlots(tab) {
+  await tab.key('g');
+  await tab.page.waitForSelector('.hearth-plots');
+}
+
+/** Presses the button for CSV until it has the present time: the name of the file, and its columns of numbers by their names. */
+async function csv(tab) {
+  const both = async () => ({ file: await saved(tab), time: await tab.fire((fire) => fire.stats.time) });
+  const present = (/** @type {any} */ { file, time }) => Math.abs(file.columns['time [s]'].at(-1) - time) < 1e-3;
+  const { file } = await eventually('the file has the present time', both, present, () => tab.frames());
+  return file;
+}
+
+async function saved(tab) {
+  await tab.evaluate(keepSaved);
+  await tab.page.click('.hearth-plots header button');
+  const { name, type, text } = await tab.until('a file', () => /** @type {any} */ (window).saved);
+  const [names, ...lines] = text.trimEnd().split('\r\n').map((line) => line.split(','));
+  const columns = Object.fromEntries(names.map((title, at) => [title, lines.map((line) => line[at]).filter((field) => field !== '').map(Number)]));
+  return { name, type, columns };
+}
+
+for (const size of [WIDE, ...PHONES]) {
+  describe(`at ${size.width} × ${size.height}`, () => {
+    test('a button shows the plots beside the tools, accessibly, and Escape hides them', async () => {
+      const tab = await openTools(browser, size, PAUSED);
+      await tool(tab, 'plots');
+      await tab.page.waitForSelector('.hearth-plots');
+      assert.equal(await tab.on('[data-tool="plots"]', (button) => button.getAttribute('aria-pressed')), 'true');
+      await burn(tab, 3);
+      const shown = await charts(tab);
+      assert.deepEqual(Object.keys(shown), CHARTS);
+      assert.match(shown['Flame height'], /^now \d\.\d\d m; in the last \d+ s from \d\.\d\d m to \d\.\d\d m$/);
+      assert.match(shown.Temperature, /^over the height at x = 0\.00 m, on average at most \d+ K, at \d\.\d\d m$/);
+      assert.match(shown['Luminosity spectrum'], /not measured long enough/);
+      const [card, bar] = [await tab.rectangle('.hearth-plots'), await tab.rectangle('.hearth-toolbar')];
+      assert.ok(card.x >= 0 && card.y >= 0 && card.x + card.width <= size.width && card.y + card.height <= size.height, JSON.stringify(card));
+      const apart = card.x >= bar.x + bar.width || card.x + card.width <= bar.x || card.y >= bar.y + bar.height || card.y + card.height <= bar.y;
+      assert.ok(apart, `the plots at ${JSON.stringify(card)} cover the tools at ${JSON.stringify(bar)}`);
+      assert.deepEqual(await violations(tab), []);
+      await tab.page.focus('.hearth-plots header button');
+      await tab.key('Escape');
+      assert.equal(await tab.evaluate(() => document.querySelector('.hearth-plots')), null);
+      assert.equal(await tab.evaluate(() => document.activeElement?.getAttribute('data-tool')), 'plots');
+      assert.equal(await tab.on('[data-tool="plots"]', (button) => button.getAttribute('aria-pressed')), 'false');
+      assert.equal(await canUndo(tab), false);
+      assert.deepEqual(tab.problems, []);
+    });
+  });
+}
+
+test('on a low screen the message of a tool stands beside the plots', async () => {
+  const tab = await openTools(browser, PHONES[1], PAUSED);
+  await tool(tab, 'plots');
+  await tab.page.waitForSelector('.hearth-plots');
+  await tool(tab, 'stir');
+  const [message, card] = await tab.until('a message', () => {
+    const toolStatus = document.querySelector('.hearth-status');
+    return toolStatus?.textContent && [toolStatus, document.querySelector('.hearth-plots')].map((one) => {
+      const { left, right, top, bottom } = /** @type {Element} */ (one).getBoundingClientRect();
+      return { left, right, top, bottom };
+    });
+  });
+  assert.ok(message.right <= card.left && message.left >= 0, JSON.stringify([message, card]));
+});
+
+test('the code of the plots is loaded with their first use, and keys show and hide them', async () => {
+  const tab = await openTools(browser, WIDE, PAUSED);
+  const loaded = () => tab.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name).filter((name) => name.includes('/plots/') || name.includes('_quantities')));
+  assert.deepEqual(await loaded(), []);
+  await openPlots(tab);
+  await burn(tab, 1, 0.02);
+  assert.ok((await loaded()).some((name) => name.endsWith('_quantities.wasm')));
+  await tab.key('g');
+  assert.equal(await tab.evaluate(() => document.querySelector('.hearth-plots')), null);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('the CSV has units, and the numbers of stats, measures and charts', async () => {
+  const tab = await openTools(browser, WIDE, PAUSED);
+  await openPlots(tab);
+  await burn(tab, 20, 0.05);
+  const { name, type, columns } = await csv(tab);
+  const [shown, stats, measures] = [await charts(tab), await tab.fire((fire) => fire.stats), await tab.fire((fire) => fire.measure(0, 0))];
+  assert.deepEqual([name, type], ['hearth.csv', 'text/csv']);
+  const { 'time [s]': times, 'power [kW/m]': power, 'flame height [m]': heights } = columns;
+  assert.ok(times.length >= 15, `${times.length} rows`);
+  assert.ok(Math.abs(times.at(-1) - stats.time) < 1e-3, `${times.at(-1)} and ${stats.time} s`);
+  assert.ok(times.every((time, at) => at === 0 || time > times[at - 1]));
+  assert.ok(Math.abs(power.at(-1) - measures.power) < 0.01);
+  // The average of stats: a tenth of each frame's power.
+  const average = power.reduce((mean, one) => mean + 0.1 * (one - mean));
+  assert.ok(Math.abs(average - stats.power) < 0.2 * stats.power, `${average}, and ${stats.power} kW/m`);
+  assert.ok(shown['Flame height'].startsWith(`now ${heights.at(-1).toFixed(2)} m`), shown['Flame height']);
+
+  const temperatures = columns['temperature [K]'];
+  assert.equal(columns['height at x = 0 m [m]'].length, 64);
+  assert.equal(temperatures.length, 64);
+  for (const [at, { temperature }] of measures.profile.entries()) assert.ok(Math.abs(temperature - temperatures[at]) < 0.01);
+  assert.ok(Math.max(...columns['mean temperature [K]']) > 1000);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a fire that plays has a frame time, that of stats', async () => {
+  const tab = await openTools(browser, WIDE, 'scene=default&quality=low');
+  await tab.fire((fire) => {
+    const seen = /** @type {any} */ (window).seen = fire.stats ? [1000 / fire.stats.fps] : [];
+    fire.addEventListener('stats', ({ detail }) => seen.push(1000 / detail.fps));
+  });
+  await openPlots(tab);
+  await tab.until('a frame time', () => /^Frame time: now \d+ ms/.test(document.querySelector('.hearth-plots .chart')?.getAttribute('aria-label') ?? ''));
+  await tab.fire((fire) => fire.pause());
+  const { columns } = await csv(tab);
+  const frames = columns['frame time [ms]'];
+  const seen = await tab.evaluate(() => /** @type {any} */ (window).seen);
+  assert.ok(seen.some((time) => Math.abs(frames.at(-1) - time) < 0.01 * time), `${frames.at(-1)} ms, and ${seen} in stats`);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('the plots follow a stronger fire', async () => {
+  const tab = await openTools(browser, WIDE, PAUSED);
+  await openPlots(tab);
+  await burn(tab, 2);
+  const power = async () => Number(/^now (\d+) kW/.exec((await charts(tab)).Power)?.[1]);
+  const before = await power();
+  await tab.fire((fire) => fire.set('fuel_power', 600));
+  await burn(tab, 9);
+  const after = await power();
+  assert.ok(after > 1.5 * before, `${before}, then ${after} kW/m`);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('the classic model has no power, and its own height, light, spectrum and profiles', async () => {
+  const tab = await openTools(browser, WIDE, `${PAUSED}&model=classic`);
+  await openPlots(tab);
+  await burn(tab, 28);
+  const shown = await charts(tab);
+  assert.deepEqual(Object.keys(shown), CHARTS.filter((title) => title !== 'Power'));
+  assert.match(shown['Flame height'], /^now (0\.[1-9]|[1-9])/);
+  const { columns } = await csv(tab);
+  assert.equal('power [kW/m]' in columns, false);
+  assert.ok(columns['luminosity [m²]'].at(-1) > 0);
+  const lines = columns['frequency [Hz]'].map((frequency, at) => [frequency, columns['luminosity spectrum [1]'][at]]);
+  assert.equal(Math.max(...columns['luminosity spectrum [1]']), 1);
+  // Slower swings are a trend.
+  const [peak] = lines.slice(3).reduce((most, line) => (line[1] > most[1] ? line : most));
+  assert.equal(shown['Luminosity spectrum'], `the peak is at ${peak.toFixed(1)} Hz`);
+  assert.ok(Math.max(...columns['temperature [K]']) > 900);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a part that does not load is reported, and the fire burns on', async () => {
+  const tab = await browser.open('index.html?scene=default&paused&quality=low', { ...WIDE, files: { 'hearth-engine_quantities.wasm': { status: 404 } } });
+  await tab.ready();
+  await tab.page.waitForSelector('#draw:not([hidden])');
+  await tab.page.click('#draw');
+  await tab.page.waitForSelector('.hearth-toolbar [data-tool="plots"]');
+  await openPlots(tab);
+  await tab.until('why', () => /^The code for quantities of the gas could not be loaded/.test(document.querySelector('.hearth-status')?.textContent ?? ''));
+  await tab.burnt(0.2);
+});

@@ -1,0 +1,171 @@
+/**
+ * The attributes of `<hearth-fire>`: one for each parameter, its id with hyphens, and the element's
+ * own. Properties that only reflect an attribute are defined here.
+ */
+
+import { DEFAULTS, OWN_ATTRIBUTES } from '../../generated/defaults.js';
+
+export { DEFAULTS };
+
+const IDS = Object.keys(DEFAULTS);
+
+/** The id of the parameter that an attribute sets. */
+export const ID_OF_ATTRIBUTE = new Map(IDS.map((id) => [id.replaceAll('_', '-'), id]));
+
+/** The id of the parameter that a property sets. */
+export const ID_OF_PROPERTY = new Map(IDS.map((id) => [camelCase(id), id]));
+
+/** @param {string} name */
+function camelCase(name) {
+  return name.replace(/[-_](.)/g, (_, letter) => letter.toUpperCase());
+}
+
+/** The values of each attribute that has a list of them; the first one is the default. */
+export const CHOICES = {
+  /** @type {readonly ['height', 'contain', 'cover', 'width']} */
+  fit: ['height', 'contain', 'cover', 'width'],
+  /** @type {readonly ['auto', 'lazy', 'eager']} */
+  loading: ['auto', 'lazy', 'eager'],
+  /** @type {readonly ['auto', 'ignore']} */
+  'reduced-motion': ['auto', 'ignore'],
+};
+
+/**
+ * An `HTMLElement` with the properties that this module and `hearth-fire.js` define on the
+ * prototype. Without a DOM, as on servers, it is an empty class.
+ * @type {new () => HTMLElement & import('../types.js').HearthReflected & import('../../parameters.js').HearthProperties}
+ */
+const Base = /** @type {any} */ (globalThis.HTMLElement ?? class {});
+
+/** All attributes that have an effect. */
+export const OBSERVED = [...OWN_ATTRIBUTES, ...ID_OF_ATTRIBUTE.keys()];
+
+/** An element with a fire's attributes. */
+export class FireAttributes extends Base {
+  static observedAttributes = OBSERVED;
+
+  /**
+   * The preset that the page requested last.
+   * @returns {import('../../parameters.js').PresetName}
+   */
+  get preset() {
+    return /** @type {import('../../parameters.js').PresetName} */ (this.getAttribute('preset') ?? 'default');
+  }
+
+  set preset(name) {
+    setOrRemove(this, 'preset', name);
+  }
+
+  /**
+   * `false`: the fire is paused until `play()`.
+   * @attribute
+   * @default true
+   * @returns {boolean}
+   */
+  get autoplay() {
+    return this.getAttribute('autoplay') !== 'false';
+  }
+
+  set autoplay(autoplay) {
+    setOrRemove(this, 'autoplay', autoplay === undefined ? undefined : Boolean(autoplay));
+  }
+}
+
+/**
+ * Sets properties again that were set before the element was defined: they shadow the accessors of
+ * the prototype.
+ * @param {HTMLElement} element
+ */
+export function upgradeProperties(element) {
+  for (const name of [...OWN_ATTRIBUTES.map(camelCase), ...ID_OF_PROPERTY.keys()]) {
+    if (Object.hasOwn(element, name)) {
+      const own = /** @type {{[name: string]: unknown}} */ (/** @type {unknown} */ (element));
+      const value = own[name];
+      delete own[name];
+      own[name] = value;
+    }
+  }
+}
+
+/**
+ * The value of an attribute that has a list of values; the default for any other value.
+ * @param {HTMLElement} element
+ * @param {keyof typeof CHOICES} name
+ * @returns {string}
+ */
+function chosen(element, name) {
+  const value = element.getAttribute(name) ?? '';
+  /** @type {readonly string[]} */
+  const choices = CHOICES[name];
+  return choices.includes(value) ? value : choices[0];
+}
+
+/** Simulated seconds before the first frame: of `warm` without a value, and the maximum. */
+const [WARM_DEFAULT, WARM_MAX] = [3, 30];
+
+/**
+ * How long a new fire burns before its first frame [s]; NaN if the attribute is invalid.
+ * @param {HTMLElement} element
+ */
+export function warmth(element) {
+  const text = element.getAttribute('warm');
+  if (text === null || text === 'false') return 0;
+  const seconds = text.trim() ? Number(text) : WARM_DEFAULT;
+  return seconds >= 0 && seconds <= WARM_MAX ? seconds : NaN;
+}
+
+reflect('warm', (element) => warmth(element) || 0, (element, value) => {
+  setOrRemove(element, 'warm', value === true ? '' : value === false ? undefined : value);
+});
+
+// The others reflect as those of HTML's own elements do: as text, and as flags, which are present or
+// absent.
+for (const name of ['src', 'poster', 'alt', 'max-pixels', 'fps-limit', 'touch-action', 'align', 'pan']) {
+  reflect(name, (element) => element.getAttribute(name) ?? '', (element, value) => setOrRemove(element, name, value));
+}
+for (const name of /** @type {(keyof typeof CHOICES)[]} */ (Object.keys(CHOICES))) {
+  reflect(name, (element) => chosen(element, name), (element, value) => setOrRemove(element, name, value));
+}
+reflect('zoom', (element) => Number(element.getAttribute('zoom')) || 1, (element, value) => setOrRemove(element, 'zoom', value));
+reflect('interactive', (element) => element.hasAttribute('interactive'), (element, value) => element.toggleAttribute('interactive', Boolean(value)));
+// A flag, or a list of parameters.
+reflect('controls', (element) => element.getAttribute('controls') || element.hasAttribute('controls'), (element, value) => (
+  setOrRemove(element, 'controls', value ? (value === true ? '' : value) : undefined)
+));
+
+/**
+ * Sets an attribute, or removes it for undefined and null.
+ * @param {HTMLElement} element
+ * @param {string} name
+ * @param {unknown} value
+ */
+export function setOrRemove(element, name, value) {
+  if (value === undefined || value === null) element.removeAttribute(name);
+  else element.setAttribute(name, String(value));
+}
+
+/** @type {(attribute: string, get: (element: FireAttributes) => unknown, set: (element: FireAttributes, value: unknown) => void) => void} */
+function reflect(attribute, get, set) {
+  defineProperty(FireAttributes, camelCase(attribute), get, set);
+}
+
+/**
+ * Defines a property on the prototype of a class.
+ * @template {HTMLElement} Element
+ * @param {new (...args: any) => Element} type
+ * @param {string} name
+ * @param {(element: Element) => unknown} get
+ * @param {(element: Element, value: any) => unknown} set
+ */
+export function defineProperty(type, name, get, set) {
+  Object.defineProperty(type.prototype, name, {
+    configurable: true,
+    enumerable: true,
+    get() {
+      return get(this);
+    },
+    set(value) {
+      set(this, value);
+    },
+  });
+}

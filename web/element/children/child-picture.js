@@ -1,0 +1,197 @@
+/**
+ * The mask of a picture or of the glyphs of a text in its place on the page. This code is loaded when `of` names
+ * such an element.
+ *
+ * A mask is made when the picture, the text or its size changes, not when the element moves: it is kept with
+ * its place in the border box.
+ *
+ * @typedef {import('./child-box.js').Box} Box
+ * @typedef {{left: number, top: number, width: number, height: number}} Place in pixels of the window
+ * @typedef {{outer: Place, box: Place, draw: (context: import('../../mask/opacity.js').Context) => void}} Drawing
+ *   the border box of an element, the part of it that is drawn, and what draws that in pixels of the window
+ */
+
+import { contextOf, opacityOf } from '../../mask/opacity.js';
+import { imageIn, isComplete } from './picture-of-image.js';
+import { glyphsIn, extentOf } from './picture-of-text.js';
+
+/** The most pixels of the longer side of a mask, and those of a CSS pixel. */
+const PIXELS = 256;
+const DENSITY = 2;
+
+/** Pixels of the drawing across a pixel of the mask: canvases move glyphs to whole pixels. */
+const FINENESS = 4;
+
+/** A mask without a transparent pixel. */
+const OPAQUE = /^\d+x\d+:[Po-z\d_-]+$/;
+
+/** How long an image or a font may load before its box or another font takes its place [ms]. */
+const PATIENCE = 3000;
+
+/** The least time between two masks of an element [ms]. */
+const PAUSE = 100;
+
+/** Lengths are compared in quarters of a pixel. Layouts have 64ths, and none of them lies where rounding may go both ways. */
+const GRID = 4;
+const OFF_GRID = 0.123;
+
+/** The largest sine of the angle of an element that is not turned. */
+const LEVEL = 1e-3;
+
+/** Attributes that pages change to move an element; what else they change is seen in its style. */
+const MOVING = /^(style|class)$/;
+
+/** A picture or a text that is followed. */
+export class Picture {
+  #tell;
+  /**
+   * What is opaque, with its place in the border box as shares; null if nothing is, `box` if that counts,
+   * undefined until it is known.
+   * @type {{mask: string, left: number, right: number, top: number, bottom: number} | 'box' | null | undefined}
+   */
+  made;
+  /** Whether it has changed since the mask was made. */
+  #stale = true;
+  /** The style and the lengths that it had last. */
+  #style = '';
+  #since = performance.now();
+  /** When a mask was made last, and how often one was begun. */
+  #last = -Infinity;
+  #begun = 0;
+  #following = new AbortController();
+  #observer = new MutationObserver((records) => {
+    this.#stale ||= records.some(({ attributeName, target }) => target !== this.target || !MOVING.test(attributeName ?? ''));
+  });
+
+  /** @param {Element} target @param {boolean} glyphs whether it is a text @param {(why: string) => void} tell says why its box counts */
+  constructor(target, glyphs, tell) {
+    this.target = target;
+    this.glyphs = glyphs;
+    this.#tell = tell;
+    this.#observer.observe(target, { attributes: true, characterData: true, childList: true, subtree: true });
+    const change = () => {
+      this.#stale = true;
+    };
+    const { signal } = this.#following;
+    for (const type of ['load', 'error']) target.addEventListener(type, change, { signal });
+    document.fonts?.addEventListener('loadingdone', change, { signal });
+  }
+
+  close() {
+    this.#begun += 1;
+    this.#observer.disconnect();
+    this.#following.abort();
+  }
+
+  /** See `Look.of`. @param {Box} box @returns {Box & {mask?: string} | null | undefined} */
+  look(box) {
+    const now = performance.now();
+    if (this.#changes(box)) this.#stale = true;
+    if (this.#stale && now - this.#last >= PAUSE) {
+      const waits = now - this.#since < PATIENCE;
+      const loads = this.glyphs ? document.fonts?.status === 'loading' && waits : !isComplete(this.target);
+      if (!loads) {
+        this.#stale = false;
+        this.#last = now;
+        this.#make();
+      } else if (!waits && this.made === undefined) {
+        this.#resort('it has not loaded');
+      }
+    }
+    const made = this.made;
+    if (made === 'box') return box;
+    if (!made) return made;
+    const [width, height] = [box.right - box.left, box.bottom - box.top];
+    return {
+      mask: made.mask,
+      left: box.left + made.left * width,
+      right: box.left + made.right * width,
+      top: box.top + made.top * height,
+      bottom: box.top + made.bottom * height,
+      radius: 0,
+    };
+  }
+
+  /** Whether its style or its size has changed. @param {Box} box */
+  #changes({ left, right, top, bottom }) {
+    const { target } = this;
+    const { offsetWidth, offsetHeight } = /** @type {HTMLElement} */ (target);
+    const [across, up] = [right - left, bottom - top];
+    const [wide, high] = offsetWidth ? [across / offsetWidth, up / offsetHeight] : [1, 1];
+    const css = getComputedStyle(target);
+    const lengths = [across / wide, up / high, 100 * wide / high];
+    const extent = this.glyphs && extentOf(target);
+    if (extent) lengths.push((extent.left - left) / wide, (extent.top - top) / high, extent.width / wide, extent.height / high);
+    const style = [
+      turns(css),
+      ...(this.glyphs ? [css.font, css.letterSpacing, css.textTransform, css.writingMode] : [css.objectFit, css.objectPosition, css.padding, css.borderWidth]),
+      ...lengths.map((length) => Math.round(length * GRID + OFF_GRID)),
+    ].join();
+    const changes = style !== this.#style;
+    this.#style = style;
+    return changes;
+  }
+
+  /** Makes the mask, unless there is a newer one to be made. */
+  async #make() {
+    const begun = ++this.#begun;
+    const { target } = this;
+    /** @type {Drawing | string | null} */
+    let drawing;
+    let mask = '';
+    try {
+      if (isTurned(target)) drawing = 'it is turned or mirrored';
+      else drawing = this.glyphs ? glyphsIn(target) : await imageIn(target);
+      if (drawing instanceof Object) mask = maskOf(drawing);
+    } catch {
+      drawing = 'the page may not read its pixels';
+    }
+    if (begun !== this.#begun) return;
+    if (typeof drawing === 'string') {
+      this.#resort(drawing);
+    } else if (OPAQUE.test(mask)) {
+      this.made = 'box';
+    } else if (drawing && mask) {
+      const { box, outer } = drawing;
+      const [left, top] = [(box.left - outer.left) / outer.width, (box.top - outer.top) / outer.height];
+      this.made = { mask, left, top, right: left + box.width / outer.width, bottom: top + box.height / outer.height };
+    } else {
+      this.made = null;
+    }
+  }
+
+  /** Its box counts for a reason. @param {string} why */
+  #resort(why) {
+    this.made = 'box';
+    this.#tell(why);
+  }
+}
+
+/**
+ * The mask of a drawing; empty if nothing is opaque.
+ * @param {Drawing} drawing
+ * @throws {Error} the page may not read its pixels
+ */
+function maskOf({ box: { left, top, width, height }, draw }) {
+  const scale = Math.min(PIXELS / Math.max(width, height), DENSITY);
+  const [columns, rows] = [width, height].map((length) => Math.max(Math.round(length * scale), 1));
+  const fine = contextOf(columns * FINENESS, rows * FINENESS, false);
+  const [across, up] = [columns * FINENESS / width, rows * FINENESS / height];
+  fine.setTransform(across, 0, 0, up, -left * across, -top * up);
+  draw(fine);
+  const context = contextOf(columns, rows);
+  context.drawImage(fine.canvas, 0, 0, columns, rows);
+  return opacityOf(context);
+}
+
+/** Whether an element is turned, skewed or mirrored by its style. @param {CSSStyleDeclaration} css */
+function turns({ transform, rotate = 'none', scale }) {
+  const { a, b, c, d, is2D } = new DOMMatrix(transform);
+  return !is2D || Math.abs(b) > LEVEL || Math.abs(c) > LEVEL || a < 0 || d < 0 || rotate !== 'none' || /-/.test(scale);
+}
+
+/** Whether an element or one that holds it is turned. @param {Element | null} element */
+function isTurned(element) {
+  for (let ancestor = element; ancestor; ancestor = ancestor.parentElement) if (turns(getComputedStyle(ancestor))) return true;
+  return false;
+}

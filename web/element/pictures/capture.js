@@ -1,0 +1,55 @@
+/**
+ * Copies of what the canvas shows. This code is loaded by the first `toBlob` or `captureStream`.
+ */
+
+import { countdown } from '../../engine/time-limit.js';
+
+/** Maximum time until a fire has a picture [s]. */
+const PICTURE_S = 10;
+
+/**
+ * The canvas when it shows a frame.
+ * @param {Promise<HTMLCanvasElement>} drawn
+ * @returns {Promise<HTMLCanvasElement>}
+ */
+function framed(drawn) {
+  return new Promise((resolve, reject) => {
+    const cancel = countdown(PICTURE_S, () => reject(new Error(`no frame was drawn in ${PICTURE_S} s, because the fire is not visible`)));
+    drawn.then(resolve, reject).finally(cancel);
+  });
+}
+
+/**
+ * The frame as a file.
+ * @param {import('../session/session.js').FireSession} session
+ * @param {() => boolean} drawable whether the graphics context exists
+ * @param {string | import('../types.js').HearthPicture} how its type, or all that a page can choose
+ * @param {number} [share] the quality
+ * @returns {Promise<Blob>}
+ */
+export async function toBlob(session, drawable, how, share) {
+  const canvas = await framed(session.view.drawn());
+  // The canvas may be empty.
+  if (!drawable()) throw new Error('there is no frame while the graphics context is lost; it is restored with the event `restored`');
+  const { type = 'image/png', quality, width, background } = typeof how === 'object' && how ? how : { type: how, quality: share };
+  const encode = () => new Promise((/** @type {(blob: Blob) => void} */ resolve, reject) => {
+    const refused = new Error(`this browser cannot encode the frame as ${String(type).slice(0, 100)}`);
+    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(refused)), type, quality);
+  });
+  if (width === undefined && background === undefined) return encode();
+  const { redraw } = await import('./redraw.js');
+  return redraw(session, canvas, { width, background }, encode);
+}
+
+/**
+ * The frames as a stream. It goes on when a lost context is restored.
+ * @param {import('../session/session.js').FireSession} session
+ * @param {() => boolean} _
+ * @param {number} [fps]
+ * @returns {Promise<MediaStream>}
+ */
+export async function captureStream(session, _, fps) {
+  const canvas = await framed(session.view.drawn());
+  if (!canvas.captureStream) throw new Error('this browser cannot capture a canvas');
+  return fps === undefined ? canvas.captureStream() : canvas.captureStream(fps);
+}

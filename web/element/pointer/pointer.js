@@ -1,0 +1,200 @@
+/**
+ * A pointer on a fire: it carries gas along, twice as fast while it is pressed; a click throws sparks;
+ * a drag that begins on the source moves the source and what lies with it, or the solid that the source is on. Other
+ * gestures enlarge the picture.
+ *
+ * @typedef {import('../../hearth-fire.js').HearthPoint} Point
+ * @typedef {Point & {id?: number}} Grip  A distance from the middle of the source [m], and the solid that it is on.
+ * @typedef {{start: number, all: import('./attached-objects.js').Fields[]}} Group  Where the source was, and what lay with it.
+ * @typedef {{x: number, y: number, held: Grip | undefined, group?: Group, clicks: boolean}} Press
+ */
+
+import { companionsOf, halvesOf } from './attached-objects.js';
+import { listenToZoom } from './zoom.js';
+
+/** Maximum time between two events of one movement [ms]. */
+const PAUSE_MS = 200;
+
+/** Maximum speed of the gas that a pointer carries along [m/s]. */
+const MAX_SPEED = 20;
+
+/** Maximum movement of a click, and minimum half-width of a source's grip area [px]. */
+const CLICK_PX = 6;
+const GRIP_PX = 16;
+
+/** The largest place of a solid [m]. */
+const FARTHEST = 10;
+
+/** Sparks of a click. */
+const SPARKS = 24;
+
+/** Children of a fire that handle pointers themselves. */
+const OTHERS = '.panel, .tools, .message, a, button, input, select, textarea, label';
+
+/**
+ * Starts to listen.
+ * @param {import('../session/session.js').FireSession} session
+ * @param {AbortSignal} signal ends it
+ */
+export function listenToPointer(session, signal) {
+  const { fire, view: { root } } = session;
+  /** The last position of each pointer; there are several with several fingers. @type {Map<number, Point & {time: number}>} */
+  const last = new Map();
+  /** Where each was pressed, and its distance from the middle of the source that it holds [m]. @type {Map<number, Press>} */
+  const pressed = new Map();
+
+  /** Its position in the element [px] and in the domain [m]. */
+  const locate = (/** @type {MouseEvent} */ { clientX, clientY }) => {
+    const { left, top, width, height } = fire.getBoundingClientRect();
+    const [x, y] = [clientX - left, clientY - top];
+    const inside = x >= 0 && y >= 0 && x <= width && y <= height;
+    return { x, y, width, height, inside, metres: fire.toMetres(x, y) };
+  };
+  const isForFire = (/** @type {Event} */ event) => !event.composedPath().some((node) => (
+    // Not `instanceof`: the fire may have moved to another window's document.
+    node !== fire && /** @type {Partial<Element>} */ (node).matches?.(OTHERS) && fire.shadowRoot?.contains(/** @type {Node} */ (node))
+  ));
+  /** Its distance from the middle of the source; undefined if it is not on the source. @returns {Grip | undefined} */
+  const grip = (/** @type {MouseEvent} */ event) => {
+    const { x, y, width, inside, metres } = locate(event);
+    const source = sourceOf(fire.params);
+    const base = fire.toPixels(source.x, source.y);
+    if (!inside || !base || !metres || !isForFire(event)) return undefined;
+    const solid = solidOf(fire);
+    if (solid) {
+      const perPixel = ((fire.toMetres(width, 0)?.x ?? 0) - (fire.toMetres(0, 0)?.x ?? 0)) / width;
+      const from = { x: metres.x - solid.x, y: metres.y - solid.y };
+      return isOn(solid, from, CLICK_PX * perPixel) ? { ...from, id: solid.id } : undefined;
+    }
+    const half = (fire.toPixels(source.x + source.half, source.y)?.x ?? base.x) - base.x;
+    const near = Math.abs(x - base.x) <= Math.max(half, GRIP_PX) && Math.abs(y - base.y) <= GRIP_PX;
+    // The box of another shape may be mostly empty.
+    const onThing = () => companionsOf(fire).some((solid) => (
+      /^(line|box|circle)$/.test(solid.shape) && solid.kind === 'solid' && isOn(solid, { x: metres.x - solid.x, y: metres.y - solid.y }, 0)
+    ));
+    return near || onThing() ? { x: metres.x - source.x, y: 0 } : undefined;
+  };
+
+  const movesPicture = listenToZoom(session, isForFire, signal);
+  const leave = (/** @type {PointerEvent} */ event) => last.delete(event.pointerId);
+  const press = (/** @type {PointerEvent} */ event) => {
+    if (event.button !== 0 || !isForFire(event)) return;
+    const { x, y, inside } = locate(event);
+    if (!inside) return;
+    // What moves the picture holds nothing and is no click.
+    if (movesPicture(event)) return pressed.clear();
+    const held = grip(event);
+    pressed.set(event.pointerId, { x, y, held, clicks: true });
+    if (held === undefined) return;
+    // A pointer that is gone cannot be captured.
+    try {
+      fire.setPointerCapture(event.pointerId);
+    } catch {}
+  };
+  const drag = (/** @type {Press & {held: Grip}} */ press, /** @type {ReturnType<typeof locate>} */ { width, height, metres }) => {
+    const { held } = press;
+    const [upper, lower] = [fire.toMetres(0, 0), fire.toMetres(width, height)];
+    if (!metres || !upper || !lower) return;
+    // The panel shows as many digits, and URLs stay short.
+    /** @type {(value: number, limit: number) => number} */
+    const rounded = (value, limit) => Math.round(within(value, -limit, limit) * 1000) / 1000;
+    const visible = within(metres.x - held.x, upper.x, lower.x);
+    if (held.id !== undefined) {
+      const y = within(metres.y - held.y, lower.y, upper.y);
+      const place = { x: rounded(visible, FARTHEST), y: rounded(y, FARTHEST) };
+      session.call('changeObject', held.id, place, 'pointer').catch(() => {});
+      return;
+    }
+    const x = rounded(visible, Math.min(sourceOf(fire.params).max, 3));
+    press.group ??= { start: sourceOf(fire.params).x, all: companionsOf(fire) };
+    session.call('set', { source_x: x }, 'pointer').catch(() => {});
+    for (const object of press.group.all) {
+      const place = { x: rounded(object.x + x - press.group.start, FARTHEST) };
+      session.call('changeObject', object.id, place, 'pointer').catch(() => {});
+    }
+  };
+  const follow = (/** @type {PointerEvent} */ event) => {
+    if (movesPicture(event)) return last.clear();
+    const at = locate(event);
+    const press = pressed.get(event.pointerId);
+    if (press && Math.hypot(at.x - press.x, at.y - press.y) > CLICK_PX) press.clicks = false;
+    if (press?.held !== undefined) {
+      root.style.cursor = 'grabbing';
+      if (!press.clicks) drag(/** @type {Press & {held: Grip}} */ (press), at);
+      return;
+    }
+    root.style.cursor = event.pointerType === 'mouse' && grip(event) !== undefined ? 'grab' : '';
+    const before = last.get(event.pointerId);
+    const position = at.inside && isForFire(event) ? at.metres : null;
+    if (!position) {
+      // A finger may leave the element and return.
+      leave(event);
+      return;
+    }
+    last.set(event.pointerId, { ...position, time: event.timeStamp });
+    if (!before) return;
+    const seconds = (event.timeStamp - before.time) / 1000;
+    if (!(seconds > 0 && seconds < PAUSE_MS / 1000)) return;
+    const strength = event.buttons & 1 ? 2 : 1;
+    const speed = (/** @type {number} */ metres) => Math.max(-MAX_SPEED, Math.min(MAX_SPEED, (strength * metres) / seconds));
+    session.send('stir', position.x, position.y, speed(position.x - before.x), speed(position.y - before.y));
+  };
+  const lift = (/** @type {PointerEvent} */ event) => {
+    leave(event);
+    const press = pressed.get(event.pointerId);
+    pressed.delete(event.pointerId);
+    root.style.cursor = '';
+    const { inside, metres } = locate(event);
+    if (event.type === 'pointerup' && press?.clicks && inside && metres) {
+      session.send('sparks', metres.x, metres.y, SPARKS);
+    }
+  };
+  // A drag of the source selects no text. A finger still scrolls the page: `touch-action` tells a
+  // scroll from a drag.
+  const hold = (/** @type {MouseEvent} */ event) => {
+    if (grip(event) !== undefined) event.preventDefault();
+  };
+
+  fire.addEventListener('pointermove', follow, { signal });
+  fire.addEventListener('pointerdown', press, { signal });
+  fire.addEventListener('pointerleave', leave, { signal });
+  fire.addEventListener('pointerup', lift, { signal });
+  fire.addEventListener('pointercancel', lift, { signal });
+  fire.addEventListener('mousedown', hold, { signal });
+  signal.addEventListener('abort', () => (root.style.cursor = ''));
+}
+
+/**
+ * The source as the engine places it: middle and height of its base, half of its width, and its maximum
+ * distance from the middle of the domain [m].
+ * @param {import('../../parameters.js').HearthParameters} params
+ */
+function sourceOf(params) {
+  const { model, domain_width: across, domain_height: up, source_width: wide } = params;
+  const seam = model === 'combustion' && params.edges === 'periodic' ? params.seam : 0;
+  const half = Math.min(wide, across) / 2;
+  const max = Math.max((0.5 - seam) * across - half, 0);
+  return {
+    x: within(params.source_x, -max, max),
+    y: within(params.source_height, seam * up, (1 - seam) * up),
+    half,
+    max,
+  };
+}
+
+/** The solid that the first source is on; undefined if the source is a line. @param {import('../../hearth-fire.js').HearthFire} fire */
+function solidOf({ params, objects }) {
+  if (params.source_shape !== 'solid') return undefined;
+  return /** @type {any[]} */ (objects).find(({ kind, id }) => kind === 'solid' && id === params.source_solid);
+}
+
+/** Whether a point relative to the centre of a solid is in the box of the solid, or so near to it. @type {(solid: any, from: Point, near: number) => boolean} */
+function isOn(solid, { x, y }, near) {
+  const turn = solid.shape === 'circle' ? 0 : (solid.angle * Math.PI) / 180;
+  const [along, across] = [x * Math.cos(turn) + y * Math.sin(turn), y * Math.cos(turn) - x * Math.sin(turn)].map(Math.abs);
+  const [wide, high] = halvesOf(solid);
+  return along <= wide + near && across <= high + near;
+}
+
+/** @type {(value: number, low: number, high: number) => number} */
+const within = (value, low, high) => Math.max(low, Math.min(high, value));

@@ -1,0 +1,77 @@
+/**
+ * Whether a fire plays: what its page requests, and the visitor's preference for reduced motion.
+ */
+
+import { motionIsReduced } from '../view/visibility.js';
+
+/** The playback of one element. */
+export class Playback {
+  #session;
+  #fire;
+  #changed;
+  /** Whether the fire is paused because the visitor prefers reduced motion. */
+  #still = false;
+  /** Whether the fire plays because the visitor pressed the button, despite that preference. */
+  #stoppable = false;
+  /** The button, once it is loaded. @type {Promise<import('../controls/playback-button.js').PlaybackButton> | undefined} */
+  #button;
+  paused = false;
+
+  /**
+   * @param {import('./session.js').FireSession} session
+   * @param {(paused: boolean) => Promise<void>} changed tells the engine
+   */
+  constructor(session, changed) {
+    this.#session = session;
+    this.#fire = session.fire;
+    this.#changed = changed;
+  }
+
+  /** @type {(paused: boolean, still?: boolean) => Promise<void>} */
+  set(paused, still = false) {
+    this.#stoppable = !paused && motionIsReduced() && (this.#still || this.#stoppable);
+    this.paused = paused;
+    this.#still = still;
+    this.offer();
+    // A pause for reduced motion leaves the page's attribute alone.
+    if (!still && this.#fire.hasAttribute('paused') !== paused) this.#fire.toggleAttribute('paused', paused);
+    return this.#changed(paused);
+  }
+
+  /** Shows the button that plays or pauses, or hides it. Its code is loaded on request. */
+  async offer(action = this.#still ? 'play' : this.#stoppable ? 'pause' : '') {
+    if (action) {
+      const press = () => void (this.#still ? this.set(false) : this.set(true, true));
+      this.#button ??= this.#session.reports.loads(import('../controls/playback-button.js'), 'The playback button')
+        .then(({ PlaybackButton }) => new PlaybackButton(this.#session.view, press));
+    }
+    (await this.#button?.catch(() => undefined))?.show(action);
+  }
+
+  /** Whether the fire is paused, and moves at once instead of gradually, for reduced motion. */
+  isCalm(reduced = motionIsReduced()) {
+    return reduced && this.#fire.reducedMotion !== 'ignore';
+  }
+
+  /** Applies a change of the visitor's preference or of the attribute. @param {boolean} [reduced] */
+  follow(reduced) {
+    const still = this.isCalm(reduced);
+    if (still && !this.paused) this.set(true, true);
+    else if (!still && this.#still) this.set(false);
+  }
+
+  /**
+   * A new fire starts: whether it is paused for reduced motion.
+   * @param {boolean} waits whether the page wants it to wait for `play()`
+   */
+  start(waits) {
+    const still = this.isCalm() && (this.#still || !this.paused);
+    if (still) {
+      this.set(true, true);
+    } else {
+      if (this.#still) this.set(false);
+      if (waits) this.set(true);
+    }
+    return still;
+  }
+}

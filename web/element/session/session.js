@@ -1,0 +1,466 @@
+/**
+ * The fire behind an element: it opens and closes the connection to the engine, sends the element's
+ * calls, and handles the engine's events.
+ *
+ * @typedef {import('../../engine/engine.js').Call} Call
+ * @typedef {import('../../engine/engine.js').Message} Message
+ * @typedef {import('../../hearth-fire.js').HearthFire} HearthFire
+ */
+
+import { EngineError, prefetch } from '../../engine/engine.js';
+import { burning } from '../../engine/files.js';
+import { DEFAULTS, ID_OF_ATTRIBUTE, setOrRemove, warmth } from '../attributes/attributes.js';
+import { EngineConnection } from './engine-connection.js';
+import { PagePolicies } from '../attributes/page-policies.js';
+import { Playback } from './playback.js';
+import { Readiness } from './readiness.js';
+import { Reports } from './reports.js';
+import { Requests, postable, quiet } from './requests.js';
+import { DEPTH, settings } from '../attributes/settings.js';
+import { SourceFile } from '../attributes/source-file.js';
+import { FireState } from './state.js';
+import { hexOf } from '../attributes/values.js';
+import { FireView } from '../view/view.js';
+
+/** Simulated seconds before the frame of a fire that is paused for reduced motion. */
+const STILL_AFTER = 2;
+
+/** Simulated seconds, at most, before the first frame of a fire that follows a stopped one. */
+const WARMTH = 3;
+
+/** The session of one element. */
+export class FireSession {
+  #engine;
+  #requests = new Requests();
+  #policies;
+  /** The style hooks, once they are loaded. @type {import('../view/css-hooks.js').CssHooks | undefined} */
+  #css;
+  /** @type {Promise<void> | undefined} */
+  #loadsCss;
+  /** The children that are objects, once their code is loaded. @type {import('../children/children.js').Children | undefined} */
+  #children;
+  /** @type {Promise<void> | undefined} */
+  #loadsChildren;
+  /** Settles when the engine has freed all fires before this one. */
+  #gone = Promise.resolve();
+  /** Whether the fire follows a stopped one. */
+  #returns = false;
+  /** Whether the console has told that a seam has no effect. */
+  #warnedAboutSeam = false;
+  /** Whether the `preset` attribute changes without a call to the engine. */
+  #reflecting = false;
+  /** @type {EngineConnection | null} */
+  #connection = null;
+  /** Whether the graphics context exists; a lost one may be restored. */
+  #drawable = true;
+  /** The calls since the first transition. @type {import('./transition.js').Calls | undefined} */
+  #calls;
+  #ready = new Readiness();
+  #file = new SourceFile(this);
+  /** What the engine reported last. */
+  state = new FireState();
+  /** For code that is loaded on request and must not load it a second time. */
+  hexOf = hexOf;
+
+  /**
+   * @param {HearthFire} fire
+   * @param {() => Parameters<typeof import('../../engine/engine.js').connect>} engine the engine of a new fire
+   */
+  constructor(fire, engine) {
+    this.fire = fire;
+    this.#engine = engine;
+    this.reports = new Reports(fire);
+    this.view = new FireView(fire);
+    this.playback = new Playback(this, (paused) => this.#play(paused));
+    this.#policies = new PagePolicies(this);
+  }
+
+  /** Settles when the fire is presented, or cannot be. @returns {Promise<void>} */
+  get ready() {
+    return this.#ready.promise;
+  }
+
+  /** Calls the engine. @type {(...call: Call) => Promise<any>} */
+  call(...call) {
+    // These replace every value, and so those of a file that has not arrived.
+    if (call[0] === 'import' || call[0] === 'preset') this.#file.drop();
+    // A fire that failed answers nothing.
+    const answer = this.#ready.failed ? this.ready : this.#requests.call(...call);
+    this.#calls?.push([call, answer]);
+    return answer;
+  }
+
+  /** Whether the engine has answered every call, so that the state is that of the engine. */
+  get idle() {
+    return this.#requests.idle;
+  }
+
+  /** Calls the engine without waiting for an answer. @type {(...call: Call) => void} */
+  send(...call) {
+    this.#connection?.send(...call);
+  }
+
+  /** @type {(values: {[id: string]: unknown}, source?: string) => Promise<void>} */
+  set(values, source = 'property') {
+    return this.call('set', postable(values, DEPTH), source);
+  }
+
+  /**
+   * Starts a transition. From now on, the calls of the fire are recorded for it.
+   * @type {(values: object, how: import('../types.js').HearthTransition | undefined) => Promise<boolean>}
+   */
+  move(values, how) {
+    this.#calls ??= [];
+    const calls = this.#calls;
+    const checked = this.call('check', postable(values, 1));
+    const code = this.reports.loads(import('./transition.js'), 'The code for transitions');
+    code.catch(() => (this.#calls = undefined));
+    return quiet(code.then(({ run }) => run(calls, this, checked, { ...how })));
+  }
+
+  /**
+   * Settings of the page as plain data; reports those that are refused.
+   * @param {unknown} config
+   * @param {string} id their name in errors
+   * @throws {Error} they are refused
+   */
+  settings(config, id) {
+    try {
+      return settings(config, id);
+    } catch (error) {
+      throw this.reports.refused([{ id, value: config, message: /** @type {Error} */ (error).message }]);
+    }
+  }
+
+  /** Calls a function of `capture.js`. @type {(name: 'toBlob' | 'captureStream', ...options: any) => Promise<any>} */
+  capture(name, ...options) {
+    const code = /** @type {Promise<{[name: string]: Function}>} */ (this.reports.loads(import('../pictures/capture.js'), 'The code for pictures'));
+    return quiet(Promise.all([code, this.ready]).then(([functions]) => functions[name](this, () => this.#drawable, ...options)));
+  }
+
+  /** Sets the preset attribute and keeps the values. */
+  reflectPreset(preset = 'default') {
+    this.#reflecting = true;
+    setOrRemove(this.fire, 'preset', preset === 'default' ? null : preset);
+    this.#reflecting = false;
+  }
+
+  /** The element is on a page. */
+  attach() {
+    this.#policies.checkNames();
+    // A fire that failed tries again.
+    if (this.#connection && this.#ready.failed) this.close();
+    if (!this.#connection) this.#open();
+  }
+
+  /** The element may have other children. The code for those that are objects is loaded with the first one. */
+  async adopt(begins = this.begun) {
+    if (begins && this.fire.querySelector(':scope>hearth-source,:scope>hearth-solid')) {
+      this.#loadsChildren ??= this.reports.loads(import('../children/children.js'), 'The code for children').then(({ Children }) => {
+        this.#children = new Children(this);
+      }, () => {});
+    }
+    await this.#loadsChildren;
+    this.#children?.update();
+  }
+
+  /** Whether there is a fire, or was one. */
+  get begun() {
+    return this.state.started || Boolean(this.#connection?.live);
+  }
+
+  /** An attribute has changed. @type {(name: string, value: string | null) => void} */
+  attribute(name, value) {
+    const id = ID_OF_ATTRIBUTE.get(name);
+    this.#policies.change(name, value);
+    // A fire that has not begun starts with its attributes, whatever their order.
+    const { begun } = this;
+    if (id !== undefined) {
+      if (name === 'model' && !begun) return;
+      if (value !== null) this.set({ [id]: value }, 'attribute');
+      else this.call('restore', [id], 'attribute');
+    } else if (name === 'objects') {
+      this.#setObjects(value);
+    } else if (name === 'preset') {
+      if (begun && !this.#reflecting) this.call('preset', value ?? 'default', 'preset');
+    } else if (name === 'quality') {
+      this.call('quality', value ?? 'auto');
+    } else if (name === 'paused') {
+      if ((value !== null) !== this.playback.paused) this.playback.set(value !== null);
+    } else if (name === 'src') {
+      this.#file.change();
+    } else if (name === 'warm') {
+      const seconds = warmth(this.fire);
+      if (Number.isNaN(seconds)) this.reports.refuse(name, value ?? '', 'a number of seconds from 0 to 30');
+      else if (begun) this.call('warm', seconds);
+    } else if (name === 'autoplay') {
+      if (this.#connection && !this.state.started && !this.fire.autoplay) this.playback.set(true);
+    } else if (name === 'loading') {
+      this.#connection?.reschedule();
+    } else if (name === 'reduced-motion' && this.#connection) {
+      this.playback.follow();
+    }
+  }
+
+  /** Sets the objects of the attribute, which are JSON. @param {string | null} value */
+  #setObjects(value) {
+    try {
+      if (value === null) this.call('restore', ['objects'], 'attribute');
+      else this.set({ objects: this.settings(value, 'objects') }, 'attribute');
+    } catch {
+      // It is reported.
+    }
+  }
+
+  /** Frees the fire; settles when the engine has done so. */
+  close() {
+    if (this.#connection) this.#close();
+    return this.#gone;
+  }
+
+  /** The fire plays or pauses. @type {(paused: boolean) => Promise<void>} */
+  #play(paused) {
+    this.#updateState();
+    // A fire that has not begun receives the state with its start.
+    if (!this.#connection?.live) return this.ready;
+    return this.call(paused ? 'pause' : 'play');
+  }
+
+  /** Sets or removes `:state(burning)`. The code is loaded with the first frame. */
+  #updateState() {
+    const burning = this.view.shows && this.#drawable && !this.playback.paused;
+    if (burning) {
+      this.#loadsCss ??= this.reports.loads(import('../view/css-hooks.js'), 'The code for style hooks').then(({ CssHooks }) => {
+        this.#css = new CssHooks(this.fire, this.view);
+        this.#updateState();
+      }, () => {});
+    }
+    this.#css?.burning(burning);
+  }
+
+  /** Makes a fire. The picture of a stopped one stays until it is followed by another. */
+  #open() {
+    if (this.#ready.failed) this.#ready.renew();
+    const { view, fire } = this;
+    const canvas = (this.#returns && view.canvas) || view.newCanvas();
+    if (!view.shows) view.show('loading');
+    if (this.#warmth()) view.fade();
+    const connection = new EngineConnection(fire, canvas, this.#requests, {
+      message: (message) => this.#receive(message, connection),
+      frame: (frame) => {
+        view.draw(frame);
+        this.#present(connection);
+      },
+      visible: () => this.#present(connection),
+      start: () => this.#begin(connection, still),
+      motion: (reduced) => this.playback.follow(reduced),
+    });
+    this.#connection = connection;
+    this.#policies.begin();
+    const still = this.playback.start(!this.state.started && !fire.autoplay);
+    connection.open(
+      () => fire.loading,
+      this.#engine,
+      () => this.#prepare(),
+      (state) => ({
+        ...this.state.start(fire, this.playback.paused, this.#file.config), warm: this.#warmth(), state, view: view.camera,
+      }),
+    ).catch((error) => {
+      if (connection.closed) return;
+      if (this.#returns) this.#stop(error.message);
+      else this.#fail(error.kind ?? 'load', error.message);
+    });
+  }
+
+  /** Simulated seconds before the first frame. A fire that follows a stopped one is as old, up to a limit. */
+  #warmth() {
+    return this.fire.warm || (this.#returns && Math.min(this.state.stats?.time ?? 0, WARMTH));
+  }
+
+  /** Loads what a fire starts with: its file and its burning state. Waits for the last event of the fire before. */
+  async #prepare() {
+    const { fire } = this;
+    const state = this.#warmth() && !fire.src ? burning(fire.preset) : undefined;
+    state?.then((saved) => saved && prefetch('burning'));
+    const file = this.state.started ? undefined : this.#file.begin();
+    await this.#gone;
+    await this.adopt(true);
+    await file;
+    return state;
+  }
+
+  /**
+   * The fire has its values.
+   * @param {EngineConnection} connection
+   * @param {boolean} still
+   */
+  async #begin(connection, still) {
+    if (this.#warmth()) {
+      // The engine may treat the fire as invisible before.
+      if (!document.hidden) await connection.observed;
+      await this.call('warm').catch(() => {});
+    } else if (still) {
+      await this.call('burn', STILL_AFTER).catch(() => {});
+    }
+    if (!connection.live) return;
+    this.view.show('shown');
+    this.playback.offer();
+    this.view.drawn().then(() => this.#updateState(), () => {});
+    this.#policies.burns();
+    this.#ready.await((message) => this.#stop(message));
+    this.#present(connection);
+  }
+
+  /**
+   * Reports that the fire is ready when its picture is shown, or, out of sight, when it can be drawn.
+   * @param {EngineConnection} connection
+   */
+  #present(connection) {
+    if (!this.#ready.awaited || !this.#drawable || !(connection.pictured || connection.unseen)) return;
+    // Later fires of this element are as warm as its attribute says.
+    if (this.#returns) this.send('warm', this.fire.warm);
+    this.#returns = false;
+    const { announced } = this.#ready;
+    this.#ready.resolve();
+    this.reports.emit(announced ? 'restored' : 'ready');
+  }
+
+  /** Ends the connection of a fire that is removed or has stopped. */
+  #end() {
+    this.#calls?.end?.();
+    this.#ready.cancel();
+    this.#drawable = true;
+    this.#connection?.close();
+  }
+
+  #close() {
+    this.#end();
+    if (this.#ready.announced) this.#ready.renew();
+    // A connection without a fire has none to free; the fire before may still exist.
+    const gone = this.#connection?.gone;
+    this.#gone = this.#gone.then(() => gone);
+    this.#connection = null;
+    this.#returns = false;
+    this.state.stats = null;
+    this.#policies.end();
+    this.view.dropCanvas();
+    this.playback.offer('');
+    this.view.show('loading');
+    this.#updateState();
+    this.#css?.light();
+  }
+
+  /** @type {(message: Message, connection: EngineConnection) => void} */
+  #receive(message, connection) {
+    const { state, reports } = this;
+    const { type } = message;
+    // A removed fire only answers earlier calls.
+    if (connection.closed && !['ready', 'changed', 'done', 'refused'].includes(type)) return;
+    if (type === 'ready') {
+      state.take(message);
+      this.#tellSeam(message.values);
+      this.adopt();
+      this.#children?.report(message);
+    } else if (type === 'changed') {
+      // Values of a saved picture alone are nobody else's.
+      if (message.source === 'picture') return;
+      state.take(message);
+      this.#children?.report(message);
+      if (message.replaced && (this.fire.getAttribute('preset') ?? 'default') !== state.preset) this.reflectPreset(state.preset);
+      this.#tellSeam(message.values);
+      if (!this.#ready.announced) return;
+      const { source } = message;
+      for (const [id, value] of Object.entries(message.values)) reports.emit('params-change', { id, value, source });
+      if (message.objects) reports.emit('objects-change', { objects: this.fire.objects, source });
+    } else if (type === 'done') {
+      this.#requests.settle(message.request, undefined, message.value);
+    } else if (type === 'refused') {
+      const { request, errors } = message;
+      const error = reports.refused(this.#children?.named(errors, this.#requests.promise(request)) ?? errors);
+      if (request !== undefined) this.#requests.settle(request, error);
+    } else if (type === 'stats') {
+      const { stats } = message;
+      state.stats = { ...stats, engine: connection.place };
+      this.#policies.measure(state.params.display_mode, stats.scale);
+      this.#css?.light(stats.scale ? 0 : stats.power, state.params);
+      reports.emit('stats', { ...state.stats });
+    } else if (type === 'quality') {
+      const { requested, quality, reason } = message;
+      state.quality = requested;
+      if (this.#ready.announced) reports.emit('quality-change', { quality, reason });
+    } else if (type === 'state') {
+      reports.emit(message.playing ? 'play' : 'pause');
+    } else if (type === 'warming') {
+      this.view.fade();
+    } else if (type === 'restored') {
+      this.#drawable = true;
+      this.#updateState();
+      if (this.#ready.announced && !this.#returns) reports.emit('restored');
+      this.#present(connection);
+    } else if (message.kind === 'context-lost') {
+      // The last frame stays visible.
+      this.#drawable = false;
+      this.#updateState();
+      reports.failure(message.kind, message.message);
+    } else if (message.burns) {
+      reports.warn(message.kind, message.message);
+    } else if (message.kind === 'stopped') {
+      this.#stop(message.message);
+    } else if (type === 'error') {
+      this.#fail(message.kind, message.message);
+    }
+  }
+
+  /** Tells once that open edges have no seam, as settings from before open air may have one. @type {(values: {seam?: number}) => void} */
+  #tellSeam({ seam = DEFAULTS.seam }) {
+    const { model, edges } = this.state.params;
+    if (this.#warnedAboutSeam || seam === DEFAULTS.seam || model !== 'combustion' || edges !== 'open') return;
+    this.#warnedAboutSeam = true;
+    console.warn('<hearth-fire>: seam has no effect with open edges; edges="periodic" has a seam.');
+  }
+
+  /**
+   * The fire has stopped: another one follows with its settings, unless it stops again and again.
+   * @param {string} message
+   */
+  #stop(message) {
+    const { stops, pause } = this.#ready.stop();
+    if (pause === Infinity) {
+      this.#fail('stopped', `The fire has stopped ${stops} times in a minute. ${message}`);
+      return;
+    }
+    const connection = this.#connection;
+    connection?.abandon(new EngineError('stopped', message));
+    this.#end();
+    this.#returns = true;
+    this.#updateState();
+    this.reports.warn('stopped', message);
+    // What failed at once has some time before it fails again.
+    setTimeout(() => connection === this.#connection && this.#open(), pause);
+  }
+
+  /**
+   * There is no fire: shows the poster, the reason, and a button that tries again.
+   * @param {'unsupported' | 'load' | 'stopped'} kind
+   * @param {string} message
+   */
+  #fail(kind, message) {
+    const error = new EngineError(kind, message);
+    this.#connection?.abandon(error);
+    this.#end();
+    this.#returns = false;
+    this.view.show('failed', message, kind !== 'unsupported' && (() => this.#retry()));
+    this.playback.offer('');
+    this.#updateState();
+    this.#policies.end();
+    this.#ready.reject(error);
+    this.reports.warn(kind, message);
+  }
+
+  /** Restarts a failed fire on request. */
+  #retry() {
+    this.#ready.forget();
+    this.#close();
+    this.#open();
+  }
+}

@@ -1,0 +1,264 @@
+/**
+ * The shadow tree of `<hearth-fire>`: canvas, poster, and the message for a browser that cannot show
+ * the fire. Code that is loaded on request adds parts of its own, with their styles.
+ */
+
+import { setOrRemove } from '../attributes/attributes.js';
+import { deferred } from '../session/requests.js';
+import { viewportOf } from './viewport.js';
+import { motionIsReduced } from './visibility.js';
+
+/** How long the last frame of one fire takes to fade into the next fire [ms]. */
+const FADE_MS = 400;
+
+const STYLES = /* css */ `
+:host { display: block; position: relative; overflow: hidden; pointer-events: none; }
+:host([hidden]) { display: none; }
+/* Gives the element a height where its page gives it none. */
+.room { inline-size: 100%; aspect-ratio: 4 / 5; max-block-size: 80vh; }
+canvas, .poster { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; }
+canvas { display: block; }
+.before { pointer-events: none; }
+.poster { display: grid; place-items: center; overflow: hidden; }
+::slotted([slot='poster']), .poster img { max-inline-size: 100%; max-block-size: 100%; }
+.root[data-state='shown'][data-drawn] .poster { display: none; }
+.root[data-state='failed'] canvas { visibility: hidden; }
+:host([interactive]) { pointer-events: auto; }
+:host([interactive]) .root { touch-action: pan-y; }
+.message {
+  position: absolute; inset: auto 5% 6%; box-sizing: border-box; inline-size: fit-content; max-inline-size: 32rem; margin: auto;
+  padding: 0.75em 1em; border-radius: 0.5em; background: rgb(20 16 14 / 0.9); color: #f4ece4;
+  font: 0.9rem/1.4 system-ui, sans-serif; text-align: center; pointer-events: auto; overflow-wrap: anywhere;
+}
+.message p { margin: 0; }
+.message button {
+  margin-block-start: 0.5em; padding: 0.25em 1em; border: 1px solid; border-radius: 0.5em; background: none; color: inherit; font: inherit;
+}
+.root:not([data-state='failed']) .message { display: none; }
+`;
+
+/** The constructed style sheets of each document, by their text. @type {WeakMap<Document, Map<string, CSSStyleSheet>>} */
+const SHEETS = new WeakMap();
+
+/**
+ * Makes an element. HTML text is not parsed: a page's policy may forbid it.
+ * @param {string} name
+ * @param {{[attribute: string]: string}} attributes
+ * @param {...(Node | string)} children
+ */
+function make(name, attributes, ...children) {
+  const made = document.createElement(name);
+  for (const [attribute, value] of Object.entries(attributes)) made.setAttribute(attribute, value);
+  made.append(...children);
+  return made;
+}
+
+/** The shadow tree of one element. */
+export class FireView {
+  #host;
+  #shadow;
+  #message = make('p', { role: 'status' });
+  #retry = /** @type {HTMLButtonElement} */ (make('button', { part: 'retry', type: 'button' }, 'Try again'));
+  #poster = /** @type {HTMLImageElement} */ (make('img', { alt: '', hidden: '' }));
+  #posterBox = make('div', { class: 'poster' }, make('slot', { name: 'poster' }, this.#poster));
+  #alt = '';
+  /** @type {ImageBitmapRenderingContext | CanvasRenderingContext2D | null | undefined} */
+  #surface;
+  /** Resolves with the first frame. */
+  #drawn = deferred();
+  /** Whether the next frame is that of another fire, into which the last one fades. */
+  #fades = false;
+  #styles = [STYLES];
+  #declarations = '';
+  /** The custom properties of the element. @type {CSSStyleSheet | undefined} */
+  #properties;
+  /** @type {HTMLCanvasElement | undefined} */
+  canvas;
+  /** How much the picture is enlarged at most. */
+  maxZoom = 10;
+  /** @type {import('./viewport.js').Camera} */
+  camera = { fit: 'height', x: 0.5, y: 0, zoom: 1, panX: 0.5, panY: 0.5 };
+  /** What the shadow tree holds. */
+  root = make('div', { class: 'root', 'data-state': 'loading' }, make('div', { class: 'room' }), this.#posterBox, make('div', { class: 'message', part: 'message' }, this.#message));
+
+  /** @param {HTMLElement} host */
+  constructor(host) {
+    this.#host = host;
+    this.#shadow = host.attachShadow({ mode: 'open' });
+    this.#shadow.append(this.root);
+    this.dress();
+  }
+
+  /** Adds styles. @param {string} styles */
+  style(styles) {
+    this.#styles.push(styles);
+    this.dress();
+  }
+
+  /**
+   * Applies the styles, which an element loses when it moves to another document. They are constructed
+   * style sheets where the browser has those: a content security policy may forbid `<style>`.
+   */
+  dress() {
+    const owner = this.#host.ownerDocument;
+    const Sheet = owner.defaultView?.CSSStyleSheet;
+    if (Sheet && 'replaceSync' in Sheet.prototype && 'adoptedStyleSheets' in this.#shadow) {
+      const known = SHEETS.get(owner) ?? new Map();
+      SHEETS.set(owner, known);
+      this.#properties = new Sheet();
+      this.#shadow.adoptedStyleSheets = [...this.#styles.map((text) => {
+        const sheet = known.get(text) ?? new Sheet();
+        if (!known.has(text)) sheet.replaceSync(text);
+        known.set(text, sheet);
+        return sheet;
+      }), this.#properties];
+      this.declare(this.#declarations);
+    } else {
+      this.#shadow.querySelector('style')?.remove();
+      this.#shadow.prepend(make('style', {}, new Text(this.#styles.join(''))));
+    }
+  }
+
+  /**
+   * Sets custom properties of the element; its page's styles take precedence.
+   * @param {string} declarations
+   */
+  declare(declarations) {
+    this.#declarations = declarations;
+    this.#properties?.replaceSync(`:host{${declarations}}`);
+  }
+
+  /** Whether a frame of the fire is shown, and no poster. */
+  get shows() {
+    return this.root.matches('[data-state=shown][data-drawn]');
+  }
+
+  /** A new canvas, without the last frame of the fire before. */
+  newCanvas() {
+    this.dropCanvas();
+    this.canvas = document.createElement('canvas');
+    this.canvas.setAttribute('part', 'canvas');
+    this.describe(this.#alt);
+    this.#posterBox.before(this.canvas);
+    return this.canvas;
+  }
+
+  /** Removes the canvas. */
+  dropCanvas() {
+    this.canvas?.remove();
+    this.#fades = false;
+    this.canvas = this.#surface = undefined;
+    this.root.removeAttribute('data-drawn');
+    this.#drawn.reject(new Error('the fire was removed from the page'));
+    this.#drawn = deferred();
+  }
+
+  /**
+   * Shows a frame: a bitmap, which is transferred, or a canvas, which is copied.
+   * @param {import('../../engine/engine.js').Drawn} frame
+   */
+  draw(frame) {
+    const { canvas } = this;
+    if (!canvas) return;
+    if (this.#fades) this.#fade(canvas);
+    const bitmap = 'close' in frame ? frame : undefined;
+    this.#surface ??= bitmap ? canvas.getContext('bitmaprenderer') : canvas.getContext('2d');
+    // Assigning a size clears the canvas.
+    if (canvas.width !== frame.width) canvas.width = frame.width;
+    if (canvas.height !== frame.height) canvas.height = frame.height;
+    const surface = this.#surface;
+    if (surface && 'transferFromImageBitmap' in surface) {
+      if (bitmap) surface.transferFromImageBitmap(bitmap);
+    } else if (surface) {
+      surface.globalCompositeOperation = 'copy';
+      surface.drawImage(frame, 0, 0);
+    }
+    if (this.root.hasAttribute('data-drawn')) return;
+    this.root.setAttribute('data-drawn', '');
+    this.#drawn.resolve(canvas);
+  }
+
+  /** The next frame is that of another fire: what is shown until then fades into it. */
+  fade() {
+    this.#fades = true;
+  }
+
+  /** @param {HTMLCanvasElement} canvas */
+  #fade(canvas) {
+    this.#fades = false;
+    if (motionIsReduced()) return;
+    if (!this.root.hasAttribute('data-drawn')) {
+      // The poster is hidden as soon as there is a frame, unless the animation shows it.
+      this.#posterBox.animate([{ display: 'grid', opacity: 1 }, { display: 'grid', opacity: 0 }], FADE_MS);
+      return;
+    }
+    const copy = /** @type {HTMLCanvasElement} */ (make('canvas', { class: 'before', 'aria-hidden': 'true' }));
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    copy.getContext('2d')?.drawImage(canvas, 0, 0);
+    canvas.after(copy);
+    const remove = () => copy.remove();
+    copy.animate([{ opacity: 1 }, { opacity: 0 }], FADE_MS).finished.then(remove, remove);
+  }
+
+  /**
+   * Resolves to the canvas when it shows a frame.
+   * @returns {Promise<HTMLCanvasElement>}
+   * @throws {Error} there will be none
+   */
+  drawn() {
+    return this.#drawn.promise;
+  }
+
+  /**
+   * How the element's pixels map to the domain's metres; null without a picture.
+   * @param {Pick<import('../../parameters.js').HearthParameters, 'domain_width' | 'domain_height'>} params
+   */
+  viewport({ domain_width: width, domain_height: height }) {
+    const outer = this.#host.getBoundingClientRect();
+    const inner = this.canvas?.getBoundingClientRect();
+    if (!inner?.height) return null;
+    const { scale, left, bottom } = viewportOf(this.camera, width, height, inner.width, inner.height);
+    const middle = inner.left - outer.left + left;
+    const floor = inner.bottom - outer.top - bottom;
+    return {
+      toMetres: (/** @type {number} */ x, /** @type {number} */ y) => ({ x: (x - middle) / scale, y: (floor - y) / scale }),
+      toPixels: (/** @type {number} */ x, /** @type {number} */ y) => ({ x: middle + x * scale, y: floor - y * scale }),
+    };
+  }
+
+  /**
+   * Shows the poster (`loading`), the fire from its first frame on (`shown`), or the poster with a
+   * message (`failed`).
+   * @param {'loading' | 'shown' | 'failed'} state
+   * @param {string} [message]
+   * @param {(() => void) | false} [retry] what the button under the message does; without it there is none
+   */
+  show(state, message = '', retry = false) {
+    this.root.dataset.state = state;
+    this.#message.textContent = message;
+    this.#retry.onclick = retry || null;
+    if (retry) this.#message.after(this.#retry);
+    else this.#retry.remove();
+  }
+
+  /**
+   * Sets the picture that is shown without a fire if the slot is empty.
+   * @param {string} url
+   */
+  setPoster(url) {
+    this.#poster.hidden = !url;
+    setOrRemove(this.#poster, 'src', url || null);
+  }
+
+  /**
+   * Sets the description for screen readers; without one the fire is decoration.
+   * @param {string} alt
+   */
+  describe(alt) {
+    this.#alt = alt;
+    if (!this.canvas) return;
+    setOrRemove(this.canvas, 'role', alt ? 'img' : null);
+    setOrRemove(this.canvas, 'aria-label', alt || null);
+    setOrRemove(this.canvas, 'aria-hidden', alt ? null : 'true');
+  }
+}

@@ -12,7 +12,6 @@ mod trunk;
 use std::thread;
 
 use anyhow::{Result, ensure};
-use xshell::cmd;
 
 use crate::report::Report;
 use crate::{bench, codegen, goldens, package, script, site};

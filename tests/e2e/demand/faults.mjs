@@ -30,7 +30,7 @@ const unknown = names.filter((name) => !(name in SECTIONS));
 if (!file || unknown.length > 0) {
   throw new Error(`the arguments are a file and sections (${Object.keys(SECTIONS).join(', ')}), not ${[file, ...unknown].join(', ')}`);
 }
-const rows = ['| fault | number | burns again | told in words | silent |', '|---|---:|---:|---:|---:|'];
+const rows = ['| fault | number | burns again | reason shown | silent |', '|---|---:|---:|---:|---:|'];
 for (const [section, { find, what }] of Object.entries(SECTIONS)) {
   if (names.length > 0 && !names.includes(section)) continue;
   const counts = { burns: 0, told: 0, silent: 0 };

@@ -64,6 +64,8 @@ pub struct Row {
     pub unit: &'static str,
     /// Where the expected value comes from, or what else is worth saying.
     pub note: String,
+    /// Whether the document's table has the row while it holds.
+    pub is_listed: bool,
 }
 
 /// How a row ended.
@@ -92,6 +94,7 @@ impl Row {
             measured,
             unit: "",
             note: String::new(),
+            is_listed: true,
         }
     }
 
@@ -106,6 +109,13 @@ impl Row {
     #[must_use]
     pub fn noting(mut self, note: impl Into<String>) -> Row {
         self.note = note.into();
+        self
+    }
+
+    /// The same, which the document's table has only where it does not hold.
+    #[must_use]
+    pub fn unlisted(mut self) -> Row {
+        self.is_listed = false;
         self
     }
 

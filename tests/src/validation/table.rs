@@ -73,14 +73,16 @@ pub fn line(row: &Row) -> String {
     line
 }
 
-/// All rows as a table in Markdown, and below it why rows are not reached.
+/// The listed rows, and all rows that do not hold, as a table in Markdown, and below it why rows are
+/// not reached.
 pub fn markdown(cases: &[Finished]) -> String {
     let mut text = String::from(
         "| case | expected | tolerance | measured | verdict | time |\n|---|--:|--:|--:|---|--:|\n",
     );
     let mut reasons = String::new();
     for finished in cases {
-        for (i, row) in finished.outcome.rows.iter().enumerate() {
+        let shown = |row: &&Row| row.is_listed || row.verdict() != Verdict::Holds;
+        for (i, row) in finished.outcome.rows.iter().filter(shown).enumerate() {
             let [value, tolerance] = expected(row);
             let verdict = match row.verdict() {
                 Verdict::Holds => "holds",
@@ -148,16 +150,14 @@ mod tests {
         }
     }
 
+    const CASE: Case = Case {
+        name: "case",
+        pace: super::super::Pace::Quick,
+        run: Outcome::default,
+    };
+
     #[test]
     fn a_row_that_fails_fails_the_table() {
-        fn nothing() -> Outcome {
-            Outcome::default()
-        }
-        const CASE: Case = Case {
-            name: "case",
-            pace: super::super::Pace::Quick,
-            run: nothing,
-        };
         let row = |measured| Row::new("row", "m|v|", Expected::AtMost(1.0), measured);
         let finished = |measured| {
             [Finished {
@@ -169,5 +169,18 @@ mod tests {
         assert!(passed(&finished(0.5)) && !passed(&finished(1.5)));
         let text = markdown(&finished(1.5));
         assert!(text.contains("| m\\|v\\| | ≤ 1.00 |  | 1.50 | **fails** | 1.5 s |"));
+    }
+
+    #[test]
+    fn an_unlisted_row_is_shown_where_it_fails() {
+        let text = |measured| {
+            let row = Row::new("row", "unlisted", Expected::AtMost(1.0), measured).unlisted();
+            markdown(&[Finished {
+                case: &CASE,
+                outcome: Outcome::rows([row]),
+                took: Duration::ZERO,
+            }])
+        };
+        assert!(!text(0.5).contains("unlisted") && text(1.5).contains("unlisted"));
     }
 }

@@ -212,7 +212,7 @@ function say(text) {
 const [, , file] = process.argv;
 const folder = process.env.HEARTH_BENCH;
 const native = process.env.HEARTH_NATIVE;
-if (!file || !folder || !native) throw new Error('run this by `cargo xtask bench`');
+if (!file || !folder || !native) throw new Error('run this by `cargo measure bench`');
 const others = JSON.parse(process.env.HEARTH_PROGRAMS ?? '{}');
 const programs = [{ command: [path.join(native, 'native')] }, ...(others.programs ?? [])];
 const leftOut = others.leftOut ?? [];

@@ -2,7 +2,7 @@
 //!
 //! `validate [--write FOLDER] [CASE...]`: all cases, or those whose names begin
 //! as given; the table and the plots go into FOLDER. Fails where a row fails.
-//! `cargo xtask validate` calls it.
+//! `cargo measure validate` calls it.
 
 use std::fs;
 use std::io::{self, Write as _};

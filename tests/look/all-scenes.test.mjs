@@ -1,5 +1,5 @@
 /**
- * A few seconds of every scene. `cargo xtask look` watches a minute of each.
+ * A few seconds of every scene. `cargo measure look` watches a minute of each.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';

@@ -1,5 +1,5 @@
 /**
- * Figures of a few seconds of a fire's pixels. `cargo xtask look` measures a minute of
+ * Figures of a few seconds of a fire's pixels. `cargo measure look` measures a minute of
  * every scene.
  */
 import assert from 'node:assert/strict';

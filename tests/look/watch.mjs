@@ -2,7 +2,7 @@
  * Measures the pixels of every scene as the page shows it, and writes a table: `node
  * watch.mjs table.md`, or `node watch.mjs table.md default classic` for scenes by the
  * beginnings of their names. The rows of the other scenes are kept if the file has them.
- * `cargo xtask look` runs this; `HEARTH_SECONDS` sets the duration.
+ * `cargo measure look` runs this; `HEARTH_SECONDS` sets the duration.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { BARS, TELLING, traits } from './bars.mjs';

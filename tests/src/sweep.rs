@@ -3,7 +3,7 @@
 //! A corner has every parameter that moves particles at one end of its range.
 //! There the fire stays finite, stays inside, and is not clamped by a
 //! guard; back at the defaults it recovers. `tests/tests/corners.rs` tests this with a
-//! sample of corners, `cargo xtask soak` of hundreds. It visits [crowds](crowd) of solids and
+//! sample of corners, `cargo measure soak` of hundreds. It visits [crowds](crowd) of solids and
 //! [heaps](heap) of burning bodies too.
 
 pub mod crowd;

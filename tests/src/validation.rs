@@ -4,7 +4,7 @@
 //! gives [`Row`]s: what theory expects, how far off it may be, and what came
 //! out. The cases alone state expected values and tolerances. The
 //! quick cases run in `tests/tests/validation.rs`, all of them in
-//! `cargo xtask validate`, which writes `docs/evaluation.md`.
+//! `cargo measure validate`, which writes `docs/evaluation.md`.
 //!
 //! A tolerance is never loosened. A row that cannot be reached is in
 //! [`not_reached`], with what was measured and why.

@@ -1,7 +1,7 @@
 //! Stability at the corners of the parameter ranges: the fire stays finite and inside without
 //! clamping, and recovers.
 //!
-//! This is a sample; `cargo xtask soak` goes to hundreds of corners.
+//! This is a sample; `cargo measure soak` goes to hundreds of corners.
 
 use hearth_core::params::{Input, Model, PARAMETERS, Param};
 use hearth_core::random::Random;

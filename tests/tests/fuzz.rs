@@ -1,7 +1,7 @@
 //! What a page, a link or a file can send keeps the laws of its decoder: random settings, objects
 //! and arguments, and damaged burning fires.
 //!
-//! `cargo xtask fuzz --minutes N` looks for longer. A case that fails names the seed that
+//! `cargo measure fuzz --minutes N` looks for longer. A case that fails names the seed that
 //! repeats it.
 
 use std::time::{Duration, Instant};
@@ -95,7 +95,7 @@ impl Drop for Named {
     fn drop(&mut self) {
         if thread::panicking() {
             eprintln!(
-                "`cargo xtask fuzz --seed {}` repeats this case first",
+                "`cargo measure fuzz --seed {}` repeats this case first",
                 self.0
             );
         }

@@ -1,6 +1,6 @@
 //! Every scene stays finite and inside without clamping, glows, and is cheap enough for a page.
 //!
-//! The tests run its first seconds; `cargo xtask soak` runs each scene for a minute.
+//! The tests run its first seconds; `cargo measure soak` runs each scene for a minute.
 
 use std::fs;
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! The quick rows of the validation table: theory, to its tolerance.
 //!
-//! `cargo xtask validate` runs the long ones as well and prints all figures.
+//! `cargo measure validate` runs the long ones as well and prints all figures.
 
 use hearth_tests::validation::{self, Pace, Verdict, not_reached::NOT_REACHED, table};
 

@@ -1,6 +1,6 @@
 /**
  * What a page, a link or an embedding page can send keeps the laws of its decoder: random
- * messages to the iframe, and random addresses. `cargo xtask fuzz --minutes N` looks for longer.
+ * messages to the iframe, and random addresses. `cargo measure fuzz --minutes N` looks for longer.
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -31,7 +31,7 @@ async function cases(count, run) {
       await run(chance(seed));
       assert.equal(Object.getOwnPropertyNames(Object.prototype).join(), INHERITED);
     } catch (error) {
-      throw new Error(`\`cargo xtask fuzz --seed ${seed}\` repeats this case first: ${error.message}`, { cause: error });
+      throw new Error(`\`cargo measure fuzz --seed ${seed}\` repeats this case first: ${error.message}`, { cause: error });
     }
   }
 }

@@ -1,6 +1,6 @@
 //! Fixed cases whose instructions are counted: `counted CASE` prints how many
 //! particles took a step in how many steps; run under callgrind, which counts
-//! inside of `measured` alone. `cargo xtask bench --instructions` does that.
+//! inside of `measured` alone. `cargo xtask cost` does that.
 
 use std::env;
 

@@ -1,8 +1,7 @@
-//! `cargo xtask bench`: measures natively, in Node, in headless Chromium and on the page
+//! `cargo measure bench`: measures natively, in Node, in headless Chromium and on the page
 //! itself, beside other programs, and writes the figures into `docs/evaluation.md`.
 
 mod figures;
-mod instructions;
 mod programs;
 mod tables;
 mod targets;
@@ -13,12 +12,11 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use serde_json::Value;
 use xshell::cmd;
+use xtask::shell::Shell;
+use xtask::site::{self, Module};
+use xtask::{baselines, browser, paths, tools};
 
-use crate::flags::Bench;
-use crate::shell::Shell;
-use crate::site::{self, Module};
-use crate::stages::browser;
-use crate::{evaluation, paths, tools};
+use crate::evaluation;
 use figures::Figures;
 
 /// The scenes of the benchmarks as a wasm module, compiled as the page's engine is.
@@ -27,48 +25,22 @@ const SCENES: Module = Module::new("hearth-benches", "engine");
 /// The groups of criterion's benchmarks.
 const CRITERION: [&str; 2] = ["fire", "block"];
 
-/// Runs the benchmarks of the command line.
-pub(crate) fn run(flags: &Bench) -> Result<()> {
-    if flags.instructions {
-        instructions::run(flags.write)
-    } else if flags.page {
-        page()
-    } else {
-        measure(flags.yardstick.as_deref())
-    }
-}
-
 /// Presses the button of `bench.html` and records its tables.
-fn page() -> Result<()> {
+pub(crate) fn paper() -> Result<()> {
     evaluation::check("paper")?;
     let tables = tools::target()?.join("hearth-paper.md");
     browser::run_script("demand/bench-page.mjs", [tables.clone()], vec![])?;
     evaluation::write("paper", &Shell::new()?.read_file(tables)?)
 }
 
-/// Fails where a step takes far more instructions than recorded.
-pub(crate) fn instructions() -> Result<()> {
-    instructions::run(false)
-}
-
-/// Fails unless the baselines in JavaScript compute what Hearth computes.
-pub(crate) fn baselines() -> Result<()> {
-    tools::node()?;
-    let (sh, package) = (Shell::new()?, SCENES.package);
-    let run = format!("run --quiet --package {package} --example native -- gas");
-    let gas = sh.cargo(&run).read()?;
-    Ok(cmd!(sh, "node benches/browser/check.mjs")
-        .stdin(gas)
-        .run()?)
-}
-
-fn measure(yardstick: Option<&Path>) -> Result<()> {
+/// Measures everything, and the program `yardstick` too.
+pub(crate) fn run(yardstick: Option<&Path>) -> Result<()> {
     let chromium = tools::chromium()?;
     browser::packages()?;
     for section in ["compared", "measured"] {
         evaluation::check(section)?;
     }
-    baselines()?;
+    baselines::check()?;
     site::build()?;
     site::compile(&SCENES, &[])?;
     let target = tools::target()?;

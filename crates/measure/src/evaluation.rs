@@ -4,8 +4,7 @@
 use std::fs;
 
 use anyhow::{Context, Result};
-
-use crate::paths;
+use xtask::paths;
 
 const PAGE: &str = "docs/evaluation.md";
 

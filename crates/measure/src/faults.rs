@@ -1,13 +1,13 @@
-//! `cargo xtask faults`: fails each part that a fire needs of its browser, and writes what a visitor
+//! `cargo measure faults`: fails each part that a fire needs of its browser, and writes what a visitor
 //! sees into `docs/evaluation.md`.
 
 use std::{fs, iter};
 
 use anyhow::Result;
+use xtask::shell::Shell;
+use xtask::{browser, tools};
 
-use crate::shell::Shell;
-use crate::stages::browser;
-use crate::{evaluation, tools};
+use crate::evaluation;
 
 /// Runs the sections of that name, or all of them. Only a run of all is recorded, passed or failed.
 pub(crate) fn run(names: &[String]) -> Result<()> {

@@ -1,12 +1,13 @@
-//! `cargo xtask look`: checks a minute of every scene for flashes, and for what else its
-//! pixels tell, and writes the table into `docs/evaluation.md`.
+//! `cargo measure look`: checks a minute of every scene for flashes, and for what else its
+//! pixels show, and writes the table into `docs/evaluation.md`.
 
 use std::{fs, iter};
 
 use anyhow::{Result, bail};
+use xtask::shell::Shell;
+use xtask::{goldens, tools};
 
-use crate::shell::Shell;
-use crate::{evaluation, goldens, tools};
+use crate::evaluation;
 
 /// Checks all scenes, or those whose names begin with one of `names`: then the rows of the
 /// others stay. What is found is recorded, passed or failed.

@@ -1,14 +1,15 @@
-//! Long runs of the physics: `cargo xtask validate` compares it with theory and writes
-//! the table and its plots into `docs/evaluation.md` and `docs/validation`; `cargo xtask
+//! Long runs of the physics: `cargo measure validate` compares it with theory and writes
+//! the table and its plots into `docs/evaluation.md` and `docs/validation`; `cargo measure
 //! soak` drives fires to random corners of all ranges and back, moves solids through them, burns heaps;
-//! `cargo xtask fuzz` sends random values to every decoder.
+//! `cargo measure fuzz` sends random values to every decoder.
 
 use anyhow::Result;
 use xshell::{Cmd, cmd};
+use xtask::shell::Shell;
+use xtask::{paths, tools};
 
+use crate::evaluation;
 use crate::flags::Soak;
-use crate::shell::Shell;
-use crate::{evaluation, paths, tools};
 
 /// Runs the cases whose names begin with one of `names`, or all of them. Only a run of
 /// all is recorded, passed or failed.

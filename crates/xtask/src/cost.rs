@@ -1,10 +1,12 @@
 //! How many instructions a step takes. Unlike its time, the number does not depend on what
 //! else the machine does, so growth is distinguishable from noise.
+//!
+//! `cargo xtask test cost` compares the counts with recorded ones; `cargo xtask cost` records them.
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
 use serde::{Deserialize, Serialize};
 use xshell::cmd;
 
@@ -27,55 +29,66 @@ type Counts = BTreeMap<String, u64>;
 /// The recorded counts.
 const FILE: &str = "benches/instructions.json";
 
-/// What the file holds.
+/// The counts and the compiler that they depend on.
 #[derive(Deserialize, Serialize)]
-struct Recorded {
+struct Counted {
     compiler: String,
     instructions: Counts,
 }
 
-/// Counts, and compares the counts with the recorded ones, or records them.
-pub(super) fn run(write: bool) -> Result<()> {
+/// Records the counts.
+pub(crate) fn record() -> Result<()> {
+    let Some(recorded) = counted()? else {
+        return Ok(());
+    };
+    let text = serde_json::to_string_pretty(&recorded)? + "\n";
+    Shell::new()?.write_file(FILE, text)?;
+    println!("wrote {FILE}");
+    Ok(())
+}
+
+/// Fails where a step takes far more instructions than recorded.
+pub(crate) fn check() -> Result<()> {
+    let Some(now) = counted()? else {
+        return Ok(());
+    };
+    let recorded = Shell::new()?.read_file(FILE)?;
+    let recorded: Counted = serde_json::from_str(&recorded).context(FILE)?;
+    let mut tolerance = TOLERANCE;
+    if recorded.compiler != now.compiler {
+        println!("recorded with {}, now {}", recorded.compiler, now.compiler);
+        tolerance = OTHER_COMPILER;
+    }
+    let comparison = compare(&recorded.instructions, &now.instructions, tolerance);
+    print!("{}", comparison.table);
+    if comparison.fallen {
+        println!("some have fallen; run `cargo xtask cost`");
+    }
+    ensure!(
+        comparison.grown.is_empty(),
+        "a step takes over {:.0} % more instructions than recorded: {}",
+        100.0 * tolerance,
+        comparison.grown.join(", ")
+    );
+    Ok(())
+}
+
+/// The counts of this checkout; `None` on another target than the recorded one.
+fn counted() -> Result<Option<Counted>> {
     if !cfg!(all(
         target_arch = "x86_64",
         target_os = "linux",
         target_env = "gnu"
     )) {
         println!("skipped: the counts were recorded on {TARGET}");
-        return Ok(());
+        return Ok(None);
     }
     tools::VALGRIND.get()?;
     let sh = Shell::new()?;
-    let counts = count(&sh)?;
-    let compiler = cmd!(sh, "rustc --version").read()?;
-    if write {
-        let recorded = Recorded {
-            compiler,
-            instructions: counts,
-        };
-        sh.write_file(FILE, serde_json::to_string_pretty(&recorded)? + "\n")?;
-        println!("wrote {FILE}");
-        return Ok(());
-    }
-    let recorded: Recorded = serde_json::from_str(&sh.read_file(FILE)?).context(FILE)?;
-    let mut tolerance = TOLERANCE;
-    if recorded.compiler != compiler {
-        println!("recorded with {}, now {compiler}", recorded.compiler);
-        tolerance = OTHER_COMPILER;
-    }
-    let comparison = compare(&recorded.instructions, &counts, tolerance);
-    print!("{}", comparison.table);
-    if comparison.fallen {
-        println!("some have fallen; run `cargo xtask bench --instructions --write`");
-    }
-    if !comparison.grown.is_empty() {
-        bail!(
-            "a step takes over {:.0} % more instructions than recorded: {}",
-            100.0 * tolerance,
-            comparison.grown.join(", ")
-        );
-    }
-    Ok(())
+    Ok(Some(Counted {
+        instructions: count(&sh)?,
+        compiler: cmd!(sh, "rustc --version").read()?,
+    }))
 }
 
 /// Compiles the cases and counts each under callgrind.
@@ -184,7 +197,7 @@ mod tests {
 
     #[test]
     fn every_case_has_a_recorded_count() -> Result<()> {
-        let recorded: Recorded = serde_json::from_str(&Shell::new()?.read_file(FILE)?)?;
+        let recorded: Counted = serde_json::from_str(&Shell::new()?.read_file(FILE)?)?;
         for case in CASES {
             assert!(recorded.instructions.contains_key(case), "{case}");
         }

@@ -36,7 +36,7 @@ pub(crate) fn check() -> Result<()> {
 }
 
 /// Runs a script of `tests/look` with a painter and a browser.
-pub(crate) fn run_script(name: &str, arguments: impl Iterator<Item = PathBuf>) -> Result<()> {
+pub fn run_script(name: &str, arguments: impl Iterator<Item = PathBuf>) -> Result<()> {
     let chromium = tools::chromium()?;
     browser::packages()?;
     tools::wasm_target()?;

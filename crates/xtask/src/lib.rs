@@ -1,49 +1,41 @@
 //! Hearth's commands: `cargo xtask <command>`.
 //!
 //! Everything that is built, checked or served goes through here, so that the README,
-//! a developer's machine and a build server run the same commands.
+//! a developer's machine and a build server run the same commands. `cargo measure` shares
+//! the public modules.
 
-mod bench;
-mod burning;
+pub mod arguments;
+pub mod baselines;
 mod codegen;
-mod evaluation;
-mod faults;
+pub mod cost;
 mod flags;
-mod goldens;
+pub mod goldens;
 mod links;
-mod look;
 mod npm;
 mod package;
 mod parts;
-mod paths;
+pub mod paths;
 mod pictures;
+mod prewarmed;
 mod report;
 mod script;
 mod serve;
-mod shell;
-mod site;
+pub mod shell;
+pub mod site;
 mod stages;
-mod tools;
-mod validate;
+pub mod tools;
 
 use std::process::ExitCode;
 
 use anyhow::Result;
 use flags::{Xtask, XtaskCmd};
 
-fn main() -> ExitCode {
-    let command = match Xtask::parse(std::env::args_os().skip(1)) {
-        Ok(command) => command,
-        Err(error) if error.is_help() => error.exit(),
-        Err(error) => {
-            eprintln!("error: {error}; `cargo xtask help` lists all commands and options");
-            return ExitCode::FAILURE;
-        }
-    };
-    run(command).unwrap_or_else(|error| {
-        eprintln!("error: {error:#}");
-        ExitCode::FAILURE
-    })
+pub use stages::browser;
+
+/// Runs the command of this process's arguments.
+pub fn main() -> ExitCode {
+    let parsed = Xtask::parse(std::env::args_os().skip(1));
+    arguments::outcome("cargo xtask", parsed, run)
 }
 
 fn run(command: Xtask) -> Result<ExitCode> {
@@ -69,24 +61,19 @@ fn run(command: Xtask) -> Result<ExitCode> {
                 return Ok(ExitCode::FAILURE);
             }
         }
-        XtaskCmd::Validate(validate) => validate::run(&validate.case)?,
-        XtaskCmd::Soak(soak) => validate::soak(&soak)?,
-        XtaskCmd::Fuzz(fuzz) => validate::fuzz(fuzz.minutes, fuzz.seed)?,
-        XtaskCmd::Faults(faults) => faults::run(&faults.section)?,
-        XtaskCmd::Bench(bench) => bench::run(&bench)?,
-        XtaskCmd::Look(look) => look::run(&look.scene)?,
+        XtaskCmd::Cost(_) => cost::record()?,
         XtaskCmd::Goldens(goldens) => goldens::write(goldens.snapshots, &goldens.name)?,
         XtaskCmd::Poster(_) => pictures::poster()?,
         XtaskCmd::Thumbnails(thumbnails) => pictures::thumbnails(&thumbnails.scene)?,
         XtaskCmd::Showcase(_) => pictures::showcase()?,
-        XtaskCmd::Burning(_) => report_written(burning::refresh(true)?),
+        XtaskCmd::Prewarmed(_) => report_written(prewarmed::refresh(true)?),
         XtaskCmd::Size(_) => {
             site::build()?;
             package::sizes(&paths::site().join("web"))?;
         }
         XtaskCmd::Codegen(_) => {
             let mut written = codegen::refresh_checkout()?;
-            written.extend(burning::refresh(false)?);
+            written.extend(prewarmed::refresh(false)?);
             report_written(written);
         }
     }

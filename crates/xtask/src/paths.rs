@@ -4,7 +4,7 @@ use std::env;
 use std::path::{Path, PathBuf};
 
 /// The checkout: the folder of the workspace's `Cargo.toml`.
-pub(crate) fn root() -> PathBuf {
+pub fn root() -> PathBuf {
     // The variable is right even where two checkouts share a target folder. The checkout
     // is two folders above this package.
     env::var_os("CARGO_MANIFEST_DIR")
@@ -16,7 +16,7 @@ pub(crate) fn root() -> PathBuf {
 }
 
 /// The site that `cargo xtask build` makes.
-pub(crate) fn site() -> PathBuf {
+pub fn site() -> PathBuf {
     root().join("dist/site")
 }
 
@@ -27,7 +27,7 @@ pub(crate) fn trunk_site() -> PathBuf {
 
 /// Tools that take minutes to compile, outside the checkout, so that all checkouts of a
 /// machine share them.
-pub(crate) fn tools() -> PathBuf {
+pub fn tools() -> PathBuf {
     let home = || env::var_os("HOME").or_else(|| env::var_os("USERPROFILE"));
     env::var_os("XDG_CACHE_HOME")
         .filter(|folder| !folder.is_empty())

@@ -1,4 +1,4 @@
-//! `cargo xtask burning`: simulates the scenes that a page may open with, and stores each as
+//! `cargo xtask prewarmed`: simulates the scenes that a page may open with, and stores each as
 //! `web/burning/NAME.fire`, from which an element with `warm` starts at once.
 //!
 //! `cargo xtask codegen` does the same for a scene whose values have changed. A change of
@@ -10,10 +10,8 @@ use std::path::PathBuf;
 use anyhow::{Context, Result, ensure};
 use hearth_core::{Scene, Simulation};
 
-use crate::{codegen, paths};
-
-/// The stored scenes.
-pub(crate) const SCENES: [&str; 1] = ["fireside"];
+use crate::codegen::{self, PREWARMED};
+use crate::paths;
 
 /// Largest file \[bytes\].
 const LARGEST: usize = 40_960;
@@ -34,7 +32,7 @@ fn file(name: &str) -> PathBuf {
 /// those whose values differ from their file's. Returns the written files.
 pub(crate) fn refresh(all: bool) -> Result<Vec<String>> {
     let mut written = Vec::new();
-    for name in SCENES {
+    for name in PREWARMED {
         let scene = codegen::scene_of_file(name)?;
         let path = file(name);
         let present = fs::read(&path).unwrap_or_default();

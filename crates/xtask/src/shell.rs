@@ -18,17 +18,18 @@ fn search_path() -> Option<OsString> {
 }
 
 /// The program of that name on that PATH.
-pub(crate) fn find(program: &str) -> Option<PathBuf> {
+pub fn find(program: &str) -> Option<PathBuf> {
     env::split_paths(&search_path()?)
         .map(|folder| folder.join(format!("{program}{}", env::consts::EXE_SUFFIX)))
         .find(|file| file.is_file())
 }
 
 /// An [`xshell::Shell`] in the checkout; `cmd!` takes it as one.
-pub(crate) struct Shell(xshell::Shell);
+pub struct Shell(xshell::Shell);
 
 impl Shell {
-    pub(crate) fn new() -> Result<Shell> {
+    /// A shell whose folder is the checkout.
+    pub fn new() -> Result<Shell> {
         let shell = xshell::Shell::new()?;
         shell.change_dir(paths::root());
         if let Some(path) = search_path() {
@@ -39,7 +40,7 @@ impl Shell {
 
     /// A command without the variables in which `cargo run` describes xtask: build
     /// scripts of other packages would take them for their own.
-    pub(crate) fn cmd(&self, program: impl AsRef<Path>) -> Cmd<'_> {
+    pub fn cmd(&self, program: impl AsRef<Path>) -> Cmd<'_> {
         let foreign = env::vars_os().map(|(name, _)| name).filter(|name| {
             name.to_str().is_some_and(|name| {
                 name.starts_with("CARGO_PKG_") || name.starts_with("CARGO_MANIFEST_")
@@ -51,7 +52,7 @@ impl Shell {
     }
 
     /// Cargo with arguments, between which is white space.
-    pub(crate) fn cargo(&self, arguments: &str) -> Cmd<'_> {
+    pub fn cargo(&self, arguments: &str) -> Cmd<'_> {
         self.cmd("cargo").args(arguments.split_whitespace())
     }
 }

@@ -15,14 +15,16 @@ use crate::shell::Shell;
 use crate::{parts, paths, script, tools};
 
 /// A crate that becomes a wasm module of the same name.
-pub(crate) struct Module {
+pub struct Module {
+    /// The name of the crate.
     pub package: &'static str,
     /// The profile that it is compiled with.
     pub profile: &'static str,
 }
 
 impl Module {
-    pub(crate) const fn new(package: &'static str, profile: &'static str) -> Module {
+    /// The crate of that name, compiled with that profile.
+    pub const fn new(package: &'static str, profile: &'static str) -> Module {
         Module { package, profile }
     }
 }
@@ -32,7 +34,7 @@ const SIM: Module = Module::new("hearth-sim", "engine");
 const PANEL: Module = Module::new("hearth-panel", "panel");
 
 /// Builds the whole site in `dist/site`.
-pub(crate) fn build() -> Result<()> {
+pub fn build() -> Result<()> {
     tools::wasm_target()?;
     script::tools()?;
     let start = Instant::now();
@@ -78,7 +80,7 @@ pub(crate) fn build() -> Result<()> {
 }
 
 /// Compiles modules to wasm, in the profile of the first.
-pub(crate) fn compile(first: &Module, others: &[&Module]) -> Result<()> {
+pub fn compile(first: &Module, others: &[&Module]) -> Result<()> {
     let (sh, wasm, profile) = (Shell::new()?, tools::WASM, first.profile);
     let modules = iter::once(&first).chain(others);
     let packages = modules.flat_map(|module| ["--package", module.package]);
@@ -88,7 +90,7 @@ pub(crate) fn compile(first: &Module, others: &[&Module]) -> Result<()> {
 }
 
 /// Makes `name.js` and `name_bg.wasm` of the compiled `module`.
-pub(crate) fn bind(module: &Module, name: &str, into: &Path) -> Result<()> {
+pub fn bind(module: &Module, name: &str, into: &Path) -> Result<()> {
     let file = format!("{}.wasm", module.package.replace('-', "_"));
     let wasm = tools::target()?
         .join(tools::WASM)

@@ -4,7 +4,7 @@
 //! everything. Quick and strict stages come first. All stages share one target folder and
 //! one set of flags, so that little is compiled twice.
 
-pub(crate) mod browser;
+pub mod browser;
 mod code;
 mod library;
 mod trunk;
@@ -14,7 +14,7 @@ use std::thread;
 use anyhow::{Result, ensure};
 
 use crate::report::Report;
-use crate::{bench, codegen, goldens, package, script, site};
+use crate::{baselines, codegen, cost, goldens, package, script, site};
 
 /// When a stage runs without being named.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -78,8 +78,8 @@ const STAGES: &[Stage] = stages! {
     Quick "web": "scripts that need no browser, in Node", library::scripts_in_node;
     All "burns": "laws of the physics that burn for minutes", code::burns;
     All "publish": "the crates could be published", library::publishable, beside;
-    All "baselines": "the benchmarks' baselines compute the same gas", bench::baselines, beside;
-    All "cost": "a step takes no more instructions than recorded", bench::instructions, beside;
+    All "baselines": "the benchmarks' baselines compute the same gas", baselines::check, beside;
+    All "cost": "a step takes no more instructions than recorded", cost::check, beside;
     All "wasm": "wasm gives the native bits", browser::wasm_in_node, beside;
     All "browser": "shaders and canvases in headless Chromium", browser::wasm_in_chromium, beside, in_browser;
     All "consumers" needs "package": "the npm package works in pages, bundlers, React and on servers", browser::consumers, beside, in_browser;

@@ -26,7 +26,7 @@ pub(crate) const WASM: &str = "wasm32-unknown-unknown";
 const NODE_MAJOR: u32 = 20;
 
 /// cargo's target folder, which the environment may have moved.
-pub(crate) fn target() -> Result<PathBuf> {
+pub fn target() -> Result<PathBuf> {
     let target = metadata(&["--no-deps"])?["target_directory"]
         .as_str()
         .map(PathBuf::from);
@@ -221,7 +221,7 @@ impl Program {
 }
 
 /// Chromium, with its driver beside it.
-pub(crate) fn chromium() -> Result<PathBuf> {
+pub fn chromium() -> Result<PathBuf> {
     let hint = "this stage needs a browser (`--skip-browser` leaves such stages out)";
     CHROMEDRIVER.get().context(hint)?;
     // Not every distribution has it: tests then drive Chromium.
@@ -231,7 +231,7 @@ pub(crate) fn chromium() -> Result<PathBuf> {
 
 /// What drives Firefox and WebKit, each with the variable in which tests look for it.
 /// `HEARTH_BROWSERS` leaves browsers out.
-pub(crate) fn other_browsers() -> Result<Vec<(&'static str, PathBuf)>> {
+pub fn other_browsers() -> Result<Vec<(&'static str, PathBuf)>> {
     let browsers = env::var("HEARTH_BROWSERS").unwrap_or_default();
     let program = |program: &Program| Ok((program.variable, program.get()?));
     needed_by(&browsers).into_iter().map(program).collect()
@@ -253,7 +253,7 @@ fn needed_by(browsers: &str) -> Vec<&'static Program> {
 }
 
 /// Installs Node and npm if they are missing.
-pub(crate) fn node() -> Result<()> {
+pub fn node() -> Result<()> {
     let hint = || {
         format!(
             "Hearth is built with Node {NODE_MAJOR} or newer and npm: install it from \

@@ -7,7 +7,7 @@ use std::process::Command;
 use serde_json::Value;
 
 /// The packages that a package of `crates/` uses, for its code and for its tests alike.
-const ARROWS: [(&str, &[&str]); 9] = [
+const ARROWS: [(&str, &[&str]); 10] = [
     ("hearth-fire-core", &[]),
     ("hearth-fire", &["hearth-fire-core"]),
     ("hearth-render", &["hearth-fire-core"]),
@@ -18,6 +18,7 @@ const ARROWS: [(&str, &[&str]); 9] = [
     ),
     ("hearth-panel", &["hearth-fire-core"]),
     ("hearth-sim", &["hearth-bindings", "hearth-fire-core"]),
+    ("measure", &["xtask"]),
     ("wasm-parts", &[]),
     ("xtask", &["hearth-fire-core", "wasm-parts"]),
 ];

@@ -1,5 +1,5 @@
 /**
- * Measures the paper's tables on the page `bench.html` and writes them as Markdown: `cargo xtask bench --page`. The
+ * Measures the paper's tables on the page `bench.html` and writes them as Markdown: `cargo measure paper`. The
  * arguments are the file and, for a part of the rows, the page's query.
  */
 import { writeFileSync } from 'node:fs';

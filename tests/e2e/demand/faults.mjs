@@ -1,6 +1,6 @@
 /**
- * Faults of browser, graphics, network and engine, one after another: `cargo xtask faults`, or
- * `cargo xtask faults losses gpu` for some sections. After each fault, the fire burns again or its
+ * Faults of browser, graphics, network and engine, one after another: `cargo measure faults`, or
+ * `cargo measure faults losses gpu` for some sections. After each fault, the fire burns again or its
  * visitor reads why not. The command fails if one fire does neither.
  *
  * The first argument is the file of the table; the others are sections.

@@ -90,7 +90,7 @@ fn a_heap_of_burning_bodies_stays_finite_and_without_gas_inside() {
     assert!(fire.temperatures().into_iter().all(f32::is_finite));
 }
 
-/// This is a sample; `cargo xtask soak` burns hundreds.
+/// This is a sample; `cargo measure soak` burns hundreds.
 #[test]
 #[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn random_heaps_of_burning_bodies_stay_finite_and_without_gas_inside() {

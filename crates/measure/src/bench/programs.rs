@@ -6,9 +6,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use serde_json::{Value, json};
 use xshell::cmd;
-
-use crate::paths;
-use crate::shell::{self, Shell};
+use xtask::paths;
+use xtask::shell::{self, Shell};
 
 /// Most particles for them: a step of more takes seconds.
 const MOST: u32 = 100_000;

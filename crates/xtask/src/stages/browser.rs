@@ -77,7 +77,7 @@ pub(super) fn consumers() -> Result<()> {
 }
 
 /// Builds the site and runs the script of that name in `tests/e2e` with these variables.
-pub(crate) fn run_script(
+pub fn run_script(
     name: &str,
     arguments: impl IntoIterator<Item = PathBuf>,
     variables: Vec<(&str, PathBuf)>,
@@ -99,6 +99,6 @@ fn script<'a>(sh: &'a Shell, name: &str, folder: &Path) -> Result<Cmd<'a>> {
 }
 
 /// Installs what drives browsers.
-pub(crate) fn packages() -> Result<()> {
+pub fn packages() -> Result<()> {
     npm::install(&paths::root().join("tests/e2e"))
 }

@@ -32,9 +32,9 @@ for (const Fire of [TypedFire, ScanFire, PaperLoop]) {
   const state = fire.state();
   for (const what of ['densities', 'velocities']) {
     const apart = difference(end[what], state[what]);
-    const said = `${Fire.name}: ${what} differ by ${apart.toExponential(1)} of the greatest`;
-    assert.ok(apart <= TOLERANCE, `${said}, more than ${TOLERANCE}`);
-    console.log(said);
+    const result = `${Fire.name}: ${what} differ by ${apart.toExponential(1)} of the greatest`;
+    assert.ok(apart <= TOLERANCE, `${result}, more than ${TOLERANCE}`);
+    console.log(result);
   }
 }
 

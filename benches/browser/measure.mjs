@@ -37,7 +37,7 @@ export class Bench {
   }
 
   /**
-   * Sets a case up and lets it run warm; says why where it is refused.
+   * Sets a case up and lets it run warm; returns the error where it is refused.
    * @param {string} id
    * @param {Case} what
    * @returns {string | undefined}
@@ -122,12 +122,7 @@ export class Bench {
     return this.fires.get(id).about();
   }
 
-  /** Forgets a case. @param {string} id */
-  drop(id) {
-    this.fires.delete(id);
-  }
-
-  /** How fast this place reckons with four numbers at once [GFLOP/s]. */
+  /** The peak rate on four numbers at once [GFLOP/s]. */
   gigaflops() {
     const rounds = 1_000_000;
     const before = performance.now();

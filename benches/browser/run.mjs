@@ -92,12 +92,12 @@ const steps = (count) => Math.min(200, Math.max(5, Math.round(300_000 / count)))
  * Everything that can be measured: each has its number of particles, what it is
  * called in a report, and a way to measure it once.
  */
-async function contestants(places, programs, leftOut) {
+async function contestants(places, native, programs, leftOut) {
   const all = [];
   for (const place of places) {
     for (const what of CASES) {
       const id = Object.values(what).join(' ');
-      say(`${place.name}: ${id}`);
+      log(`${place.name}: ${id}`);
       const refused = await place.ask('prepare', id, what);
       if (refused) {
         leftOut.push(`${id} in ${place.name}: ${refused}`);
@@ -110,6 +110,13 @@ async function contestants(places, programs, leftOut) {
       };
       all.push({ id, count: what.count, measure });
     }
+  }
+  for (const what of CASES.filter(({ scene }) => scene === 'combustion')) {
+    const measure = async () => {
+      const row = await output([native], {}, 'fire', what.count, what.stiffness, steps(what.count));
+      return [{ name: 'Hearth', where: 'native', ...what, ...JSON.parse(row) }];
+    };
+    all.push({ id: Object.values(what).join(' '), count: what.count, measure });
   }
   for (const { command, env, most = Infinity, yardstick = false } of programs) {
     for (const count of SIZES.filter((size) => size <= most)) {
@@ -128,22 +135,22 @@ async function contestants(places, programs, leftOut) {
 async function compete(all, leftOut, before) {
   const figures = new Map();
   for (let round = 1; round <= ROUNDS; round += 1) {
-    say(`round ${round} of ${ROUNDS}`);
+    log(`round ${round} of ${ROUNDS}`);
     await before();
-    for (const one of all) {
-      if (one.failed) continue;
+    for (const contestant of all) {
+      if (contestant.failed) continue;
       try {
-        for (const row of await one.measure()) {
-          const key = [row.name, row.where, one.id].join();
+        for (const row of await contestant.measure()) {
+          const key = [row.name, row.where, contestant.id].join();
           const times = figures.get(key)?.times ?? [];
           figures.set(key, { row, times: [...times, row.stepMs] });
         }
       } catch (error) {
-        if (!one.outside) throw error;
-        // The last thing it complained of; what was called stands on this machine alone.
+        if (!contestant.outside) throw error;
+        // Its last line; the command itself is of this machine.
         const why = error.stderr?.trim().split('\n').at(-1) || `ended by ${error.signal ?? error.code}`;
-        leftOut.push(`${one.id}: ${why}`);
-        one.failed = true;
+        leftOut.push(`${contestant.id}: ${why}`);
+        contestant.failed = true;
       }
     }
   }
@@ -199,13 +206,13 @@ async function memory(program) {
     try {
       taken.push({ particles: count, bytes: value(await output([program], {}, count), 'bytes') });
     } catch {
-      // More than the model takes: the rounds have said so already.
+      // More than the model takes: the rounds report it already.
     }
   }
   return taken;
 }
 
-function say(text) {
+function log(text) {
   process.stderr.write(`  ${text}\n`);
 }
 
@@ -214,7 +221,8 @@ const folder = process.env.HEARTH_BENCH;
 const native = process.env.HEARTH_NATIVE;
 if (!file || !folder || !native) throw new Error('run this by `cargo measure bench`');
 const others = JSON.parse(process.env.HEARTH_PROGRAMS ?? '{}');
-const programs = [{ command: [path.join(native, 'native')] }, ...(others.programs ?? [])];
+const program = path.join(native, 'native');
+const programs = [{ command: [program] }, ...(others.programs ?? [])];
 const leftOut = others.leftOut ?? [];
 
 // The root, for the paper's loop: the page of the tables measures it too.
@@ -223,9 +231,9 @@ const report = {};
 try {
   const tab = await browser.open('<p>Measuring</p>');
   const places = [await inNode(folder), await inChromium(tab)];
-  const all = await contestants(places, programs, leftOut);
+  const all = await contestants(places, program, programs, leftOut);
   report.peaks = {};
-  const before = () => peak(report.peaks, places, programs[0].command[0]);
+  const before = () => peak(report.peaks, places, program);
   report.results = await compete(all, leftOut, before);
   report.throttled = await throttled(places[1], tab);
   report.browser = await browser.browser.version();

@@ -70,7 +70,7 @@ async function measure(browser, attributes) {
   await sleep(BURN_UP);
   await tab.evaluate(() => /** @type {any} */ (window).frames.clear());
   await sleep(MEASURED);
-  const { engine, particles } = await tab.fire((one) => one.stats);
+  const { engine, particles } = await tab.fire((fire) => fire.stats);
   if (engine !== 'main') throw new Error(`the engine is in: ${engine}`);
   /** @type {[number, number][]} */
   const frames = await tab.evaluate(() => [.../** @type {any} */ (window).frames]);

@@ -139,8 +139,8 @@ mod tests {
     }
 
     #[test]
-    fn what_a_model_does_not_take_is_refused_in_words() {
-        let said = Scene::combustion(10, 6.0).err();
-        assert!(said.is_some_and(|said| said.contains("max_particles")));
+    fn a_refusal_names_the_parameter() {
+        let refusal = Scene::combustion(10, 6.0).err();
+        assert!(refusal.is_some_and(|text| text.contains("max_particles")));
     }
 }

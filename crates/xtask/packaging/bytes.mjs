@@ -1,5 +1,4 @@
-/** What the bytes of built files say about the machine that built them. */
-import { createHash } from 'node:crypto';
+/** Comparisons of the bytes of built files: with another build, and with the folders of this machine. */
 import { readFile, readdir } from 'node:fs/promises';
 import os from 'node:os';
 import path from 'node:path';
@@ -7,48 +6,37 @@ import { fileURLToPath } from 'node:url';
 import { order } from './crates.mjs';
 
 /** Every file below a folder, by its path there. @param {string} folder @returns {Promise<Map<string, Buffer>>} */
-export async function filesOf(folder) {
+async function filesOf(folder) {
   const found = new Map();
   const entries = await readdir(folder, { withFileTypes: true });
   for (const { name } of entries.filter((entry) => entry.isFile())) found.set(name, await readFile(path.join(folder, name)));
   for (const { name } of entries.filter((entry) => entry.isDirectory())) {
     for (const [below, bytes] of await filesOf(path.join(folder, name))) found.set(`${name}/${below}`, bytes);
   }
-  return new Map([...found].sort(([one], [other]) => order(one, other)));
+  return new Map([...found].sort(([a], [b]) => order(a, b)));
 }
 
 /**
  * The files of two folders that differ, or that one of them lacks.
- * @param {string} one
- * @param {string} other
+ * @param {string} ours
+ * @param {string} theirs
  * @param {(name: string, bytes: Buffer) => Buffer | string} [essence]  What is compared of a file.
  */
-export async function differences(one, other, essence = (_, bytes) => bytes) {
-  const [ours, theirs] = [await filesOf(one), await filesOf(other)];
-  return [...new Set([...ours.keys(), ...theirs.keys()])].flatMap((name) => {
-    const [mine, yours] = [ours.get(name), theirs.get(name)];
-    if (!mine) return [`${name} is added`];
-    if (!yours) return [`${name} is missing`];
-    return Buffer.from(essence(name, mine)).equals(Buffer.from(essence(name, yours))) ? [] : [`${name} differs`];
+export async function differences(ours, theirs, essence = (_, bytes) => bytes) {
+  const [files, others] = [await filesOf(ours), await filesOf(theirs)];
+  return [...new Set([...files.keys(), ...others.keys()])].flatMap((name) => {
+    const [file, other] = [files.get(name), others.get(name)];
+    if (!file) return [`${name} is added`];
+    if (!other) return [`${name} is missing`];
+    return Buffer.from(essence(name, file)).equals(Buffer.from(essence(name, other))) ? [] : [`${name} differs`];
   });
 }
 
-/** One number for all files of a folder. @param {string} folder */
-export async function digest(folder) {
-  const sum = createHash('sha256');
-  for (const [name, bytes] of await filesOf(folder)) sum.update(`${name}\0${bytes.length}\0`).update(bytes);
-  return sum.digest('hex');
-}
-
-/**
- * The files below a folder that name a folder of this machine, each with that folder.
- * @param {string} folder
- * @param {string[]} [machine]
- */
-export async function machinePaths(folder, machine = machineFolders()) {
+/** The files below a folder that name a folder of this machine, each with that folder. @param {string} folder */
+export async function machinePaths(folder) {
   const found = [];
   for (const [name, bytes] of await filesOf(folder)) {
-    for (const place of machine) if (bytes.includes(place)) found.push(`${name} contains ${place}`);
+    for (const place of machineFolders()) if (bytes.includes(place)) found.push(`${name} contains ${place}`);
   }
   return found;
 }

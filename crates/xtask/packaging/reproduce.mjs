@@ -8,7 +8,7 @@ import { cp, mkdir, mkdtemp, rm, symlink } from 'node:fs/promises';
 import os from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { differences, digest } from './bytes.mjs';
+import { differences } from './bytes.mjs';
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 /** The crates that are published. */
@@ -28,7 +28,7 @@ await release(ROOT, here);
 await release(copy, there);
 const found = await differences(here, there);
 if (found.length) throw new Error(`another folder gives other bytes; both releases are in ${scratch}:\n${found.join('\n')}`);
-console.log(`Another folder gives the same bytes, SHA-256 ${await digest(here)}: site, npm package, archive, crates.`);
+console.log('Another folder gives the same bytes: site, npm package, archive, crates.');
 await rm(scratch, { recursive: true, force: true });
 
 /** Puts all that a checkout releases into a folder. @param {string} checkout @param {string} to */
@@ -43,9 +43,9 @@ async function release(checkout, to) {
   await rm(target, { recursive: true });
 }
 
-/** @param {string} cwd @param {string} program @param {string[]} words */
-function run(cwd, program, ...words) {
+/** @param {string} cwd @param {string} program @param {string[]} options */
+function run(cwd, program, ...options) {
   const { CARGO_TARGET_DIR: _, ...env } = process.env;
   if (!cwd.startsWith(ROOT)) env.CARGO_HOME = path.join(scratch, 'cargo');
-  return execFileSync(program, words, { cwd, env, encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'], shell: process.platform === 'win32' }).trim();
+  return execFileSync(program, options, { cwd, env, encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'], shell: process.platform === 'win32' }).trim();
 }

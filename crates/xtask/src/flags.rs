@@ -120,7 +120,13 @@ mod tests {
     fn help_lists_every_command() {
         for line in ["", "help", "--help"] {
             let help = parse(line).err().unwrap_or_default();
-            for command in ["serve", "test", "codegen", "--skip-browser", "cargo measure"] {
+            for command in [
+                "serve",
+                "test",
+                "codegen",
+                "--skip-browser",
+                "cargo measure",
+            ] {
                 assert!(help.contains(command), "{line}: {help}");
             }
         }

@@ -19,6 +19,7 @@ mod pictures;
 mod prewarmed;
 mod report;
 mod script;
+pub mod sections;
 mod serve;
 pub mod shell;
 pub mod site;

@@ -36,8 +36,7 @@ pub(crate) fn make() -> Result<()> {
         "node {scripts}/build.mjs {site}/web {package} {version}"
     )
     .run()?;
-    cmd!(sh, "node {scripts}/check.mjs {package} {scratch}").run()?;
-    Ok(cmd!(sh, "node {scripts}/again.mjs {site} {package} {scratch}").run()?)
+    Ok(cmd!(sh, "node {scripts}/check.mjs {package} {scratch}").run()?)
 }
 
 /// Builds the last commit in a folder with another name, and compares all that it releases with

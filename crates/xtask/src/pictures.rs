@@ -93,4 +93,16 @@ mod tests {
         assert_eq!(shown, fs::read(folder.join("fireside.jpg"))?);
         Ok(())
     }
+    #[test]
+    fn the_picture_of_links_is_small_and_has_the_size_that_the_page_names() -> Result<()> {
+        let picture = fs::read(paths::root().join("web/poster.jpg"))?;
+        assert!(picture.len() < 60_000, "{} bytes", picture.len());
+        let size = imagesize::blob_size(&picture)?;
+        let html = fs::read_to_string(paths::root().join("index.html"))?;
+        for (name, pixels) in [("width", size.width), ("height", size.height)] {
+            let named = format!("\"og:image:{name}\" content=\"{pixels}\"");
+            assert!(html.contains(&named), "index.html lacks {named}");
+        }
+        Ok(())
+    }
 }

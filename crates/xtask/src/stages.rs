@@ -70,7 +70,7 @@ const STAGES: &[Stage] = stages! {
     All "docs": "the libraries' documentation builds without a warning", code::docs;
     Quick "site": "the static site builds", site::build;
     Quick "types" needs "site": "the compiler accepts the types of the scripts", script::check_types;
-    Quick "package" needs "site": "the npm package is whole and reproducible, and names no folder of this machine", package::make;
+    Quick "package" needs "site": "the npm package is whole and names no folder of this machine", package::make;
     Quick "size" needs "package": "downloads stay small", size;
     Quick "library" needs "site": "the headless library keeps its laws in Node, and the native bits", library::laws_in_node;
     Quick "native": "quick laws of the physics, and every unit test", code::native;

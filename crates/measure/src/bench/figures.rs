@@ -31,7 +31,7 @@ pub(super) struct Row {
     pub particles: f64,
     #[serde(default)]
     pub neighbours: f64,
-    #[serde(default = "one")]
+    #[serde(default = "one_substep")]
     pub substeps: u64,
     #[serde(flatten)]
     pub step: Time,
@@ -40,7 +40,7 @@ pub(super) struct Row {
     pub yardstick: bool,
 }
 
-fn one() -> u64 {
+fn one_substep() -> u64 {
     1
 }
 
@@ -153,8 +153,8 @@ impl Figures {
     /// Bytes a particle of the block that took most.
     pub fn memory(&self) -> Option<Time> {
         let blocks = self.all["memory"].as_array()?.iter();
-        let each =
-            blocks.filter_map(|one| Some(one["bytes"].as_f64()? / one["particles"].as_f64()?));
-        each.max_by(f64::total_cmp).map(Time::always)
+        let bytes_each = blocks
+            .filter_map(|block| Some(block["bytes"].as_f64()? / block["particles"].as_f64()?));
+        bytes_each.max_by(f64::total_cmp).map(Time::always)
     }
 }

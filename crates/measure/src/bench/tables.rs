@@ -1,6 +1,5 @@
 //! The figures as tables of Markdown.
 
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use serde_json::Value;
@@ -16,14 +15,13 @@ pub(super) fn compared(figures: &Figures) -> String {
     text
 }
 
-/// What steps, memory and the page cost, with criterion's times of a step.
-pub(super) fn cost(figures: &Figures, native: &BTreeMap<String, f64>) -> String {
+/// What steps, memory and the page cost.
+pub(super) fn cost(figures: &Figures) -> String {
     let mut text = introduction(figures);
     targets_table(&mut text, targets::absolute(figures));
     text.push_str("| allocations a step | 0 | | | held by `tests/tests/allocation.rs` |\n");
     fires_table(&mut text, figures);
     blocks_table(&mut text, figures);
-    criterion_table(&mut text, native);
     memory_table(&mut text, figures);
     page_table(&mut text, &figures.all["page"]);
     text
@@ -57,13 +55,13 @@ fn introduction(figures: &Figures) -> String {
 
 fn targets_table(text: &mut String, targets: impl IntoIterator<Item = Target>) {
     text.push_str(
-        "\nOne wasm thread in Chromium where nothing else is said.\n\n\
+        "\nOne wasm thread in Chromium unless stated otherwise.\n\n\
          | target | | median | best round | |\n|---|--:|--:|--:|---|\n",
     );
     for target in targets {
         let (what, bound) = (&target.what, &target.bound);
         let Some(Time { median, best }) = target.measured else {
-            let _ = writeln!(text, "| {what} | {} |  |  | not measured |", bound.words());
+            let _ = writeln!(text, "| {what} | {} |  |  | not measured |", bound.limit());
             continue;
         };
         // By both: a round in which the other program was disturbed flatters.
@@ -72,7 +70,7 @@ fn targets_table(text: &mut String, targets: impl IntoIterator<Item = Target>) {
         } else {
             "not reached"
         };
-        let [limit, median, best] = [bound.words(), bound.show(median), bound.show(best)];
+        let [limit, median, best] = [bound.limit(), bound.show(median), bound.show(best)];
         let _ = writeln!(text, "| {what} | {limit} | {median} | {best} | {reached} |");
     }
 }
@@ -143,23 +141,13 @@ fn fires_table(text: &mut String, figures: &Figures) {
     }
 }
 
-fn criterion_table(text: &mut String, native: &BTreeMap<String, f64>) {
-    if native.is_empty() {
-        return;
-    }
-    text.push_str("\n### Natively, by criterion\n\n| | step, ms |\n|---|--:|\n");
-    for (scene, milliseconds) in native {
-        let _ = writeln!(text, "| {scene} | {milliseconds:.3} |");
-    }
-}
-
 fn memory_table(text: &mut String, figures: &Figures) {
     let Some(listed) = figures.all["memory"].as_array() else {
         return;
     };
     text.push_str("\n### Memory\n\n| block | bytes | a particle |\n|--:|--:|--:|\n");
-    for one in listed {
-        if let (Some(n), Some(bytes)) = (one["particles"].as_f64(), one["bytes"].as_f64()) {
+    for block in listed {
+        if let (Some(n), Some(bytes)) = (block["particles"].as_f64(), block["bytes"].as_f64()) {
             let _ = writeln!(text, "| {n} | {bytes} | {:.0} |", bytes / n);
         }
     }

@@ -30,8 +30,8 @@ pub(super) enum Unit {
 }
 
 impl Bound {
-    /// Itself in words.
-    pub fn words(self) -> String {
+    /// The limit with its sign and unit.
+    pub fn limit(self) -> String {
         let (sign, Bound::AtLeast(limit, unit) | Bound::AtMost(limit, unit)) = (self.sign(), self);
         match unit {
             Times => format!("{sign} {limit} ×"),
@@ -76,7 +76,7 @@ const SIZES: [u64; 2] = [20_000, 100_000];
 /// What is compared of a row.
 type Cost = fn(&Row) -> Time;
 
-/// Other programs: the words, how many times as fast Hearth is to be, place, program, scene and
+/// Other programs: the label, how many times as fast Hearth is to be, place, program, scene and
 /// what is compared. SPlisHSPlasH is made for fewer neighbours.
 const RIVALS: [(&str, f64, &str, &str, &str, Cost); 4] = [
     (
@@ -134,7 +134,7 @@ pub(super) fn compared(figures: &Figures) -> Vec<Target> {
     let paper = ratio(own("paper", 5000), own("block", 5000), Row::nanoseconds);
     let what = "faster than JavaScript, the paper's loop, N = 5000";
     targets.push(faster(what, 500.0, paper));
-    // A program that a person named is compared in the place where it ran.
+    // A named program is compared in the place where it ran.
     let rows = figures.rows.iter();
     let yardsticks = rows.filter(|row| row.yardstick && SIZES.contains(&row.count));
     let before = targets.len();

@@ -6,7 +6,7 @@ use std::fs;
 use anyhow::{Context, Result};
 
 use super::markdown::cell;
-use crate::{evaluation, paths};
+use crate::{paths, sections};
 use table::{STATS, Stat};
 
 /// The engine's table, without the engine: the first command on a new machine waits until
@@ -48,5 +48,5 @@ pub(super) fn page() -> Result<String> {
     for Stat { name, doc, .. } in all() {
         let _ = writeln!(table, "| `{name}` | {} |", cell(doc));
     }
-    evaluation::replaced(&page, "stats", &table).context("docs/element.md has no marks for stats")
+    sections::replaced(&page, "stats", &table).context("docs/element.md has no marks for stats")
 }

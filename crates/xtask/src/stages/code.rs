@@ -44,7 +44,10 @@ pub(super) fn docs() -> Result<()> {
 pub(super) fn native() -> Result<()> {
     let sh = Shell::new()?;
     cmd!(sh, "cargo test --package xtask --package measure").run()?;
-    let others = cmd!(sh, "cargo test --workspace --exclude xtask --exclude measure");
+    let others = cmd!(
+        sh,
+        "cargo test --workspace --exclude xtask --exclude measure"
+    );
     Ok(others.envs([tools::fingerprints()?]).run()?)
 }
 
@@ -57,6 +60,7 @@ pub(super) fn burns() -> Result<()> {
 /// The sources as drivers get them, by the reference compiler, in what `native` compiled.
 pub(super) fn shaders() -> Result<()> {
     let (sh, validator) = (Shell::new()?, tools::GLSLANG.get()?);
-    let test = "test --workspace --exclude xtask --exclude measure --lib -- --include-ignored shaders::";
+    let test =
+        "test --workspace --exclude xtask --exclude measure --lib -- --include-ignored shaders::";
     Ok(sh.cargo(test).env("HEARTH_GLSLANG", validator).run()?)
 }

@@ -15,8 +15,7 @@
 import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import { SyntaxKind } from 'typescript/unstable/ast';
-import { API } from 'typescript/unstable/sync';
+import { API, SyntaxKind } from '../xtask/scripts/typescript.mjs';
 import { clientList, clientTypes, posted, reference as iframeReference } from './element/iframe.mjs';
 import { manifest } from './element/manifest.mjs';
 import { reference } from './element/reference.mjs';
@@ -78,7 +77,7 @@ import { read } from './element/jsdoc.mjs';
  * @property {{[file: string]: string[]}} types  The names that each file of types declares.
  */
 
-const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../..');
+const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
 const WEB = path.join(ROOT, 'web');
 
 const api = new API({ cwd: ROOT });

@@ -3,6 +3,7 @@
 
 use std::fmt::Write as _;
 use std::fs;
+use std::path::Path;
 
 use anyhow::Result;
 use base64::Engine as _;
@@ -30,8 +31,8 @@ pub(super) fn page(scenes: &[Scene]) -> String {
 }
 
 /// The picture as a part of the text: documentation on the web has no file beside it.
-pub(super) fn picture() -> Result<String> {
-    let picture = fs::read(crate::paths::root().join("crates/hearth-fire/fire.jpg"))?;
+pub(super) fn picture(checkout: &Path) -> Result<String> {
+    let picture = fs::read(checkout.join("crates/hearth-fire/fire.jpg"))?;
     let picture = BASE64_STANDARD.encode(picture);
     Ok(format!("\n![A fire](data:image/jpeg;base64,{picture})\n\n"))
 }

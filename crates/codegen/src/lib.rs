@@ -11,8 +11,10 @@
 mod gallery;
 mod javascript;
 mod markdown;
+pub mod prewarmed;
 mod rust;
 mod scene;
+pub mod sections;
 mod stats;
 mod typescript;
 
@@ -24,20 +26,23 @@ use hearth_core::params::{Choice, Domain, Model, Param, Value};
 use serde_json::Value as Json;
 
 /// The scenes that a page may open with, which are also stored burning.
-pub(crate) const PREWARMED: [&str; 1] = ["fireside"];
+const PREWARMED: [&str; 1] = ["fireside"];
 
 /// A generated file: its path in the checkout, and its text.
 type Generated = (&'static str, String);
 
 /// Every generated file.
-fn generate() -> Result<Vec<Generated>> {
-    let scenes = scene::read_all(&crate::paths::root().join("scenes"))?;
+fn generate(checkout: &Path) -> Result<Vec<Generated>> {
+    let scenes = scene::read_all(&checkout.join("scenes"))?;
     Ok(vec![
         (
             "crates/hearth-core/src/preset/scenes.rs",
             rust::table(&scenes),
         ),
-        ("crates/hearth-fire/src/picture.md", gallery::picture()?),
+        (
+            "crates/hearth-fire/src/picture.md",
+            gallery::picture(checkout)?,
+        ),
         ("web/generated/defaults.js", javascript::defaults()),
         ("web/parameters.js", javascript::module(&scenes)),
         ("web/generated/table.js", javascript::table(&scenes)),
@@ -52,41 +57,40 @@ fn generate() -> Result<Vec<Generated>> {
         ),
         ("web/generated/version.js", javascript::version()),
         ("web/parameters.d.ts", typescript::declarations(&scenes)),
-        ("docs/element.md", stats::page()?),
+        ("docs/element.md", stats::page(checkout)?),
         ("docs/parameters.md", markdown::reference()),
         ("docs/scenes.md", gallery::page(&scenes)),
     ])
 }
 
 /// The scene of that name, from its file.
-pub(crate) fn scene_of_file(name: &str) -> Result<hearth_core::Scene> {
-    let scenes = scene::read_all(&crate::paths::root().join("scenes"))?;
+fn scene_of_file(checkout: &Path, name: &str) -> Result<hearth_core::Scene> {
+    let scenes = scene::read_all(&checkout.join("scenes"))?;
     let scene = scenes.iter().find(|scene| scene.name == name);
     scene
         .with_context(|| format!("scenes/{name}.json is missing"))?
         .scene()
 }
 
-/// Writes each generated file under `root` that is missing or differs; returns those.
-pub(crate) fn refresh(root: &Path) -> Result<Vec<String>> {
+/// Writes each generated file of the checkout that is missing or differs; returns those.
+///
+/// # Errors
+/// A file of `scenes/` with a wrong value, or a file that cannot be read or written.
+pub fn refresh(checkout: &Path) -> Result<Vec<String>> {
+    refresh_into(checkout, checkout)
+}
+
+fn refresh_into(folder: &Path, checkout: &Path) -> Result<Vec<String>> {
     let mut written = Vec::new();
-    for (file, text) in generate()? {
-        if ensure_contents(&root.join(file), &text).context(file)? {
+    for (file, text) in generate(checkout)? {
+        if ensure_contents(&folder.join(file), &text).context(file)? {
             written.push(file.to_owned());
         }
     }
     Ok(written)
 }
 
-/// Writes every generated file of the checkout that is missing or differs; returns those.
-/// The files of the element's class come last, because they name parameters.
-pub(crate) fn refresh_checkout() -> Result<Vec<String>> {
-    let mut written = refresh(&crate::paths::root())?;
-    written.extend(crate::script::derived_files()?.lines().map(str::to_owned));
-    Ok(written)
-}
-
-/// Makes `path` hold `text`; returns whether it had to be written.
+/// Writes `text` to `path` if that differs; returns whether it did.
 fn ensure_contents(path: &Path, text: &str) -> io::Result<bool> {
     match fs::read_to_string(path) {
         // A checkout on Windows may have other line ends.
@@ -151,12 +155,19 @@ fn number(x: f64) -> Json {
 
 #[cfg(test)]
 mod tests {
+    use std::path::PathBuf;
+
+    use xshell::Shell;
+
     use super::*;
-    use crate::shell::Shell;
+
+    fn checkout() -> PathBuf {
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+    }
 
     #[test]
     fn generated_files_are_up_to_date() {
-        let written = refresh(&crate::paths::root());
+        let written = refresh(&checkout());
         assert!(
             written.as_ref().is_ok_and(Vec::is_empty),
             "generated files were out of date and have been written; commit them: {written:?}"
@@ -166,13 +177,15 @@ mod tests {
     #[test]
     fn a_stale_file_is_written_once() -> Result<()> {
         let folder = Shell::new()?.create_temp_dir()?;
-        let root = folder.path();
-        let all: Vec<_> = generate()?.into_iter().map(|(path, _)| path).collect();
-        assert_eq!(refresh(root)?, all);
-        assert!(refresh(root)?.is_empty());
-        fs::write(root.join(all[0]), "stale")?;
-        assert_eq!(refresh(root)?, all[..1]);
-        assert!(refresh(root)?.is_empty());
+        let checkout = checkout();
+        let refresh = || refresh_into(folder.path(), &checkout);
+        let generated = generate(&checkout)?.into_iter();
+        let all: Vec<_> = generated.map(|(path, _)| path).collect();
+        assert_eq!(refresh()?, all);
+        assert!(refresh()?.is_empty());
+        fs::write(folder.path().join(all[0]), "stale")?;
+        assert_eq!(refresh()?, all[..1]);
+        assert!(refresh()?.is_empty());
         Ok(())
     }
 

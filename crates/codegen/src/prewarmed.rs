@@ -5,13 +5,12 @@
 //! the physics needs this command; a test fails until then.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
 use hearth_core::{Scene, Simulation};
 
-use crate::codegen::{self, PREWARMED};
-use crate::paths;
+use crate::{PREWARMED, scene_of_file};
 
 /// Largest file \[bytes\].
 const LARGEST: usize = 40_960;
@@ -24,17 +23,21 @@ const INTERVAL: f64 = 0.05;
 /// Gas above this temperature shines \[K\].
 const BRIGHT: f32 = 1000.0;
 
-fn file(name: &str) -> PathBuf {
-    paths::root().join(format!("web/burning/{name}.fire"))
+fn file(name: &str) -> String {
+    format!("web/burning/{name}.fire")
 }
 
 /// Simulates the scenes and stores those that differ from their files; unless `all`, only
 /// those whose values differ from their file's. Returns the written files.
-pub(crate) fn refresh(all: bool) -> Result<Vec<String>> {
+///
+/// # Errors
+/// A scene that does not burn, or a file that cannot be written.
+pub fn refresh(checkout: &Path, all: bool) -> Result<Vec<String>> {
     let mut written = Vec::new();
     for name in PREWARMED {
-        let scene = codegen::scene_of_file(name)?;
-        let path = file(name);
+        let scene = scene_of_file(checkout, name)?;
+        let file = file(name);
+        let path = checkout.join(&file);
         let present = fs::read(&path).unwrap_or_default();
         let mut fire = Simulation::new(scene.clone());
         if !all && fire.restore_burning(&present).is_ok() {
@@ -43,8 +46,8 @@ pub(crate) fn refresh(all: bool) -> Result<Vec<String>> {
         let bytes = burn(&scene)?;
         if bytes != present {
             fs::create_dir_all(path.parent().unwrap_or(&path))?;
-            fs::write(&path, bytes).with_context(|| paths::shown(&path))?;
-            written.push(paths::shown(&path));
+            fs::write(&path, bytes).with_context(|| file.clone())?;
+            written.push(file);
         }
     }
     Ok(written)
@@ -82,7 +85,8 @@ mod tests {
 
     #[test]
     fn stored_fires_match_their_scenes_and_the_physics() -> Result<()> {
-        let written = refresh(true)?;
+        let checkout = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let written = refresh(&checkout, true)?;
         assert!(
             written.is_empty(),
             "stored fires were out of date and have been written; commit them: {written:?}"

@@ -13,7 +13,7 @@ use hearth_core::scene::KINDS;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use serde_json::Value;
 
-use crate::shell::Shell;
+use xshell::Shell;
 
 /// The scene of a new fire.
 const DEFAULT: &str = "default";

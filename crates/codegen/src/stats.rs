@@ -2,16 +2,17 @@
 
 use std::fmt::Write as _;
 use std::fs;
+use std::path::Path;
 
 use anyhow::{Context, Result};
 
 use super::markdown::cell;
-use crate::{paths, sections};
+use crate::sections;
 use table::{STATS, Stat};
 
 /// The engine's table, without the engine: the first command on a new machine waits until
-/// every dependency of xtask is compiled.
-#[path = "../../../hearth-engine/src/stats.rs"]
+/// every dependency of `cargo xtask` is compiled.
+#[path = "../../hearth-engine/src/stats.rs"]
 mod table;
 
 /// What the element adds to the engine's statistics.
@@ -42,8 +43,8 @@ pub(super) fn interface() -> String {
 ///
 /// # Errors
 /// The page, or its marks, are missing.
-pub(super) fn page() -> Result<String> {
-    let page = fs::read_to_string(paths::root().join("docs/element.md"))?;
+pub(super) fn page(checkout: &Path) -> Result<String> {
+    let page = fs::read_to_string(checkout.join("docs/element.md"))?;
     let mut table = String::from("| field | |\n|---|---|\n");
     for Stat { name, doc, .. } in all() {
         let _ = writeln!(table, "| `{name}` | {} |", cell(doc));

@@ -1,5 +1,5 @@
 //! `web/parameters.d.ts`: the types that depend on the parameters. The types of the
-//! element's class, which `scripts/element.mjs` makes, build on these.
+//! element's class, which `element.mjs` makes, build on these.
 
 use std::fmt::Write as _;
 

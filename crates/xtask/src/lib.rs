@@ -6,7 +6,6 @@
 
 pub mod arguments;
 pub mod baselines;
-mod codegen;
 pub mod cost;
 mod flags;
 pub mod goldens;
@@ -16,10 +15,8 @@ mod package;
 mod parts;
 pub mod paths;
 mod pictures;
-mod prewarmed;
 mod report;
 mod script;
-pub mod sections;
 mod serve;
 pub mod shell;
 pub mod site;
@@ -29,8 +26,10 @@ pub mod tools;
 use std::process::ExitCode;
 
 use anyhow::Result;
+use codegen::prewarmed;
 use flags::{Xtask, XtaskCmd};
 
+pub use codegen::sections;
 pub use stages::browser;
 
 /// Runs the command of this process's arguments.
@@ -67,14 +66,14 @@ fn run(command: Xtask) -> Result<ExitCode> {
         XtaskCmd::Poster(_) => pictures::poster()?,
         XtaskCmd::Thumbnails(thumbnails) => pictures::thumbnails(&thumbnails.scene)?,
         XtaskCmd::Showcase(_) => pictures::showcase()?,
-        XtaskCmd::Prewarmed(_) => report_written(prewarmed::refresh(true)?),
+        XtaskCmd::Prewarmed(_) => report_written(prewarmed::refresh(&paths::root(), true)?),
         XtaskCmd::Size(_) => {
             site::build()?;
             package::sizes(&paths::site().join("web"))?;
         }
         XtaskCmd::Codegen(_) => {
-            let mut written = codegen::refresh_checkout()?;
-            written.extend(prewarmed::refresh(false)?);
+            let mut written = script::generated_files()?;
+            written.extend(prewarmed::refresh(&paths::root(), false)?);
             report_written(written);
         }
     }

@@ -39,14 +39,17 @@ pub(crate) fn check_types() -> Result<()> {
     Ok(())
 }
 
-/// Derives the files about the element from its class, and those about the code of others
-/// from `Cargo.lock`; returns those that it writes, a line each.
-pub(crate) fn derived_files() -> Result<String> {
+/// Writes every generated file of the checkout that is missing or differs; returns those. The files of
+/// the element's class come after the table's, because they name parameters; those about the code
+/// of others follow from `Cargo.lock`.
+pub(crate) fn generated_files() -> Result<Vec<String>> {
     tools()?;
-    let (sh, scripts, packaging) = (Shell::new()?, folder(), paths::packaging());
-    let element = cmd!(sh, "node {scripts}/element.mjs").read()?;
+    let mut written = codegen::refresh(&paths::root())?;
+    let (sh, packaging) = (Shell::new()?, paths::packaging());
+    let element = cmd!(sh, "node crates/codegen/element.mjs").read()?;
     let legal = cmd!(sh, "node {packaging}/legal.mjs").read()?;
-    Ok(format!("{element}\n{legal}").trim().to_owned())
+    written.extend(element.lines().chain(legal.lines()).map(str::to_owned));
+    Ok(written)
 }
 
 /// Runs a program that `scripts/` pins.

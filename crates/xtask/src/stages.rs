@@ -14,7 +14,7 @@ use std::thread;
 use anyhow::{Result, ensure};
 
 use crate::report::Report;
-use crate::{baselines, codegen, cost, goldens, package, script, site};
+use crate::{baselines, cost, goldens, package, script, site};
 
 /// When a stage runs without being named.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -139,7 +139,7 @@ fn chosen(ring: Ring, names: &[String]) -> Result<Vec<&'static Stage>> {
 }
 
 fn generated() -> Result<()> {
-    let written = codegen::refresh_checkout()?;
+    let written = script::generated_files()?;
     ensure!(
         written.is_empty(),
         "these files were out of date and have been written; commit them: {}",

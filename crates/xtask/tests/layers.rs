@@ -7,7 +7,7 @@ use std::process::Command;
 use serde_json::Value;
 
 /// The packages that a package of `crates/` uses, for its code and for its tests alike.
-const ARROWS: [(&str, &[&str]); 10] = [
+const ARROWS: [(&str, &[&str]); 11] = [
     ("hearth-fire-core", &[]),
     ("hearth-fire", &["hearth-fire-core"]),
     ("hearth-render", &["hearth-fire-core"]),
@@ -18,9 +18,10 @@ const ARROWS: [(&str, &[&str]); 10] = [
     ),
     ("hearth-panel", &["hearth-fire-core"]),
     ("hearth-sim", &["hearth-bindings", "hearth-fire-core"]),
+    ("codegen", &["hearth-fire-core"]),
     ("measure", &["xtask"]),
     ("wasm-parts", &[]),
-    ("xtask", &["hearth-fire-core", "wasm-parts"]),
+    ("xtask", &["codegen", "hearth-fire-core", "wasm-parts"]),
 ];
 
 /// The only packages that the physics uses.

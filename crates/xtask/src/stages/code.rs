@@ -43,10 +43,14 @@ pub(super) fn docs() -> Result<()> {
 /// With the features that other packages need, cargo would compile xtask's libraries again.
 pub(super) fn native() -> Result<()> {
     let sh = Shell::new()?;
-    cmd!(sh, "cargo test --package xtask --package measure").run()?;
+    cmd!(
+        sh,
+        "cargo test --package xtask --package measure --package codegen"
+    )
+    .run()?;
     let others = cmd!(
         sh,
-        "cargo test --workspace --exclude xtask --exclude measure"
+        "cargo test --workspace --exclude xtask --exclude measure --exclude codegen"
     );
     Ok(others.envs([tools::fingerprints()?]).run()?)
 }
@@ -60,7 +64,6 @@ pub(super) fn burns() -> Result<()> {
 /// The sources as drivers get them, by the reference compiler, in what `native` compiled.
 pub(super) fn shaders() -> Result<()> {
     let (sh, validator) = (Shell::new()?, tools::GLSLANG.get()?);
-    let test =
-        "test --workspace --exclude xtask --exclude measure --lib -- --include-ignored shaders::";
+    let test = "test --workspace --exclude xtask --exclude measure --exclude codegen --lib -- --include-ignored shaders::";
     Ok(sh.cargo(test).env("HEARTH_GLSLANG", validator).run()?)
 }

@@ -87,7 +87,7 @@ try {
   /** The declaration of that name in a file of `web/`. @type {(file: string, name: string) => any} */
   const declared = (file, name) => {
     const source = project.program.getSourceFile(path.join(WEB, file));
-    const found = /** @type {any} */ (source?.statements)?.find((one) => one.name?.text === name && one.members);
+    const found = /** @type {any} */ (source?.statements)?.find((statement) => statement.name?.text === name && statement.members);
     if (!found) throw new Error(`web/${file} declares no ${name}`);
     return found;
   };
@@ -136,7 +136,7 @@ async function describe(declared, exported) {
   return {
     doc: about.doc,
     // A class names what it overrides a second time.
-    properties: properties.filter(({ name }, at) => properties.findIndex((one) => one.name === name) === at),
+    properties: properties.filter(({ name }, at) => properties.findIndex((other) => other.name === name) === at),
     // The compiler lists an `@overload` as a method without a body.
     methods: members.filter(({ kind, body }) => kind === SyntaxKind.MethodDeclaration && body).map(method),
     parameters: await parameters(declared('parameters.d.ts', 'HearthParameters').members),
@@ -158,17 +158,17 @@ function child(kind, declared) {
   const isSolid = kind === 'solid';
   const of = { name: 'of', type: '`#$' + '{string}`', doc: `The element of the page whose border box it has${isSolid ? ', or of an image what is opaque in it' : ''}, as \`#\` and an id.` };
   const ofText = { name: 'of-text', type: 'boolean', doc: 'With `of`: it has the shape of the glyphs of that element.' };
-  const member = (/** @type {any} */ one) => ({
-    name: one.name.text,
+  const member = (/** @type {any} */ node) => ({
+    name: node.name.text,
     // An attribute is a text where a property may be a list as well.
-    type: one.type.getText().replace(/^string \|.*/, 'string'),
-    doc: read(one).doc,
+    type: node.type.getText().replace(/^string \|.*/, 'string'),
+    doc: read(node).doc,
   });
   const properties = declared('parameters.d.ts', `Hearth${name}`).members.map(member)
-    .filter((/** @type {Named} */ one) => one.name !== 'kind' && one.name !== 'id')
-    .map((/** @type {Named} */ one) => ({ ...one, name: one.name.replaceAll('_', '-') }));
+    .filter((/** @type {Named} */ property) => property.name !== 'kind' && property.name !== 'id')
+    .map((/** @type {Named} */ property) => ({ ...property, name: property.name.replaceAll('_', '-') }));
   // The element that is a solid, or the id of its object.
-  for (const one of properties) if (one.name === 'solid') one.type = 'number | `#$' + '{string}` | `$' + '{number}`';
+  for (const property of properties) if (property.name === 'solid') property.type = 'number | `#$' + '{string}` | `$' + '{number}`';
   return { tag: `hearth-${kind}`, type, doc: read(element).doc, members: element.members.map(member), attributes: [of, ...(isSolid ? [ofText] : []), ...properties] };
 }
 
@@ -182,15 +182,15 @@ function accessor(member, members) {
   const name = member.name.text;
   const about = read(member);
   const field = member.kind === SyntaxKind.PropertyDeclaration;
-  const settable = field || members.some((one) => one.kind === SyntaxKind.SetAccessor && one.name.text === name);
+  const settable = field || members.some((other) => other.kind === SyntaxKind.SetAccessor && other.name.text === name);
   return {
     name,
-    type: about.one(field ? 'type' : 'returns')?.type ?? missing(name, field ? '@type' : '@returns'),
-    ofClass: (member.modifiers ?? []).some((/** @type {any} */ one) => one.kind === SyntaxKind.StaticKeyword),
+    type: about.first(field ? 'type' : 'returns')?.type ?? missing(name, field ? '@type' : '@returns'),
+    ofClass: (member.modifiers ?? []).some((/** @type {any} */ modifier) => modifier.kind === SyntaxKind.StaticKeyword),
     readonly: !settable,
-    attribute: about.one('attribute') && hyphened(name),
-    default: about.one('default')?.text,
-    posted: about.one('posted') !== undefined,
+    attribute: about.first('attribute') && hyphened(name),
+    default: about.first('default')?.text,
+    posted: about.first('posted') !== undefined,
     doc: about.doc,
   };
 }
@@ -199,7 +199,7 @@ function accessor(member, members) {
 function reflection(member, members) {
   const name = member.name.text;
   const about = read(member);
-  const setter = members.find((one) => one.kind === SyntaxKind.SetAccessor && one.name.text === name);
+  const setter = members.find((other) => other.kind === SyntaxKind.SetAccessor && other.name.text === name);
   return {
     name,
     type: member.type.getText(),
@@ -207,7 +207,7 @@ function reflection(member, members) {
     ofClass: false,
     readonly: false,
     attribute: hyphened(name),
-    default: about.one('default')?.text,
+    default: about.first('default')?.text,
     doc: about.doc,
   };
 }
@@ -219,8 +219,8 @@ function method(member) {
   const last = read(member);
   return {
     name,
-    posted: last.one('posted') !== undefined,
-    see: last.one('see')?.text,
+    posted: last.first('posted') !== undefined,
+    see: last.first('see')?.text,
     examples: last.all('example').map(({ text }) => {
       const [, label, code] = /^<caption>(.*?)<\/caption> (.*)$/.exec(text) ?? missing(name, 'caption of @example');
       return { label, code };
@@ -229,15 +229,15 @@ function method(member) {
       const about = read(member, at);
       return {
         doc: about.doc,
-        template: about.one('template'),
-        parameters: about.all('param').map((one) => ({
-          name: one.name,
-          doc: one.text,
-          optional: one.optional,
-          rest: one.type.startsWith('...'),
-          type: one.type.startsWith('...') ? `${one.type.slice(3)}[]` : one.type,
+        template: about.first('template'),
+        parameters: about.all('param').map((parameter) => ({
+          name: parameter.name,
+          doc: parameter.text,
+          optional: parameter.optional,
+          rest: parameter.type.startsWith('...'),
+          type: parameter.type.startsWith('...') ? `${parameter.type.slice(3)}[]` : parameter.type,
         })),
-        returns: about.one('returns')?.type ?? missing(name, '@returns'),
+        returns: about.first('returns')?.type ?? missing(name, '@returns'),
       };
     }),
   };
@@ -247,9 +247,9 @@ function method(member) {
 async function parameters(members) {
   const { PARAMETERS } = await load('parameters.js');
   const typed = new Map(members.map((member) => [member.name.text, member]));
-  return PARAMETERS.map((/** @type {any} */ one) => {
-    const member = typed.get(one.id);
-    return { ...one, default: String(one.default), type: member.type.getText(), about: read(member).doc };
+  return PARAMETERS.map((/** @type {any} */ parameter) => {
+    const member = typed.get(parameter.id);
+    return { ...parameter, default: String(parameter.default), type: member.type.getText(), about: read(member).doc };
   });
 }
 

@@ -12,12 +12,12 @@ const SOURCE = 'from the members of the class in web/hearth-fire.js with `@poste
 
 /** The members as methods that answer with promises, as a message does. @param {Element} element @returns {Method[]} */
 function methodsOf({ properties, methods }) {
-  const getters = properties.filter((one) => one.posted).map(({ name, type, doc }) => ({
+  const getters = properties.filter((property) => property.posted).map(({ name, type, doc }) => ({
     name, posted: true, examples: [], signatures: [{ doc, parameters: [], returns: type }],
   }));
-  return [...getters, ...methods.filter((one) => one.posted)].map((one) => ({
-    ...one,
-    signatures: one.signatures.map((signature) => ({ ...signature, returns: promised(signature.returns) })),
+  return [...getters, ...methods.filter((method) => method.posted)].map((method) => ({
+    ...method,
+    signatures: method.signatures.map((signature) => ({ ...signature, returns: promised(signature.returns) })),
   }));
 }
 
@@ -47,7 +47,7 @@ export function clientList(element) {
 
 /** `web/embed-client.d.ts`. @param {Element} element @param {string[]} options */
 export function clientTypes(element, options) {
-  const events = element.events.map((one) => `${comment(one.doc, '  ')}  ${quoted(one.name)}: CustomEvent<${one.type}>;\n`).join('');
+  const events = element.events.map((event) => `${comment(event.doc, '  ')}  ${quoted(event.name)}: CustomEvent<${event.type}>;\n`).join('');
   const body = `\
 /** The element's own attributes that \`option\` reads and sets. */
 export type FrameOption =
@@ -89,7 +89,7 @@ ${body}`;
 /** The table in `docs/iframe.md`. @param {Element} element */
 export function reference(element) {
   return `| method | promise |\n|---|---|\n${[
-    ...methodsOf(element).flatMap((one) => methodRows(one, 'element.md')),
+    ...methodsOf(element).flatMap((method) => methodRows(method, 'element.md')),
     row('option(name, value?)', 'Resolves to an attribute of the element itself (the third row above), after setting it if there is a value. '
       + '`null` and `false` remove it; `autoplay` becomes `"false"` instead.'),
     row('call(method, …args)', 'Calls any of these by its name.'),

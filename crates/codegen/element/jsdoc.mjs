@@ -22,9 +22,9 @@ export function read(node, at = -1) {
   return {
     doc: joined(doc),
     /** @param {string} tag */
-    all: (tag) => all.filter((one) => one.tag === tag),
+    all: (tag) => all.filter((entry) => entry.tag === tag),
     /** @param {string} tag */
-    one: (tag) => all.find((one) => one.tag === tag),
+    first: (tag) => all.find((entry) => entry.tag === tag),
   };
 }
 
@@ -50,7 +50,7 @@ function closing(text) {
   throw new Error(`a brace is open: ${text}`);
 }
 
-/** Lines as one. @param {string} text */
+/** The lines as a single line. @param {string} text */
 function joined(text) {
   return text.replace(/\s+/g, ' ').trim();
 }

@@ -14,30 +14,30 @@ export function manifest({ doc, properties, methods, parameters, events, slots, 
   const others = properties.filter(({ attribute }) => !attribute);
   const lists = {
     attributes: [
-      ...own.map((one) => ({
-        name: one.attribute, fieldName: one.name, type: kind(one.accepts ?? one.type), default: one.default, description: one.doc,
+      ...own.map((property) => ({
+        name: property.attribute, fieldName: property.name, type: kind(property.accepts ?? property.type), default: property.default, description: property.doc,
       })),
-      ...parameters.map((one) => ({
-        name: one.attribute, fieldName: one.property, type: kind(one.type), default: one.default, description: one.about,
+      ...parameters.map((parameter) => ({
+        name: parameter.attribute, fieldName: parameter.property, type: kind(parameter.type), default: parameter.default, description: parameter.about,
       })),
     ],
     members: [
-      ...own.map((one) => ({
+      ...own.map((property) => ({
         kind: 'field',
-        name: one.name,
-        attribute: one.attribute,
+        name: property.name,
+        attribute: property.attribute,
         reflects: true,
-        type: kind(one.accepts ?? one.type),
-        default: one.default,
-        description: one.doc,
+        type: kind(property.accepts ?? property.type),
+        default: property.default,
+        description: property.doc,
       })),
-      ...others.map((one) => ({
+      ...others.map((property) => ({
         kind: 'field',
-        name: one.name,
-        static: one.ofClass || undefined,
-        readonly: one.readonly || undefined,
-        type: kind(one.type),
-        description: one.doc,
+        name: property.name,
+        static: property.ofClass || undefined,
+        readonly: property.readonly || undefined,
+        type: kind(property.type),
+        description: property.doc,
       })),
       ...methods.map(({ name, signatures }) => {
         const { parameters: all, returns, template, doc: description } = /** @type {import('../element.mjs').Signature} */ (signatures.at(-1));
@@ -46,18 +46,18 @@ export function manifest({ doc, properties, methods, parameters, events, slots, 
         return {
           kind: 'method',
           name,
-          parameters: all.map((one) => ({
-            name: one.name, optional: one.optional || undefined, rest: one.rest || undefined, type: kind(plain(one.type)),
+          parameters: all.map((parameter) => ({
+            name: parameter.name, optional: parameter.optional || undefined, rest: parameter.rest || undefined, type: kind(plain(parameter.type)),
           })),
           return: { type: kind(plain(returns)) },
           description,
         };
       }),
-      ...parameters.map((one) => ({
-        kind: 'field', name: one.property, attribute: one.attribute, type: kind(one.type), default: one.default, description: one.doc,
+      ...parameters.map((parameter) => ({
+        kind: 'field', name: parameter.property, attribute: parameter.attribute, type: kind(parameter.type), default: parameter.default, description: parameter.doc,
       })),
     ],
-    events: events.map((one) => ({ name: one.name, type: kind(`CustomEvent<${one.type}>`), description: one.doc })),
+    events: events.map((event) => ({ name: event.name, type: kind(`CustomEvent<${event.type}>`), description: event.doc })),
     slots: slots.map(named),
     cssParts: parts.map(named),
     cssProperties: cssProperties.map(named),
@@ -77,8 +77,8 @@ export function manifest({ doc, properties, methods, parameters, events, slots, 
   /** @type {{[name: string]: object[]}} */
   const all = { ...lists };
   for (const { type, attributes, members } of children) {
-    all[`${type}Attributes`] = attributes.map((one) => ({ name: one.name, type: kind(one.type), description: one.doc }));
-    all[`${type}Members`] = members.map((one) => ({ kind: 'field', name: one.name, readonly: true, type: kind(one.type), description: one.doc }));
+    all[`${type}Attributes`] = attributes.map((attribute) => ({ name: attribute.name, type: kind(attribute.type), description: attribute.doc }));
+    all[`${type}Members`] = members.map((member) => ({ kind: 'field', name: member.name, readonly: true, type: kind(member.type), description: member.doc }));
   }
   const text = JSON.stringify({
     schemaVersion: '2.1.0',
@@ -111,7 +111,7 @@ function listed(entries) {
   return `[\n${entries.map((entry) => `            ${JSON.stringify(entry)}`).join(',\n')}\n          ]`;
 }
 
-/** @param {import('../element.mjs').Named} one */
+/** @param {import('../element.mjs').Named} entry */
 function named({ name, doc }) {
   return { name, description: doc };
 }

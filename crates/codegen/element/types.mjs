@@ -15,14 +15,14 @@ const NUMBER = 'number | `$' + '{number}`';
 /** @param {Element} element */
 export function elementTypes({ doc, properties, methods, events, children, types }) {
   const members = [
-    ...properties.map((one) => `${comment(one.doc, '  ')}${property(one)}`),
-    ...methods.flatMap((one) => declarations(one)),
+    ...properties.map((member) => `${comment(member.doc, '  ')}${property(member)}`),
+    ...methods.flatMap((method) => declarations(method)),
     listeners('HearthFire'),
   ];
   const body = `\
 ${comment('The events of a fire.', '')}\
 export interface HearthFireEventMap extends Omit<HTMLElementEventMap, 'error'> {
-${events.map((one) => `${comment(one.doc, '  ')}  ${quoted(one.name)}: CustomEvent<${one.type}>;\n`).join('')}}
+${events.map((event) => `${comment(event.doc, '  ')}  ${quoted(event.name)}: CustomEvent<${event.type}>;\n`).join('')}}
 
 /** Every parameter is a property as well; a value out of range is refused aloud and changes nothing. */
 export interface HearthFire extends HearthProperties {}
@@ -49,10 +49,10 @@ ${body}`;
 export function reactTypes({ properties, parameters, events, children, types }) {
   const own = properties.filter(({ attribute }) => attribute);
   const attributes = [
-    ...own.map((one) => entry(one.doc, String(one.attribute), one.accepts ?? one.type)),
-    ...parameters.map((one) => entry(one.about, one.attribute, asText(one))),
+    ...own.map((attribute) => entry(attribute.doc, String(attribute.attribute), attribute.accepts ?? attribute.type)),
+    ...parameters.map((parameter) => entry(parameter.about, parameter.attribute, asText(parameter))),
   ].join('');
-  const listens = events.map((one) => entry(one.doc, `on${one.name}`, `((event: CustomEvent<${one.type}>) => void)`)).join('');
+  const listens = events.map((event) => entry(event.doc, `on${event.name}`, `((event: CustomEvent<${event.type}>) => void)`)).join('');
   const ofChildren = children.map(({ tag, attributes: all }) => `
 /** The attributes of \`<${tag}>\`; one that is taken away is back at its default. */
 export interface ${attributesOf(tag)} {
@@ -107,8 +107,8 @@ function property({ name, type, accepts, ofClass, readonly }) {
  * @param {import('../element.mjs').Method} method
  */
 export function declarations({ name, signatures }) {
-  return seen(signatures).map((one) => (
-    `${described(one)}  ${name}${one.template ? `<${one.template.name} extends ${one.template.type}>` : ''}(${one.parameters.map(argument).join(', ')}): ${one.returns};\n`
+  return seen(signatures).map((signature) => (
+    `${described(signature)}  ${name}${signature.template ? `<${signature.template.name} extends ${signature.template.type}>` : ''}(${signature.parameters.map(argument).join(', ')}): ${signature.returns};\n`
   ));
 }
 
@@ -122,9 +122,9 @@ export function seen(signatures) {
 
 /** The comment of a signature. @param {import('../element.mjs').Signature} signature */
 function described({ doc, parameters }) {
-  const documented = parameters.filter((one) => one.doc);
+  const documented = parameters.filter((parameter) => parameter.doc);
   if (documented.length === 0) return comment(doc, '  ');
-  const lines = [doc, ...documented.map((one) => `@param ${one.name} ${one.doc}`)];
+  const lines = [doc, ...documented.map((parameter) => `@param ${parameter.name} ${parameter.doc}`)];
   return `  /**\n${lines.map((line) => `   * ${line}\n`).join('')}   */\n`;
 }
 

@@ -97,7 +97,7 @@ fn derived(mut entry: Value) -> Value {
         fields.remove("attribute");
         fields.remove("property");
         let is_same =
-            |one: &Value| ["default", "min", "max"].map(|field| one[field].clone()) == domain;
+            |other: &Value| ["default", "min", "max"].map(|field| other[field].clone()) == domain;
         let domains = fields.get("domains").and_then(Value::as_object);
         if domains.is_some_and(|domains| domains.values().all(is_same)) {
             fields.remove("domains");
@@ -174,7 +174,7 @@ pub(super) fn properties() -> String {
 /// The data of a property that children of the element need.
 fn of_object(param: &Param) -> Value {
     let mut entry = Map::new();
-    if PARAMETERS.iter().any(|one| one.id == param.id) {
+    if PARAMETERS.iter().any(|known| known.id == param.id) {
         entry.insert("parameter".to_owned(), param.id.into());
     }
     let domains = domains(param);
@@ -207,7 +207,7 @@ pub(super) fn scene_objects(scenes: &[Scene]) -> String {
     let solid = KINDS.iter().filter(|kind| kind.name == "solid");
     let params = solid
         .flat_map(|kind| kind.properties())
-        .filter_map(|one| one.entry());
+        .filter_map(|property| property.entry());
     let entries = params.map(|param| {
         let mut entry = entry(param);
         if let Some(fields) = entry.as_object_mut() {

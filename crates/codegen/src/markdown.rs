@@ -29,7 +29,10 @@ pub(super) fn reference() -> String {
         let _ = writeln!(tables, "{}", row(param));
     }
     let mut objects = String::new();
-    for property in KINDS[0].properties().filter(|one| !one.is_common()) {
+    for property in KINDS[0]
+        .properties()
+        .filter(|property| !property.is_common())
+    {
         let label = property
             .entry()
             .map_or("", |param| param.description().label);

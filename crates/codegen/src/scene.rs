@@ -109,7 +109,7 @@ impl Scene {
             }
             // A fire reports the canonical text, which pages compare with that of the file.
             let added = scene.objects().last();
-            for (name, _, value) in added.into_iter().flat_map(|one| one.properties()) {
+            for (name, _, value) in added.into_iter().flat_map(|object| object.properties()) {
                 if let AnyValue::Text(text) = value {
                     let given = object.iter().find(|(field, _)| field == name);
                     let given = given.and_then(|(_, value)| value.as_str());

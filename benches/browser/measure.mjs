@@ -132,7 +132,7 @@ export class Bench {
   }
 }
 
-/** The least time that the clock can tell from none [ms]. */
+/** The resolution of the clock [ms]. */
 function tick() {
   let least = Infinity;
   for (let change = 0; change < 20; change += 1) {

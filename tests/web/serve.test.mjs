@@ -56,10 +56,10 @@ after(async () => {
 
 test('files have their type and are not stored', async () => {
   const [page, module, head] = await Promise.all(['GET /', 'GET /web/engine_bg.wasm?v=1', 'HEAD /index.html'].map(answer));
-  for (const one of [page, module, head]) {
-    assert.match(one, /^HTTP\/1\.1 200 OK\r\n/);
+  for (const response of [page, module, head]) {
+    assert.match(response, /^HTTP\/1\.1 200 OK\r\n/);
     // Without these a browser asks for the file each time.
-    assert.doesNotMatch(one, /Last-Modified|ETag|Expires/);
+    assert.doesNotMatch(response, /Last-Modified|ETag|Expires/);
   }
   assert.match(page, /\r\nContent-Type: text\/html.*\r\n\r\n<p>fire<\/p>$/s);
   assert.match(module, /\r\nContent-Type: application\/wasm\r\n.*\r\n\r\n\0asm$/s);
@@ -76,10 +76,10 @@ test('nothing outside the folder is served', async () => {
 });
 
 test('its port is free after its end', async () => {
-  const one = await start();
-  await end(one);
-  // The process that listens is a child of the one that has ended. One that stays fails by the timeout of the test.
-  const { hostname, port } = one.address;
+  const ended = await start();
+  await end(ended);
+  // A child process listens. A child that stays fails by the timeout of the test.
+  const { hostname, port } = ended.address;
   const isOpen = () => new Promise((resolve) => {
     const visitor = connect(Number(port), hostname, () => resolve(true)).on('error', () => resolve(false));
     visitor.on('connect', () => visitor.destroy());

@@ -41,7 +41,7 @@ await typesCompile();
 console.log('The package is whole: entry points, files, links and types.');
 
 async function entryPointsAreThere() {
-  assert.equal(manifest.private, undefined, 'package.json says that it is private');
+  assert.equal(manifest.private, undefined, 'package.json is private');
   assert.equal(manifest.dependencies, undefined, 'the package has dependencies');
   for (const { entry, target, types } of entries(manifest)) {
     for (const file of [target, types].filter((name) => name !== undefined)) {
@@ -145,8 +145,8 @@ function manifestProgram(elements) {
     export const manifest: Package = ${JSON.stringify(whole)};
     export const declared: (CustomElementField | ClassMethod)[] = ${JSON.stringify(members)};
     type Own<All, Inherited> = Record<Exclude<keyof All, keyof Inherited>, true>;
-    export const members: Own<HearthFire, HTMLElement> = ${table(members.filter((one) => !one.static))};
-    export const ofClass: Own<typeof HearthFire, typeof HTMLElement> = ${table(members.filter((one) => one.static))};
+    export const members: Own<HearthFire, HTMLElement> = ${table(members.filter((member) => !member.static))};
+    export const ofClass: Own<typeof HearthFire, typeof HTMLElement> = ${table(members.filter((member) => member.static))};
     type OwnEvents = { [Name in keyof HearthFireEventMap as HearthFireEventMap[Name] extends CustomEvent ? Name : never]: true };
     export const events: OwnEvents = ${table(events)};
   `;

@@ -1,6 +1,6 @@
 /**
- * The crates of other people that cargo compiles into the wasm modules, with what their
- * packages say about them.
+ * The crates of other people that cargo compiles into the wasm modules, with the metadata of
+ * their packages.
  */
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';

@@ -41,10 +41,10 @@ function notices() {
     const words = licence.replace(/\s+/g, ' ').trim();
     owners.set(words, { licence, names: [...(owners.get(words)?.names ?? []), name] });
   };
-  for (const one of STANDARD) add(APACHE, `${one.name}, ${one.licence}, by ${one.authors.join(', ')}`);
-  for (const one of crates) {
-    const by = one.authors.length ? `, by ${one.authors.join(', ')}` : '';
-    for (const licence of textsOf(one)) add(licence, `${one.name} ${one.version}, ${one.licence}${by}`);
+  for (const { name, licence, authors } of STANDARD) add(APACHE, `${name}, ${licence}, by ${authors.join(', ')}`);
+  for (const crate of crates) {
+    const by = crate.authors.length ? `, by ${crate.authors.join(', ')}` : '';
+    for (const licence of textsOf(crate)) add(licence, `${crate.name} ${crate.version}, ${crate.licence}${by}`);
   }
   add(text('crates/hearth-panel/font/LICENCE.txt'), `${FONT.name}, the font of the panel, a part of Ubuntu Light`);
   const parts = [...owners.values()].map(({ licence, names }) => (
@@ -62,7 +62,7 @@ function notices() {
 /**
  * The texts that a crate asks to be passed on. Where its licence offers a choice, MIT's is
  * enough, because it names the owners of the copyright.
- * @param {import('./crates.mjs').Crate} one
+ * @param {import('./crates.mjs').Crate} crate
  */
 function textsOf({ name, licence, folder }) {
   const files = readdirSync(folder).filter((file) => /^(LICEN[CS]E|COPYING|COPYRIGHT|NOTICE|UNLICENSE)/i.test(file));
@@ -88,10 +88,12 @@ function materials() {
       component: { type: 'library', 'bom-ref': `pkg:npm/${name}@${version}`, name, version, licenses: licences(license), purl: `pkg:npm/${name}@${version}` },
     },
     components: [
-      ...crates.map((one) => {
-        const purl = `pkg:cargo/${one.name}@${one.version}`;
-        const hashes = [{ alg: 'SHA-256', content: one.checksum }];
-        return { type: 'library', 'bom-ref': purl, name: one.name, version: one.version, hashes, licenses: licences(one.licence), purl };
+      ...crates.map(({ name: crate, version: released, licence, checksum }) => {
+        const purl = `pkg:cargo/${crate}@${released}`;
+        const hashes = [{ alg: 'SHA-256', content: checksum }];
+        return {
+          type: 'library', 'bom-ref': purl, name: crate, version: released, hashes, licenses: licences(licence), purl,
+        };
       }),
       ...STANDARD.map(({ name: part, licence }) => ({ type: 'library', 'bom-ref': `rust:${part}`, name: part, group: 'rust', licenses: licences(licence) })),
       { type: 'data', 'bom-ref': 'font', name: FONT.name, licenses: [{ license: { name: 'Ubuntu Font Licence 1.0' } }] },

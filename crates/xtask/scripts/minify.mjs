@@ -10,9 +10,8 @@
  * what looks whether it bears its own name. Properties keep their names, and licences
  * stay.
  */
-import { readFile, readdir, rm, writeFile } from 'node:fs/promises';
+import { readFile, readdir, rm } from 'node:fs/promises';
 import path from 'node:path';
-import { minify } from 'terser';
 import { beginningsOf } from '../packaging/manifest.mjs';
 import { build, transform } from './esbuild.mjs';
 
@@ -43,21 +42,8 @@ await build({
     },
   }],
 });
-await Promise.all([...owners].map(([file, owner]) => (owner === file ? compress(path.join(folder, file)) : rm(path.join(folder, file)))));
-
-/**
- * Rewrites a script that esbuild has made in fewer expressions, which esbuild does not. The scripts of wasm stay:
- * they lose 14 bytes, and the functions by which a profile tells their allocations.
- * @param {string} script
- */
-async function compress(script) {
-  if (posix(script).includes('/wasm/')) return;
-  const { code } = await minify(await readFile(script, 'utf8'), {
-    module: true, ecma: 2020, compress: { passes: 3 }, format: { comments: /^!|@license|@preserve/ },
-  });
-  if (code === undefined) throw new Error(`terser makes nothing of ${script}`);
-  await writeFile(script, code);
-}
+const merged = [...owners].filter(([file, owner]) => owner !== file);
+await Promise.all(merged.map(([file]) => rm(path.join(folder, file))));
 
 /**
  * Lets esbuild follow an import only inside one owner.

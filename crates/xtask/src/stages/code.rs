@@ -1,7 +1,7 @@
 //! Stages that check and run the code without a browser.
 
 use anyhow::Result;
-use xshell::cmd;
+use xshell::{Cmd, cmd};
 
 use crate::shell::Shell;
 use crate::tools;
@@ -40,30 +40,33 @@ pub(super) fn docs() -> Result<()> {
     Ok(doc.env("RUSTDOCFLAGS", "--deny warnings").run()?)
 }
 
-/// With the features that other packages need, cargo would compile xtask's libraries again.
+/// The packages of the commands. With the features that other packages need, cargo would compile
+/// their libraries again.
+const COMMANDS: [&str; 3] = ["xtask", "measure", "codegen"];
+
 pub(super) fn native() -> Result<()> {
     let sh = Shell::new()?;
-    cmd!(
-        sh,
-        "cargo test --package xtask --package measure --package codegen"
-    )
-    .run()?;
-    let others = cmd!(
-        sh,
-        "cargo test --workspace --exclude xtask --exclude measure --exclude codegen"
-    );
-    Ok(others.envs([tools::fingerprints()?]).run()?)
+    let commands = COMMANDS.iter().flat_map(|name| ["--package", name]);
+    sh.cargo("test").args(commands).run()?;
+    Ok(test_others(&sh).envs([tools::fingerprints()?]).run()?)
 }
 
 /// The laws that `native` ignores because they burn for minutes, in what it compiled.
 pub(super) fn burns() -> Result<()> {
-    let test = "test --workspace --exclude xtask --test laws -- --ignored";
-    Ok(Shell::new()?.cargo(test).run()?)
+    let sh = Shell::new()?;
+    let laws = ["--test", "laws", "--", "--ignored"];
+    Ok(test_others(&sh).args(laws).run()?)
 }
 
 /// The sources as drivers get them, by the reference compiler, in what `native` compiled.
 pub(super) fn shaders() -> Result<()> {
     let (sh, validator) = (Shell::new()?, tools::GLSLANG.get()?);
-    let test = "test --workspace --exclude xtask --exclude measure --exclude codegen --lib -- --include-ignored shaders::";
-    Ok(sh.cargo(test).env("HEARTH_GLSLANG", validator).run()?)
+    let test = test_others(&sh).args(["--lib", "--", "--include-ignored", "shaders::"]);
+    Ok(test.env("HEARTH_GLSLANG", validator).run()?)
+}
+
+/// The tests of all packages but those of the commands.
+fn test_others(sh: &Shell) -> Cmd<'_> {
+    let commands = COMMANDS.iter().flat_map(|name| ["--exclude", name]);
+    sh.cargo("test --workspace").args(commands)
 }

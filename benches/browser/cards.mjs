@@ -13,7 +13,7 @@ import { Browser } from '../../tests/e2e/driver.mjs';
 const CARDS = 12;
 const FRAME = 1 / 60;
 
-/** How often they are asked, and for how many steps of each: some half a second of fire. */
+/** Rounds, and the steps of each card in a round: some half a second of fire. */
 const ROUNDS = 9;
 const STEPS = 150;
 
@@ -30,7 +30,7 @@ const PAGE = `<!doctype html>
 /**
  * What the steps of all cards take of a frame of 60 Hz in which each burns as long as the
  * clock: `steps` [ms], the median of the rounds and the best; and how many particles a card has.
- * The fires stand still and make steps that are asked of them, of which only the last is drawn.
+ * The fires are paused and make the steps of `step()`, of which only the last is drawn.
  * @param {Browser} browser
  */
 export async function cards(browser) {

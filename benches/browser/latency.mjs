@@ -1,8 +1,8 @@
 /**
- * Measures how soon the page answers a hand: the time from an interaction to the next paint while 10,000 particles burn,
- * and the time from the end of a brush stroke until its solid is in the fire and until the page hears of it.
+ * Measures the latency of tools: the time from an interaction to the next paint while 10,000 particles burn, and the
+ * time from the end of a brush stroke until its solid is in the fire and until the page gets the event.
  *
- * `node benches/browser/hands.mjs` measures the built site.
+ * `node benches/browser/latency.mjs` measures the built site.
  */
 import { setTimeout as sleep } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
@@ -24,7 +24,7 @@ const PAUSE = 400;
 /** Tools that are chosen in turn. */
 const TOOLS = ['box', 'circle', 'line', 'brush', 'source', 'select', 'erase', 'ignite'];
 
-/** Pauses differ, so that interactions meet every phase of a frame. @param {number} turn */
+/** Pauses differ, so that interactions occur in every phase of a frame. @param {number} turn */
 const rest = (turn) => sleep(PAUSE + 37 * (turn % 5));
 
 /** Runs in the page: keeps the longest event of each interaction (Event Timing). */
@@ -40,14 +40,14 @@ function watchInteractions() {
   }).observe(/** @type {any} */ ({ type: 'event', durationThreshold: 16 }));
 }
 
-/** Runs in the page: notes when the pointer is released, and when the page hears of another solid. */
+/** Runs in the page: notes when the pointer is released, and when the page gets the event of another solid. */
 function watchPage() {
   /** @type {number[]} */
-  const [released, heard] = [[], []];
-  Object.assign(window, { released, heard });
+  const [released, reported] = [[], []];
+  Object.assign(window, { released, reported });
   addEventListener('pointerup', ({ timeStamp }) => released.push(performance.timeOrigin + timeStamp), true);
   document.querySelector('hearth-fire')?.addEventListener('objects-change', () => {
-    heard.push(performance.timeOrigin + performance.now());
+    reported.push(performance.timeOrigin + performance.now());
   });
 }
 
@@ -88,7 +88,7 @@ export async function interactions(browser) {
 }
 
 /**
- * Draws strokes into the usual fire: the times until each is in the fire, and until the page hears of it.
+ * Draws strokes into the usual fire: the times until each is in the fire, and until the page gets the event.
  * @param {Browser} browser
  */
 export async function strokes(browser) {
@@ -108,26 +108,26 @@ export async function strokes(browser) {
     await rest(turn);
   }
   const added = await worker.evaluate(() => /** @type {any} */ (self).added);
-  const { released, heard } = await tab.evaluate(() => {
-    const { released, heard } = /** @type {any} */ (window);
-    return { released, heard };
+  const { released, reported } = await tab.evaluate(() => {
+    const { released, reported } = /** @type {any} */ (window);
+    return { released, reported };
   });
-  if (added.length !== STROKES || heard.length !== STROKES) throw new Error(`${added.length} solids of ${STROKES} strokes`);
+  if (added.length !== STROKES || reported.length !== STROKES) throw new Error(`${added.length} solids of ${STROKES} strokes`);
   const since = (/** @type {number[]} */ times) => summary(times.map((time, turn) => time - released[turn]));
-  return { inFire: since(added), onPage: since(heard) };
+  return { inFire: since(added), onPage: since(reported) };
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const browser = await Browser.launch();
-  const inWords = (/** @type {ReturnType<typeof summary>} */ { median, p98, most }) => (
+  const text = (/** @type {ReturnType<typeof summary>} */ { median, p98, most }) => (
     `median ${median.toFixed(0)} ms, 98th percentile ${p98.toFixed(0)} ms, at most ${most.toFixed(0)} ms`
   );
   try {
     const of = await interactions(browser);
-    console.log(`interaction to next paint beside ${of.particles} particles (${of.count}): ${inWords(of)}`);
+    console.log(`interaction to next paint beside ${of.particles} particles (${of.count}): ${text(of)}`);
     const { inFire, onPage } = await strokes(browser);
-    console.log(`release of the brush to its solid in the fire (${inFire.count}): ${inWords(inFire)}`);
-    console.log(`release of the brush to the event on the page (${onPage.count}): ${inWords(onPage)}`);
+    console.log(`release of the brush to its solid in the fire (${inFire.count}): ${text(inFire)}`);
+    console.log(`release of the brush to the event on the page (${onPage.count}): ${text(onPage)}`);
   } finally {
     await browser.close();
   }

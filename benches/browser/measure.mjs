@@ -126,7 +126,7 @@ export class Bench {
   gigaflops() {
     const rounds = 1_000_000;
     const before = performance.now();
-    this.module.reckon(rounds);
+    this.module.compute(rounds);
     const time = performance.now() - before;
     return (rounds * this.module.operationsARound()) / time / 1e6;
   }

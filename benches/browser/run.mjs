@@ -53,7 +53,7 @@ async function inNode(folder) {
   const bytes = await readFile(path.join(folder, 'hearth_benches_bg.wasm'));
   await module.default({ module_or_path: bytes });
   const bench = new Bench(module);
-  return { name: 'node', ask: async (method, ...args) => bench[method](...args) };
+  return { name: 'node', call: async (method, ...args) => bench[method](...args) };
 }
 
 /** A page of headless Chromium as a place to measure. */
@@ -67,7 +67,7 @@ async function inChromium(tab) {
   });
   return {
     name: 'chromium',
-    ask: (method, ...args) => tab.evaluate(
+    call: (method, ...args) => tab.evaluate(
       // What is undefined would not arrive as such.
       (called, given) => /** @type {any} */ (window).bench[called](...given) ?? null,
       method,
@@ -98,14 +98,14 @@ async function contestants(places, native, programs, leftOut) {
     for (const what of CASES) {
       const id = Object.values(what).join(' ');
       log(`${place.name}: ${id}`);
-      const refused = await place.ask('prepare', id, what);
+      const refused = await place.call('prepare', id, what);
       if (refused) {
         leftOut.push(`${id} in ${place.name}: ${refused}`);
         continue;
       }
       const measure = async () => {
-        const stepMs = await place.ask('round', id);
-        const about = await place.ask('about', id);
+        const stepMs = await place.call('round', id);
+        const about = await place.call('about', id);
         return [{ name: 'Hearth', where: place.name, ...what, ...about, stepMs }];
       };
       all.push({ id, count: what.count, measure });
@@ -165,30 +165,30 @@ function median(numbers) {
   return [...numbers].sort((a, b) => a - b)[numbers.length >> 1];
 }
 
-/** Looks again how fast each place reckons with four numbers at once, and keeps the best. */
+/** Measures the peak rate of each place again, and keeps the best. */
 async function peak(best, places, native) {
   const note = (name, gflops) => {
     best[name] = Math.max(best[name] ?? 0, gflops);
   };
   note('native', value(await output([native], {}, 'peak'), 'gflops'));
   for (const place of places) {
-    for (let again = 0; again < 5; again += 1) note(place.name, await place.ask('gigaflops'));
+    for (let again = 0; again < 5; again += 1) note(place.name, await place.call('gigaflops'));
   }
 }
 
 /** A frame's steps on a page as it is, and on one whose processor Chromium slows down. */
 async function throttled(place, tab) {
-  await place.ask('prepare', 'phone', PHONE);
+  await place.call('prepare', 'phone', PHONE);
   const session = await tab.page.createCDPSession();
   const times = { 1: [], [SLOWER]: [] };
   for (let round = 0; round < ROUNDS; round += 1) {
     for (const rate of [1, SLOWER]) {
       await session.send('Emulation.setCPUThrottlingRate', { rate });
-      times[rate].push(await place.ask('round', 'phone'));
+      times[rate].push(await place.call('round', 'phone'));
     }
   }
   await session.send('Emulation.setCPUThrottlingRate', { rate: 1 });
-  const { particles, stepsPerFrame } = await place.ask('about', 'phone');
+  const { particles, stepsPerFrame } = await place.call('about', 'phone');
   return {
     rate: SLOWER,
     particles,

@@ -12,7 +12,7 @@ import { onPageThread } from '../../tests/e2e/clock.mjs';
 /** Attributes of the fires. */
 const FIRES = ['', 'model="classic"', 'preset="campfire"', 'max-particles="100000"'];
 
-/** The longest frame of the promise [ms]. */
+/** The longest frame of the target [ms]. */
 const LONGEST = 50;
 
 /** How long each fire burns up, and is measured [ms]. */

@@ -21,7 +21,7 @@ static HELD: AtomicUsize = AtomicUsize::new(0);
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         HELD.fetch_add(layout.size(), Ordering::Relaxed);
-        // SAFETY: the caller's promise about `layout` is passed on.
+        // SAFETY: the caller's contract about `layout` is passed on.
         unsafe { System.alloc(layout) }
     }
 
@@ -36,7 +36,7 @@ unsafe impl GlobalAlloc for Counting {
 static ALLOCATOR: Counting = Counting;
 
 fn main() -> Result<(), String> {
-    let count = env::args().nth(1).and_then(|word| word.parse().ok());
+    let count = env::args().nth(1).and_then(|text| text.parse().ok());
     let count: u32 = count.ok_or("usage: memory N")?;
     let before = HELD.load(Ordering::Relaxed);
     let mut fire = scenes::block(count, scenes::NEIGHBOURS)?;

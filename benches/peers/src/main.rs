@@ -37,7 +37,7 @@ fn main() -> Result<(), String> {
         .skip(WARM_UP)
         .collect();
     milliseconds.sort_by(f64::total_cmp);
-    // Its count of contacts holds each pair twice, and each particle itself.
+    // Its count of contacts has each pair twice, and each particle itself.
     let neighbours = world.counters.cd.ncontacts as f64 / count as f64 - 1.0;
     println!(
         "salva2d DFSPH 1+1,where=native,N={count},neigh={neighbours:.2},median_ms={:.4},min_ms={:.4}",

@@ -1,7 +1,7 @@
 /**
  * Makes the npm package of the built site: `node build.mjs SITE OUT VERSION`.
  *
- * `SITE` is the site's folder of scripts, with its wasm; the package holds what
+ * `SITE` is the site's folder of scripts, with its wasm; the package contains what
  * its entry points reach there, and no more. `cargo xtask package` runs this.
  */
 import { copyFile, mkdir, readFile, rm, writeFile } from 'node:fs/promises';
@@ -18,7 +18,7 @@ const ROOT = path.resolve(HERE, '../../..');
 const CARRIED = {
   'LICENSE-MIT': 'LICENSE-MIT',
   'LICENSE-APACHE': 'LICENSE-APACHE',
-  // The panel draws its words with this font, which asks that its licence goes with it.
+  // The panel draws its text with this font, whose licence must accompany it.
   'crates/hearth-panel/font/LICENCE.txt': 'LICENSE-FONT',
   'crates/xtask/packaging/README.npm.md': 'README.md',
   'web/THIRD-PARTY.txt': 'THIRD-PARTY.txt',
@@ -57,13 +57,13 @@ async function put(from, to) {
 }
 
 /**
- * A document whose links into the rest of the checkout are their words only; `web/` of
+ * A document whose links into the rest of the checkout are their labels only; `web/` of
  * the checkout is the package itself.
  * @param {string} name @param {string} text
  */
 function withoutLinksOut(name, text) {
   const inside = text.replaceAll('](../web/', '](../');
-  return inside.replace(/\[([^\]]*)\]\(([^)#:]+)(?:#[^)]*)?\)/g, (link, words, to) => (
-    [...DOCS, ...shown].includes(path.posix.join(path.posix.dirname(name), to)) ? link : words
+  return inside.replace(/\[([^\]]*)\]\(([^)#:]+)(?:#[^)]*)?\)/g, (link, label, to) => (
+    [...DOCS, ...shown].includes(path.posix.join(path.posix.dirname(name), to)) ? link : label
   ));
 }

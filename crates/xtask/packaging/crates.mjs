@@ -21,8 +21,8 @@ const MODULES = ['hearth-engine', 'hearth-panel', 'hearth-sim'];
 
 /** The crates, by name and version. @param {string} root  The checkout. @returns {Crate[]} */
 export function compiled(root) {
-  const cargo = (/** @type {string[]} */ ...words) => (
-    execFileSync('cargo', words, { cwd: root, encoding: 'utf8', maxBuffer: 2 ** 28, stdio: ['ignore', 'pipe', 'inherit'] })
+  const cargo = (/** @type {string[]} */ ...options) => (
+    execFileSync('cargo', options, { cwd: root, encoding: 'utf8', maxBuffer: 2 ** 28, stdio: ['ignore', 'pipe', 'inherit'] })
   );
   const tree = cargo(
     'tree', '--target', WASM, '--edges', 'normal,no-proc-macro', '--prefix', 'none', '--no-dedupe', '--format', '{p}',

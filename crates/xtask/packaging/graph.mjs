@@ -1,6 +1,6 @@
 /**
  * The import graph of the package: what a script imports, statically or on request; what it
- * names beside itself as `new URL('./file', import.meta.url)`, as wasm, workers and style
+ * names in its folder as `new URL('./file', import.meta.url)`, as wasm, workers and style
  * sheets are named; and what a page names.
  */
 import { readFile, readdir } from 'node:fs/promises';
@@ -27,8 +27,8 @@ export async function reached(folder, beginnings, later = () => false) {
     found.add(file);
     if (file.endsWith('.html')) waiting.push(...(await named(folder, file, IN_PAGE)));
     if (!file.endsWith('.js')) continue;
-    for (const { to, asked } of await imports(folder, file)) {
-      if (!asked || !later(to)) waiting.push(to);
+    for (const { to, dynamic } of await imports(folder, file)) {
+      if (!dynamic || !later(to)) waiting.push(to);
     }
     waiting.push(...(await named(folder, file, BESIDE)));
   }
@@ -36,7 +36,7 @@ export async function reached(folder, beginnings, later = () => false) {
 }
 
 /**
- * The pictures of the scenes, which the panel finds beside itself by their names; no text
+ * The pictures of the scenes, which the panel finds in its folder by their names; no text
  * names them, or bundlers would look for them.
  * @param {string} folder
  * @returns {Promise<string[]>}
@@ -66,7 +66,7 @@ export async function typesReached(folder, files) {
 /** What scripts import, by folder and file: esbuild reports it for all that it bundles. */
 const known = new Map();
 
-/** What one script imports from the package. @type {(folder: string, file: string) => Promise<{to: string, asked: boolean}[]>} */
+/** What a script imports from the package. @type {(folder: string, file: string) => Promise<{to: string, dynamic: boolean}[]>} */
 async function imports(folder, file) {
   const root = path.resolve(folder);
   if (!known.has(path.join(root, file))) {
@@ -83,7 +83,7 @@ async function imports(folder, file) {
     });
     for (const [input, { imports: all }] of Object.entries(metafile.inputs)) {
       const inside = all.filter(({ external }) => !external);
-      known.set(path.join(root, input), inside.map(({ path: to, kind }) => ({ to, asked: kind === 'dynamic-import' })));
+      known.set(path.join(root, input), inside.map(({ path: to, kind }) => ({ to, dynamic: kind === 'dynamic-import' })));
     }
   }
   return known.get(path.join(root, file));

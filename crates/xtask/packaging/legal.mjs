@@ -14,7 +14,7 @@ const FONT = { name: 'Ubuntu Light derivative Hearth', licence: 'LicenseRef-UFL-
 
 /**
  * The parts of the Rust standard library that wasm contains. Their versions are those of the
- * compiler, and they bring no files: what they offer is the Apache License.
+ * compiler, and they have no files: their licence is the Apache License.
  */
 const STANDARD = [
   { name: 'Rust standard library', licence: 'MIT OR Apache-2.0', authors: ['The Rust Project contributors'] },
@@ -38,8 +38,8 @@ function notices() {
   const owners = new Map();
   const add = (/** @type {string} */ licence, /** @type {string} */ name) => {
     // Copies differ in their line breaks.
-    const words = licence.replace(/\s+/g, ' ').trim();
-    owners.set(words, { licence, names: [...(owners.get(words)?.names ?? []), name] });
+    const flat = licence.replace(/\s+/g, ' ').trim();
+    owners.set(flat, { licence, names: [...(owners.get(flat)?.names ?? []), name] });
   };
   for (const { name, licence, authors } of STANDARD) add(APACHE, `${name}, ${licence}, by ${authors.join(', ')}`);
   for (const crate of crates) {
@@ -60,7 +60,7 @@ function notices() {
 }
 
 /**
- * The texts that a crate asks to be passed on. Where its licence offers a choice, MIT's is
+ * The texts that a crate's licence requires in copies. Where it is a choice, MIT's is
  * enough, because it names the owners of the copyright.
  * @param {import('./crates.mjs').Crate} crate
  */

@@ -6,8 +6,8 @@
  *
  * A script that only one other needs goes into that one: fewer files to fetch, and
  * they compress better together. What the package exports, a page or a worker begins
- * with, or is only loaded when asked stays a file, and so do what several need and
- * what looks whether it bears its own name. Properties keep their names, and licences
+ * with, or is only loaded on request stays a file, and so do what several need and
+ * what tests its own name. Properties keep their names, and licences
  * stay.
  */
 import { readFile, readdir, rm } from 'node:fs/promises';

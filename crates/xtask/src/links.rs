@@ -2,7 +2,7 @@
 //! folder works anywhere; but most programs that preview a page need the absolute address
 //! of its picture.
 //!
-//! There is no `og:url`: it would make one page of all links, and each link holds a fire
+//! There is no `og:url`: it would make one page of all links, and each link contains a fire
 //! of its own.
 
 use std::path::Path;

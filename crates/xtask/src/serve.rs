@@ -1,6 +1,6 @@
 //! Serves the site on this machine.
 //!
-//! The server is esbuild's, which `scripts/` pins for minifying: it knows the type of
+//! The server is esbuild's, which `scripts/` pins for minifying: it sends the type of
 //! wasm, listens on loopback only, leaves its folder for no request and lets the browser
 //! store nothing, so that a reload shows the last build.
 

@@ -33,7 +33,7 @@ pub fn target() -> Result<PathBuf> {
     target.context("cargo does not name its target folder")
 }
 
-/// A variable for tests: the file of the native fingerprints, which the first to ask burns.
+/// A variable for tests: the file of the native fingerprints, which the first call computes.
 pub(crate) fn fingerprints() -> Result<(&'static str, PathBuf)> {
     static BURNT: Mutex<bool> = Mutex::new(false);
     let mut burnt = BURNT.lock().unwrap_or_else(PoisonError::into_inner);

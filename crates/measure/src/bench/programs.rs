@@ -52,7 +52,7 @@ fn salva(sh: &Shell, target: &Path) -> Result<Value> {
     Ok(json!({ "command": [folder.join(program)], "most": MOST }))
 }
 
-/// SPlisHSPlasH, which Python's package installer brings into an environment of its own.
+/// SPlisHSPlasH, which Python's package installer installs into an environment of its own.
 fn splishsplash(sh: &Shell) -> Result<Value> {
     let environment = paths::tools().join("splishsplash");
     let python = environment.join("bin/python");

@@ -64,7 +64,7 @@ fn targets_table(text: &mut String, targets: impl IntoIterator<Item = Target>) {
             let _ = writeln!(text, "| {what} | {} |  |  | not measured |", bound.limit());
             continue;
         };
-        // By both: a round in which the other program was disturbed flatters.
+        // By both: another program's slow round makes a ratio too high.
         let reached = if bound.holds(median) && bound.holds(best) {
             "reached"
         } else {

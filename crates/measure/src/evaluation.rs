@@ -32,3 +32,23 @@ fn page() -> Result<String> {
 fn lacks(name: &str) -> String {
     format!("{PAGE} lacks the marks `{name}`")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_page_has_the_marks_of_every_command() -> Result<()> {
+        for name in [
+            "compared",
+            "measured",
+            "paper",
+            "validated",
+            "faults",
+            "looked",
+        ] {
+            check(name)?;
+        }
+        Ok(())
+    }
+}

@@ -11,10 +11,11 @@ import { spec as Spec } from 'node:test/reporters';
 const FILE_TIMEOUT = 20 * 60_000;
 
 /**
- * Runs the files, two at a time.
+ * Runs the files.
  * @param {string[]} folders  Absolute paths.
+ * @param {number} [concurrency]  Files that run at a time.
  */
-export async function runTests(folders) {
+export async function runTests(folders, concurrency = 2) {
   const words = process.argv.slice(2).filter((argument) => !argument.startsWith('-'));
   const chosen = (/** @type {string} */ file) => words.some((word) => (
     path.basename(file).startsWith(word) || path.basename(path.dirname(file)) === word
@@ -24,7 +25,7 @@ export async function runTests(folders) {
     .filter((file) => file.endsWith('.test.mjs') && (words.length === 0 || chosen(file)));
   // Without files, Node would run every test that it finds.
   if (files.length === 0) throw new Error(`no test file begins with ${words.join(' or ')}`);
-  const events = run({ files, concurrency: 2, timeout: FILE_TIMEOUT });
+  const events = run({ files, concurrency, timeout: FILE_TIMEOUT });
   events.on('test:fail', () => {
     process.exitCode = 1;
   });

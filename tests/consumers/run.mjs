@@ -6,4 +6,4 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { runTests } from '../files.mjs';
 
-await runTests(path.dirname(fileURLToPath(import.meta.url)), 1);
+await runTests([path.dirname(fileURLToPath(import.meta.url))], 1);

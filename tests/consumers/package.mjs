@@ -37,14 +37,6 @@ export async function alone(...names) {
   return folder;
 }
 
-/** A copy of the package that a test may break. */
-export async function broken() {
-  const folder = path.join(YARD, 'broken');
-  await rm(folder, { recursive: true, force: true });
-  await cp(PACKAGE, folder, { recursive: true });
-  return folder;
-}
-
 /**
  * A project beside this file, with what its lock file says and the packed package
  * installed; gives its folder.

@@ -49,7 +49,9 @@ impl Fire {
     /// The entry of the choice `id` that a condition of `subject` names.
     pub fn choice_of(&self, subject: Subject, id: &str) -> Option<&'static Param> {
         let object = subject.object.and_then(|owner| self.object(owner.id));
-        let mut properties = object.into_iter().flat_map(|object| object.kind.properties());
+        let mut properties = object
+            .into_iter()
+            .flat_map(|object| object.kind.properties());
         match properties.find(|property| property.id == id) {
             Some(property) => property.entry(),
             None => Param::find(id),

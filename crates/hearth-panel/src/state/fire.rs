@@ -142,7 +142,10 @@ impl Fire {
         let (min, max) = self.range_of(subject);
         if ["source_solid", "hangs_from"].contains(&subject.param.id) {
             let value = self.value(subject).as_number().unwrap_or_default();
-            let solids = self.objects.objects().filter(|object| object.solid().is_some());
+            let solids = self
+                .objects
+                .objects()
+                .filter(|object| object.solid().is_some());
             let solids = solids.map(|object| f64::from(object.id));
             return (min, solids.fold(value.max(1.0), f64::max));
         }

@@ -11,7 +11,7 @@
  */
 
 import { freeSolidsOf } from './free-solids.js';
-import { OTHER_BUILD, add, addNow, loaded, missingPart } from './sim/loading.js';
+import { add, addNow, loaded, loadedNames } from './sim/loading.js';
 import { PARTICLE, embersOf, fuelsOf, numbersOf } from './sim/particles.js';
 import { columns, fields, finite, known, refusal, text, whole } from './sim/values.js';
 
@@ -51,14 +51,12 @@ export async function createSimulation(options = {}) {
   if (preset !== undefined) text('preset', preset);
   const [sent, columnsOfValues] = columns(values);
   const { Fire } = await loaded(wasm, parts);
-  const make = () => new Simulation(() => new Fire(preset, sent, columnsOfValues), [['preset', preset], ...values], Fire);
-  for (const added = new Set(); ; ) {
+  const make = () => new Simulation(() => new Fire(preset, sent, columnsOfValues, loadedNames), [['preset', preset], ...values], Fire);
+  for (;;) {
     try {
       return make();
     } catch (missing) {
       if (typeof missing !== 'string') throw missing;
-      if (added.has(missing)) throw missingPart(missing, OTHER_BUILD);
-      added.add(missing);
       await add(missing);
     }
   }
@@ -146,7 +144,7 @@ class Simulation {
     this.#use((fire) => {
       fire.get(found, id);
       // The error of a restored unknown id names it.
-      if (!Object.hasOwn(found, id)) fire.set([id]);
+      if (!Object.hasOwn(found, id)) fire.set([id], undefined, loadedNames);
     });
     return found[id];
   }
@@ -160,7 +158,7 @@ class Simulation {
     /** @type {[string, any][]} */
     const values = typeof ids === 'string' ? [[ids, value]] : fields('values', ids);
     const [sent, columnsOfValues] = columns(values);
-    this.#use((fire) => fire.set(sent, columnsOfValues), values);
+    this.#use((fire) => fire.set(sent, columnsOfValues, loadedNames), values);
   }
 
   /**
@@ -197,7 +195,7 @@ class Simulation {
    */
   restore(...ids) {
     for (const id of ids) text('id', id);
-    this.#use((fire) => fire.set(ids));
+    this.#use((fire) => fire.set(ids, undefined, loadedNames));
   }
 
   /** The number by which each particle is known from step to step. */
@@ -319,7 +317,7 @@ class Simulation {
    */
   spray(x, y, u = 0, v = -4, grams = 5) {
     for (const [name, value] of Object.entries({ x, y, u, v, grams })) finite(name, value);
-    this.#use((fire) => fire.spray(x, y, u, v, grams));
+    this.#use((fire) => fire.spray(x, y, u, v, grams, loadedNames));
   }
 
   /**
@@ -345,7 +343,7 @@ class Simulation {
    */
   #setObject(id, values) {
     const [sent, columnsOfValues] = values ? columns(values) : [];
-    return this.#use((fire) => fire.setObject(id, sent, columnsOfValues), values);
+    return this.#use((fire) => fire.setObject(id, sent, columnsOfValues, loadedNames), values);
   }
 
   /** A property of all particles; undefined if the model has none. @param {string} name @returns {any} */
@@ -370,19 +368,17 @@ class Simulation {
    * @template T
    * @param {() => T} act
    * @param {any[][]} [values]
-   * @param {string} [added] the part that was added for the call
    * @returns {T}
    */
-  #guard(act, values, added) {
+  #guard(act, values) {
     try {
       return act();
     } catch (cause) {
       if (Array.isArray(cause)) throw refusal(cause, values);
       // A new simulation waits for the part, a call cannot.
       if (typeof cause === 'string' && this.#fire) {
-        if (cause === added) throw missingPart(cause, OTHER_BUILD);
         addNow(cause);
-        return this.#guard(act, values, cause);
+        return this.#guard(act, values);
       }
       if (!(cause instanceof WebAssembly.RuntimeError)) throw cause;
       this.#fire = undefined;

@@ -18,7 +18,7 @@
 
 import { VERSION } from '../generated/version.js';
 import { PARTS, glue, wasm, worker } from './files.js';
-import { BURNING_MS, countdown, timely } from './time-limit.js';
+import { countdown, timely } from './time-limit.js';
 
 /** The smallest module that uses a SIMD instruction. */
 const SIMD_MODULE = new Uint8Array([
@@ -234,25 +234,11 @@ export function connect(source, place = 'auto') {
  * @param {string} part
  */
 function loadPart(part) {
-  keptParts[part] ??= compile(
-    named ? named.replace(WASM_NAME, `_${part}.wasm`) : PARTS[part](),
-    part === 'burning' ? BURNING_MS : WASM_MS,
-  ).catch((error) => {
+  keptParts[part] ??= compile(named ? named.replace(WASM_NAME, `_${part}.wasm`) : PARTS[part]()).catch((error) => {
     delete keptParts[part];
     throw error;
   });
   return keptParts[part];
-}
-
-/**
- * Loads a part that a fire will need while the engine starts. A whole module has no parts, and exports nothing for
- * them, which names are numbers. The engine's own request reports a failure.
- * @param {string} part
- */
-export function prefetch(part) {
-  kept?.then(({ module }) => (
-    WebAssembly.Module.exports(module).some(({ name }) => name === '0') ? loadPart(part) : undefined
-  )).catch(() => {});
 }
 
 /** @type {(source: Source | undefined, place: Place) => Promise<EnginePort>} */
@@ -282,11 +268,10 @@ async function load(source, place) {
 /**
  * Fetches and compiles the wasm, in parallel if the server sends the right type.
  * @param {Source} source
- * @param {number} milliseconds the limit of its time
  * @returns {Promise<{module: WebAssembly.Module, warning: string}>}
  */
-async function compile(source, milliseconds = WASM_MS) {
-  const limit = AbortSignal.timeout(milliseconds);
+async function compile(source) {
+  const limit = AbortSignal.timeout(WASM_MS);
   try {
     const given = await source;
     if (typeof given !== 'string' && !(given instanceof URL)) {
@@ -306,7 +291,7 @@ async function compile(source, milliseconds = WASM_MS) {
     const warning = `${url} is served as ${type} instead of application/wasm, so that the fire starts later.`;
     return checked(await WebAssembly.compile(bytes), warning);
   } catch (error) {
-    throw limit.aborted ? new Error(`no answer within ${milliseconds / 1000} s`) : error;
+    throw limit.aborted ? new Error(`no answer within ${WASM_MS / 1000} s`) : error;
   }
 }
 
@@ -390,7 +375,7 @@ async function onMainThread(module) {
   await init({ module_or_path: module, fresh: true });
   const port = new EnginePort('main');
   try {
-    start(Engine, port, (part) => init({ part }));
+    start(Engine, port, module, (part) => init({ part }));
   } catch (error) {
     throw new EngineError('unsupported', `The fire cannot be drawn: ${error instanceof Error ? error.message : error}.`);
   }

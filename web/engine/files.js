@@ -19,20 +19,12 @@ export function wasm() {
 }
 
 /**
- * The parts of the wasm, by name: what reads saved fires, the classic model, the quantities of display
- * modes, the distance from the outlines of solids, solids that burn, free solids, water, and
- * vorticity confinement.
+ * The parts of the wasm, by name: the classic model; solids that burn, water, and free solids.
  * @type {{[name: string]: () => import('./engine.js').Source}}
  */
 export const PARTS = {
-  burning: () => new URL('../wasm/hearth-engine_burning.wasm', import.meta.url),
   classic: () => new URL('../wasm/hearth-engine_classic.wasm', import.meta.url),
-  quantities: () => new URL('../wasm/hearth-engine_quantities.wasm', import.meta.url),
-  outlines: () => new URL('../wasm/hearth-engine_outlines.wasm', import.meta.url),
-  fuels: () => new URL('../wasm/hearth-engine_fuels.wasm', import.meta.url),
   bodies: () => new URL('../wasm/hearth-engine_bodies.wasm', import.meta.url),
-  water: () => new URL('../wasm/hearth-engine_water.wasm', import.meta.url),
-  vorticity: () => new URL('../wasm/hearth-engine_vorticity.wasm', import.meta.url),
 };
 
 /**

@@ -3,20 +3,17 @@
  * canvas, and stops an engine that throws, which only a defect causes.
  */
 
+import { loadedParts } from '../parts.js';
+
 /**
  * @typedef {[fire: number, request: number, ...call: import('./engine.js').Call]} Sent
  * @typedef {{part: string, calls: Sent[]}} Waiting
  */
 
-/** What needs each part of the wasm: a parameter or property, and its values in words. @type {{[part: string]: [id: string, values: string]}} */
-const NEEDS = {
+/** The parts of the wasm: what needs each, a parameter or the objects, and what it computes. @type {{[part: string]: [id: string, subject: string]}} */
+const PARTS = {
   classic: ['model', 'the classic model'],
-  outlines: ['shape', 'polygons, strokes and masks'],
-  fuels: ['fuel', 'solids that burn'],
-  bodies: ['motion', 'free solids'],
-  water: ['spray', 'water'],
-  vorticity: ['vorticity_confinement', 'vorticity confinement'],
-  quantities: ['display_mode', 'quantities of the gas'],
+  bodies: ['objects', 'fuels, water and free solids'],
 };
 
 /**
@@ -28,19 +25,19 @@ const NEEDS = {
  * @param {(fire: number, alone: boolean) => boolean} callbacks.show takes the picture of a fire from the canvas, the
  *   only one of this frame if it is `alone`, and returns whether it is already shown. It never throws
  * @param {() => boolean | undefined} [callbacks.held] whether the canvas holds a picture, so that nothing may be drawn
+ * @param {WebAssembly.Module} callbacks.module the wasm
  * @param {(part: WebAssembly.Module) => void} callbacks.extend adds a part to the wasm
  * @param {(reason: {why: string, at?: string}) => void} callbacks.fail called when the engine has
  *   stopped
  * @param {boolean} [onPage] whether the thread is the page's own, which the engine leaves most of
  * @throws if the browser cannot draw
  */
-export function runEngine(Engine, canvas, { post, show, held, extend, fail }, onPage = false) {
+export function runEngine(Engine, canvas, { post, show, held, module, extend, fail }, onPage = false) {
   let engine = new Engine(post, canvas, contextOf(canvas), show, onPage);
   let frame = 0;
   /** Calls of fires that wait for a part, which the first of each needs. @type {Map<number, Waiting>} */
   const waiting = new Map();
-  /** Parts that have arrived. @type {Set<string>} */
-  const added = new Set();
+  const loaded = loadedParts(module, Object.keys(PARTS));
 
   const stop = () => {
     cancelAnimationFrame(frame);
@@ -91,10 +88,9 @@ export function runEngine(Engine, canvas, { post, show, held, extend, fail }, on
       return;
     }
     try {
-      if (engine) requestFrame(engine.call(sent));
+      if (engine) requestFrame(engine.call(sent, loaded));
     } catch (error) {
       if (typeof error !== 'string') failed(error);
-      else if (added.has(error)) post(refusal(error, 'it is of another build', sent));
       else wait(error, sent);
     }
   };
@@ -111,9 +107,9 @@ export function runEngine(Engine, canvas, { post, show, held, extend, fail }, on
      */
     add({ part, module, why }) {
       try {
-        if (module && !added.has(part)) {
+        if (module && !loaded.has(part)) {
           extend(module);
-          added.add(part);
+          loaded.add(part);
         }
       } catch (error) {
         why = `${error}`;
@@ -121,10 +117,7 @@ export function runEngine(Engine, canvas, { post, show, held, extend, fail }, on
       for (const [fire, { part: needed, calls }] of waiting) {
         if (needed === part) {
           waiting.delete(fire);
-          if (part === 'burning') {
-            // A new fire that does not get the code for its saved state burns for some seconds first.
-            if (why) calls[0][3].state = undefined;
-          } else if (why) {
+          if (why) {
             post(refusal(part, why, calls[0]));
             calls.shift();
           }
@@ -158,7 +151,7 @@ export function runEngine(Engine, canvas, { post, show, held, extend, fail }, on
  * @type {(part: string, why: string, sent: Sent) => object}
  */
 function refusal(part, why, [fire, request, name]) {
-  const [id, subject] = NEEDS[part];
+  const [id, subject] = PARTS[part];
   const message = `The code for ${subject} could not be loaded: ${why}`;
   if (name === 'add') return { type: 'error', fire, kind: 'load', message };
   return { type: 'refused', fire, request, errors: [{ id, message }] };

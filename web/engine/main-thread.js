@@ -8,10 +8,11 @@ import { pictureCanvas, runEngine } from './loop.js';
  * Starts the engine. Calls and events are delivered later and in order, as with a worker.
  * @param {new (post: Function, canvas: any, context: WebGL2RenderingContext | null, show: Function, onPage: boolean) => any} Engine
  * @param {import('./engine.js').Port} port the connection to it
+ * @param {WebAssembly.Module} module the wasm
  * @param {(part: WebAssembly.Module) => void} extend adds a part to the wasm
  * @throws if the browser cannot draw
  */
-export function start(Engine, port, extend) {
+export function start(Engine, port, module, extend) {
   const run = (/** @type {any} */ canvas) => runEngine(Engine, canvas, {
     post: (/** @type {any} */ message) => queueMicrotask(() => port.deliver(message)),
     show: (fire) => {
@@ -20,6 +21,7 @@ export function start(Engine, port, extend) {
       if (picture) port.draw(fire, picture);
       return true;
     },
+    module,
     extend,
     fail: ({ why, at }) => port.fail(at ? `${why} (${at})` : why),
   }, true);

@@ -2,7 +2,7 @@
  * Time limits: a server may accept a request and never answer, and a worker may end without an event.
  */
 
-/** The maximum time until a saved fire and the code for it arrive [ms]. A fire without it burns for some seconds first. */
+/** The maximum time until a saved fire arrives [ms]. A fire without it burns for some seconds first. */
 export const BURNING_MS = 5000;
 
 /** The maximum time until code arrives [ms]. */

@@ -61,6 +61,7 @@ async function start(module) {
       return take(fire, performance.now());
     },
     held: () => holder?.held,
+    module,
     extend: (part) => init(/** @type {any} */ ({ part })),
     fail: (reason) => postMessage({ type: 'stopped', ...reason }),
   });

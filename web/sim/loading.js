@@ -1,5 +1,6 @@
 /** Loads the wasm of the library, and its parts when a simulation needs them. */
 
+import { loadedParts } from '../parts.js';
 import { known, words } from './values.js';
 
 /** The maximum time until the wasm arrives [ms]. */
@@ -11,7 +12,10 @@ const NODE = Boolean(/** @type {{process?: {versions?: {node?: string}}}} */ (gl
 /** @type {Promise<any>} The loaded wasm module, or undefined. */
 let module = Promise.resolve();
 
-/** Adds a part to the loaded wasm. @type {(part: WebAssembly.Module) => void} */
+/** The names of the parts that the loaded wasm has. @type {Set<string>} */
+export let loadedNames = new Set();
+
+/** Adds a part to the loaded wasm. @type {(name: string, part: WebAssembly.Module) => void} */
 let extend;
 
 /**
@@ -41,9 +45,14 @@ async function load(wasm, parts) {
       throw new TypeError('this is the wasm of something else');
     }
     await glue.default({ module_or_path: ready });
-    extend = (part) => glue.default(/** @type {any} */ ({ part }));
+    loadedNames = loadedParts(ready, Object.keys(PARTS));
+    extend = (name, part) => {
+      if (loadedNames.has(name)) return;
+      glue.default(/** @type {any} */ ({ part }));
+      loadedNames.add(name);
+    };
     for (const [name, source] of others) {
-      adding[name] = source().then(extend);
+      adding[name] = source().then((part) => extend(name, part));
       await adding[name];
     }
     // Node has no request that a call can wait for, and reads the files from a disk.
@@ -60,24 +69,15 @@ const adding = {};
 /** The files of the parts. @type {{[part: string]: () => URL}} */
 const PARTS = {
   classic: () => new URL('../wasm/hearth-sim_classic.wasm', import.meta.url),
-  outlines: () => new URL('../wasm/hearth-sim_outlines.wasm', import.meta.url),
-  presets: () => new URL('../wasm/hearth-sim_presets.wasm', import.meta.url),
-  fuels: () => new URL('../wasm/hearth-sim_fuels.wasm', import.meta.url),
   bodies: () => new URL('../wasm/hearth-sim_bodies.wasm', import.meta.url),
-  water: () => new URL('../wasm/hearth-sim_water.wasm', import.meta.url),
-  solids: () => new URL('../wasm/hearth-sim_solids.wasm', import.meta.url),
-  vorticity: () => new URL('../wasm/hearth-sim_vorticity.wasm', import.meta.url),
 };
 
 /** @type {(name: string, cause: unknown) => Error} */
-export const missingPart = (name, cause) => new Error(`the part "${name}" of the wasm could not be loaded: ${cause}`, { cause });
-
-/** Why a part that is there is missing still. */
-export const OTHER_BUILD = 'it is of another build';
+const missingPart = (name, cause) => new Error(`the part "${name}" of the wasm could not be loaded: ${cause}`, { cause });
 
 /** Loads a part. After a failure, the next call tries again. @param {string} name */
 export function add(name) {
-  adding[name] ??= compiledFrom(PARTS[name]()).then(extend).catch((cause) => {
+  adding[name] ??= compiledFrom(PARTS[name]()).then((part) => extend(name, part)).catch((cause) => {
     delete adding[name];
     throw missingPart(name, cause);
   });
@@ -94,7 +94,7 @@ export function addNow(name) {
     request.overrideMimeType('text/plain; charset=x-user-defined');
     request.send();
     if (request.status !== 200) throw new Error(`${url} answers ${request.status}`);
-    extend(new WebAssembly.Module(Uint8Array.from(request.responseText, (byte) => byte.charCodeAt(0))));
+    extend(name, new WebAssembly.Module(Uint8Array.from(request.responseText, (byte) => byte.charCodeAt(0))));
   } catch (cause) {
     throw missingPart(name, cause);
   }

@@ -18,7 +18,6 @@ mod water;
 use crate::bounds::Bounds;
 use crate::forces::BodyForce;
 use crate::grid::Grid;
-use crate::held::Held;
 use crate::instance::{Instance, Measured};
 use crate::neighbours::Neighbours;
 use crate::params::{DisplayMode, Edges, Physics};
@@ -91,9 +90,9 @@ pub(crate) struct Combustion {
     burner_particles: Vec<BurnerParticle>,
     removed: Removed,
     /// The solids that burn.
-    fuels: Held<Fuels>,
+    fuels: Option<Box<Fuels>>,
     /// What has been sprayed.
-    water: Held<Water>,
+    water: Option<Box<Water>>,
     /// Power of the combustion in the last step, and of the heating at the sources [kW/m].
     power: f32,
     preheat: f32,
@@ -131,8 +130,8 @@ impl Combustion {
             walls: Walls::default(),
             burner_particles: Vec::new(),
             removed: Removed::default(),
-            fuels: Held::default(),
-            water: Held::default(),
+            fuels: None,
+            water: None,
             power: 0.0,
             preheat: 0.0,
             clamped_shifts: 0,
@@ -151,7 +150,7 @@ impl Combustion {
         if self.open.is_some() || !self.solids.is_empty() {
             self.walls.reserve(self.capacity(values));
         }
-        if let Some(fuels) = &mut *self.fuels {
+        if let Some(fuels) = &mut self.fuels {
             fuels.reserve(capacity);
         }
         let Some(open) = &self.open else {
@@ -208,7 +207,7 @@ impl Combustion {
         time: f64,
     ) {
         // A saved fire does not hold what solids with fuel have lost.
-        self.fuels = Held::default();
+        self.fuels = None;
         // The solids first: the gas of the particles is around them.
         self.place_solids(scene, time);
         self.resume_bodies(bodies);

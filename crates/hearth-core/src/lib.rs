@@ -29,7 +29,6 @@ mod extremes;
 mod forces;
 pub mod fps;
 mod grid;
-mod held;
 pub mod instance;
 mod interaction;
 pub mod kernel;

@@ -134,12 +134,6 @@ impl Scene {
         self.objects.iter().filter_map(Stored::surface)
     }
 
-    /// Whether a solid has no sampled distance yet, because a part of the build is not loaded.
-    pub fn lacks_fields(&self) -> bool {
-        let mut surfaces = self.surfaces();
-        surfaces.any(|(_, solid, surface)| solid.lacks_field(surface))
-    }
-
     /// Whether there is a solid.
     pub fn has_solids(&self) -> bool {
         self.solids().next().is_some()

@@ -88,7 +88,7 @@ impl Simulation {
     // Inlined, it would be in each of its callers.
     #[inline(never)]
     fn show_free(&mut self) {
-        if let Some(free) = &*self.solver.solids().free {
+        if let Some(free) = &self.solver.solids().free {
             free.show(&mut self.scene);
         }
     }

@@ -18,7 +18,6 @@ use glam::Vec2;
 
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
-use crate::held::Held;
 use crate::params::{Fuel, Motion, Physics, Thermal};
 use crate::scene::{Drive, Field, MAX_SPEED, RoundedBox, Scene, Surface};
 use heat::{Inflow, Store};
@@ -107,7 +106,7 @@ pub(crate) struct Solids {
     /// Room for the bodies of the next step.
     spare: Vec<Body>,
     /// Those that forces move.
-    pub free: Held<free::FreeBodies>,
+    pub free: Option<Box<free::FreeBodies>>,
 }
 
 impl Solids {

@@ -5,6 +5,7 @@
 
 use hearth_bindings::{Untrusted, ValidationError, memory, panic, parts, settings};
 use hearth_core::{NoFuel, NoWater, Vec2, Where};
+use js_sys::Set;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::WebGl2RenderingContext;
@@ -92,9 +93,9 @@ impl Engine {
     /// Returns whether to request a frame.
     ///
     /// # Errors
-    /// The name of a [part](parts) that the call needs. The caller repeats the call when the part
-    /// is loaded.
-    pub fn call(&mut self, call: &JsValue) -> Result<bool, JsValue> {
+    /// The name of a [part](parts) that the call needs and that is not among the `loaded` ones. The
+    /// caller repeats the call when the part is loaded.
+    pub fn call(&mut self, call: &JsValue, loaded: &Set) -> Result<bool, JsValue> {
         let start = self.clock.now();
         let call = Untrusted::of(call);
         let [fire, request, name, arguments @ ..] = call.list() else {
@@ -103,7 +104,7 @@ impl Engine {
         let (fire, request) = (fire.number() as u32, request.number() as u32);
         let answer = Command::parse(name, arguments)
             .map_err(|error| vec![error])
-            .and_then(|command| self.run(fire, request, command));
+            .and_then(|command| self.run(fire, request, command, loaded));
         match answer {
             Ok(Answer::Done) => self.events.done(fire, request),
             Ok(Answer::Deferred) => {}
@@ -186,7 +187,6 @@ impl Engine {
 }
 
 /// Lights an object or a place of a fire, or puts it out.
-#[inline(never)]
 fn light(
     fire: &mut Fire,
     lit: bool,
@@ -206,7 +206,6 @@ fn light(
 }
 
 /// Sprays water into a fire.
-#[inline(never)]
 fn spray(fire: &mut Fire, [x, y, u, v, grams]: [f64; 5]) -> Result<(), Vec<ValidationError>> {
     let pair = |x: f64, y: f64| Vec2::new(x as f32, y as f32);
     let done = fire.spray(pair(x, y), pair(u, v), 1e-3 * grams as f32);
@@ -231,16 +230,14 @@ impl Engine {
         id: u32,
         request: u32,
         command: Command<'_>,
+        loaded: &Set,
     ) -> Result<Answer, Vec<ValidationError>> {
         let events = &self.events;
         let found = self.fires.iter_mut().find(|fire| fire.id() == id);
         let fire = match (found, command) {
             (None, Command::Add { start }) => {
-                if !start.state.is_empty() && !parts::burning_is_loaded() {
-                    return Ok(Answer::Missing("burning"));
-                }
                 let (requested, errors) = Requested::at_first(&start);
-                if let Some(part) = parts::missing(&requested.scene) {
+                if let Some(part) = parts::missing(&requested.scene, loaded) {
                     return Ok(Answer::Missing(part));
                 }
                 if !errors.is_empty() {
@@ -271,7 +268,7 @@ impl Engine {
         let (fire, command) = fire;
         if let Some(requested) = fire.requested().after(&command) {
             let requested = requested?;
-            if let Some(part) = parts::missing(&requested.scene) {
+            if let Some(part) = parts::missing(&requested.scene, loaded) {
                 return Ok(Answer::Missing(part));
             }
             let [old, new] = [fire.requested(), &requested].map(Requested::completed);
@@ -321,15 +318,10 @@ impl Engine {
                 radius,
                 place,
                 y,
-            } => {
-                if !parts::fuels_is_loaded() {
-                    return Ok(Answer::Missing("fuels"));
-                }
-                light(fire, lit, radius, place, y)?;
-            }
+            } => light(fire, lit, radius, place, y)?,
             Command::Spray { x, y, u, v, grams } => {
-                if !parts::water_is_loaded() {
-                    return Ok(Answer::Missing("water"));
+                if parts::lacks(loaded, parts::BODIES) {
+                    return Ok(Answer::Missing(parts::BODIES));
                 }
                 spray(fire, [x.0, y.0, u.0, v.0, grams.0])?;
             }
@@ -338,9 +330,6 @@ impl Engine {
                 return Ok(Answer::Deferred);
             }
             Command::Measure { x, y } => {
-                if !parts::quantities_is_loaded() {
-                    return Ok(Answer::Missing("quantities"));
-                }
                 events.answer(id, request, &fire.probe(x.0 as f32, y.0 as f32));
                 return Ok(Answer::Deferred);
             }

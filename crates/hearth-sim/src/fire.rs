@@ -4,7 +4,7 @@ use hearth_bindings::{Record, Untrusted, ValidationError, memory, panic, parts, 
 use hearth_core::params::{PARAMETERS, Parameters};
 use hearth_core::simulation::ParticleError;
 use hearth_core::{NoFuel, NoWater, Scene, Simulation, Vec2, Where};
-use js_sys::Array;
+use js_sys::{Array, Set};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -22,17 +22,20 @@ impl Fire {
     /// resolution of open air is the number of particles that would fill the frame.
     ///
     /// # Errors
-    /// An unknown preset, or a value that is refused; the name of a [part](parts) that is missing.
+    /// An unknown preset, or a value that is refused; the name of a [part](parts) that is not among
+    /// the `loaded` ones.
     #[wasm_bindgen(constructor)]
-    pub fn new(preset: Option<String>, ids: Array, values: Array) -> Result<Fire, JsValue> {
+    pub fn new(
+        preset: Option<String>,
+        ids: Array,
+        values: Array,
+        loaded: &Set,
+    ) -> Result<Fire, JsValue> {
         panic::record();
         let preset = preset.map(|name| settings::preset(&name)).transpose();
         let preset = preset.map_err(|error| thrown(vec![error]))?;
-        if preset.is_some() && !parts::presets_are_loaded() {
-            return Err("presets".into());
-        }
         let scene = settings::document(preset, &columns(&ids, &values));
-        let simulation = Simulation::new(affordable(None, scene)?);
+        let simulation = Simulation::new(affordable(None, scene, loaded)?);
         Ok(Fire { simulation })
     }
 
@@ -93,15 +96,15 @@ impl Fire {
     ///
     /// # Errors
     /// Every value that is refused and every id that is unknown; the name of a [part](parts) that
-    /// is missing.
-    pub fn set(&mut self, ids: Array, values: Option<Array>) -> Result<(), JsValue> {
+    /// is not among the `loaded` ones.
+    pub fn set(&mut self, ids: Array, values: Option<Array>, loaded: &Set) -> Result<(), JsValue> {
         let old = self.simulation.scene();
         let changed = match values {
             Some(values) => settings::with_values(old, &columns(&ids, &values)),
             None if ids.length() == 0 => Ok(Scene::default()),
             None => settings::with_defaults(old, &columns(&ids, &Array::new())),
         };
-        let scene = affordable(Some(self.simulation.parameters()), changed)?;
+        let scene = affordable(Some(self.simulation.parameters()), changed, loaded)?;
         self.simulation.set_scene(scene);
         Ok(())
     }
@@ -116,18 +119,19 @@ impl Fire {
     ///
     /// # Errors
     /// There is no object with this id, or every invalid field; the name of a [part](parts) that
-    /// is missing.
+    /// is not among the `loaded` ones.
     #[wasm_bindgen(js_name = setObject)]
     pub fn set_object(
         &mut self,
         id: Option<u32>,
         names: Option<Array>,
         values: Option<Array>,
+        loaded: &Set,
     ) -> Result<u32, JsValue> {
         let fields = names.zip(values);
         let fields = fields.map(|(names, values)| columns(&names, &values));
         let changed = settings::with_object(self.simulation.scene(), id, fields.as_deref());
-        let scene = affordable(Some(self.simulation.parameters()), changed)?;
+        let scene = affordable(Some(self.simulation.parameters()), changed, loaded)?;
         self.simulation.set_scene(scene);
         let last = self.simulation.scene().objects().last();
         Ok(last.map_or(0, |object| object.id))
@@ -159,12 +163,27 @@ impl Fire {
     /// Sprays a mass of water [g/m] from a position \[m\] with a velocity [m/s].
     ///
     /// # Errors
-    /// The model is the classic one; the name of the [part](parts) if it is missing.
-    pub fn spray(&mut self, x: f32, y: f32, u: f32, v: f32, grams: f32) -> Result<(), JsValue> {
-        if !parts::water_is_loaded() {
-            return Err("water".into());
+    /// The model is the classic one; the name of a [part](parts) that is not among the
+    /// `loaded` ones.
+    pub fn spray(
+        &mut self,
+        x: f32,
+        y: f32,
+        u: f32,
+        v: f32,
+        grams: f32,
+        loaded: &Set,
+    ) -> Result<(), JsValue> {
+        if parts::lacks(loaded, parts::BODIES) {
+            return Err(parts::BODIES.into());
         }
-        spray(&mut self.simulation, [x, y, u, v, grams])
+        let (place, velocity) = (Vec2::new(x, y), Vec2::new(u, v));
+        let done = self.simulation.spray(place, velocity, 1e-3 * grams);
+        done.map_err(|_| {
+            let model = Untrusted::Text("classic".into());
+            let error = ValidationError::new("model", &model, NoWater::ALLOWED);
+            thrown(vec![error])
+        })
     }
 
     /// The ids of the particles.
@@ -206,27 +225,14 @@ impl Fire {
     }
 }
 
-/// Sprays water into a fire.
-#[inline(never)]
-fn spray(simulation: &mut Simulation, [x, y, u, v, grams]: [f32; 5]) -> Result<(), JsValue> {
-    let done = simulation.spray(Vec2::new(x, y), Vec2::new(u, v), 1e-3 * grams);
-    done.map_err(|_| {
-        let model = Untrusted::Text("classic".into());
-        let error = ValidationError::new("model", &model, NoWater::ALLOWED);
-        thrown(vec![error])
-    })
-}
-
 /// The scene, with its parts and memory for its particles.
 fn affordable(
     old: Option<&Parameters>,
     scene: Result<Scene, Vec<ValidationError>>,
+    loaded: &Set,
 ) -> Result<Scene, JsValue> {
     let scene = scene.map_err(thrown)?;
-    if scene.has_solids() && !parts::solids_are_loaded() {
-        return Err("solids".into());
-    }
-    if let Some(part) = parts::missing(&scene) {
+    if let Some(part) = parts::missing(&scene, loaded) {
         return Err(part.into());
     }
     memory::reserve(old, scene.settings(), u32::MAX).map_err(|error| thrown(vec![error]))?;
@@ -260,8 +266,6 @@ fn value_of(value: &JsValue) -> Untrusted {
 }
 
 /// The errors from which `web/sim.js` makes a `RangeError`.
-// Inlined, each caller would have its own code to free the errors.
-#[inline(never)]
 fn thrown(errors: Vec<ValidationError>) -> JsValue {
     ValidationError::to_array(&errors).into()
 }

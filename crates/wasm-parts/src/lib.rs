@@ -1,54 +1,51 @@
-//! Makes a wasm module smaller to download: it divides it, [orders](order()) its functions, and shortens
-//! it together with its [script](Bound).
+//! Makes a wasm module smaller to download: it divides it, and [orders](order()) its functions.
 //!
 //! What few visitors need becomes modules of their own, its parts, which a page fetches when it needs
-//! them.
-//! A part imports memory, function table, globals and functions of the module that it is taken
-//! from, the rest, and puts its own functions into the table. The rest calls them through the
-//! table. Both come from one link, so a part fits its own rest and no other.
+//! them. A part imports memory, function table, globals and functions of the module that it is taken
+//! from, the base, and puts its own functions into the table. The base calls them through the
+//! table. Both come from one link, so a part fits its own base and no other.
 
 mod glue;
 mod order;
 #[cfg(test)]
 mod tests;
-mod texts;
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 use anyhow::{Context, Result, bail, ensure};
-use walrus::ir::{UnaryOp, Value, Visitor, dfs_in_order};
+use walrus::ir::{Value, Visitor, dfs_in_order};
 use walrus::{
     ConstExpr, Element, ElementItems, ElementKind, Export, ExportItem, FunctionBuilder, FunctionId,
     FunctionKind, GlobalKind, ImportKind, ImportedFunction, LocalFunction, Module, ModuleConfig,
-    TableId, ValType,
+    TableId,
 };
-
-use texts::Text;
 
 pub use glue::Bound;
 pub use order::order;
 
 /// What a part takes from a module.
-pub struct Part<'a> {
-    /// Its name, in errors.
-    pub name: &'a str,
-    /// How the symbols of its functions begin. Functions that only these call move with them.
-    pub symbols: &'a [&'a str],
-    /// The texts that only its functions read. Zeros are in their places until it is loaded.
-    pub texts: fn() -> Vec<&'static str>,
-    /// How the symbols of the functions begin that call the part, which they do if it is loaded.
-    pub callers: &'a [&'a str],
-    /// How the symbol of the function begins that returns whether the part is loaded. It stays.
-    pub is_loaded: &'a str,
+pub struct Part {
+    /// Its name.
+    pub name: &'static str,
+    /// The Rust modules whose functions it takes. Functions that only these call move with them.
+    pub modules: &'static [&'static str],
+}
+
+impl Part {
+    /// Whether the function with this symbol, a path or `<path as trait>::method`, is of the part.
+    fn has(&self, symbol: &str) -> bool {
+        let path = symbol.strip_prefix('<').unwrap_or(symbol);
+        self.modules.iter().any(|module| path.starts_with(module))
+    }
 }
 
 /// The name of the module that a part imports from.
-pub const REST: &str = "rest";
+pub const BASE: &str = "base";
 
 /// A module and a part of it, as bytes.
 pub struct Divided {
     /// The module without the part.
-    pub rest: Vec<u8>,
+    pub base: Vec<u8>,
     /// The part.
     pub taken: Vec<u8>,
 }
@@ -56,39 +53,35 @@ pub struct Divided {
 /// Takes `part` from the module of these bytes.
 ///
 /// # Errors
-/// The module is invalid, or names no function of the part.
+/// The module is invalid, or has no function of the part.
 pub fn take(bytes: &[u8], part: &Part) -> Result<Divided> {
-    let mut rest = ModuleConfig::new().parse(bytes)?;
+    let mut base = ModuleConfig::new().parse(bytes)?;
     // A function has the same index in both.
     let mut taken = ModuleConfig::new().parse(bytes)?;
-    let moved = moved(&rest, part.symbols);
+    let moved = moved(&base, part);
     ensure!(!moved.is_empty(), "no function of {} is found", part.name);
-    check_callers(&rest, &moved, part)?;
-    let slots = Slots::new(&mut rest, &moved)?;
+    let slots = Slots::new(&mut base, &moved)?;
     // Numbers are no names of exports but those for parts.
-    let names = rest
+    let names = base
         .exports
         .iter()
         .filter(|export| export.name.parse::<usize>().is_ok());
     let first_name = names.count();
-    let texts = texts::take(&mut rest, (part.texts)())?;
-    let imported = keep_only(&mut taken, &moved, texts, &slots, first_name)?;
-    leave_calls(&mut rest, &moved, &slots, &imported)?;
-    look_for(&mut rest, part, &slots)?;
-    walrus::passes::gc::run(&mut rest);
+    let imported = keep_only(&mut taken, &moved, &slots, first_name)?;
+    leave_calls(&mut base, &moved, &slots, &imported)?;
+    walrus::passes::gc::run(&mut base);
     Ok(Divided {
-        rest: rest.emit_wasm(),
+        base: base.emit_wasm(),
         taken: taken.emit_wasm(),
     })
 }
 
-/// The functions whose symbols begin so, and those that only they call.
-fn moved(module: &Module, symbols: &[&str]) -> BTreeSet<usize> {
+/// The functions of the part, and those that only they call.
+fn moved(module: &Module, part: &Part) -> BTreeSet<usize> {
     let is_named = |id: FunctionId| {
         let function = module.funcs.get(id);
         let name = function.name.as_deref().unwrap_or_default();
-        matches!(function.kind, FunctionKind::Local(_))
-            && symbols.iter().any(|text| name.starts_with(text))
+        matches!(function.kind, FunctionKind::Local(_)) && part.has(name)
     };
     let mut open: Vec<_> = module.exports.iter().filter_map(exported).collect();
     open.extend(module.start);
@@ -109,22 +102,6 @@ fn moved(module: &Module, symbols: &[&str]) -> BTreeSet<usize> {
         .filter(|id| !staying.contains(id))
         .map(|id| id.index())
         .collect()
-}
-
-/// Checks that no other functions than those named call the part: a call before it is loaded traps.
-fn check_callers(module: &Module, moved: &BTreeSet<usize>, part: &Part) -> Result<()> {
-    for (id, function) in module.funcs.iter_local() {
-        let called = calls(function).find(|called| moved.contains(&called.index()));
-        if let Some(called) = called
-            && !moved.contains(&id.index())
-        {
-            let name = |id| module.funcs.get(id).name.as_deref().unwrap_or("a function");
-            let (from, to) = (name(id), name(called));
-            let is_known = part.callers.iter().any(|caller| from.starts_with(caller));
-            ensure!(is_known, "{from} calls {to}, which moves to {}", part.name);
-        }
-    }
-    Ok(())
 }
 
 /// The functions that a function names.
@@ -152,16 +129,16 @@ fn functions(element: &Element) -> &[FunctionId] {
 struct Slots {
     /// Those that pointers to functions name, and those of `called`.
     all: BTreeMap<u64, usize>,
-    /// Of functions that the rest calls: after the end of the table, so nothing is there without
+    /// Of functions that the base calls: after the end of the table, so nothing is there without
     /// the part.
     called: BTreeMap<usize, u64>,
 }
 
 impl Slots {
-    /// Finds the places, and makes room in the table of `rest`.
-    fn new(rest: &mut Module, moved: &BTreeSet<usize>) -> Result<Slots> {
+    /// Finds the places, and makes room in the table of `base`.
+    fn new(base: &mut Module, moved: &BTreeSet<usize>) -> Result<Slots> {
         let mut all = BTreeMap::new();
-        for element in rest.elements.iter() {
+        for element in base.elements.iter() {
             let first = first_slot(element)?;
             for (slot, id) in (first..).zip(functions(element)) {
                 if moved.contains(&id.index()) {
@@ -169,18 +146,18 @@ impl Slots {
                 }
             }
         }
-        let staying = rest
+        let staying = base
             .funcs
             .iter_local()
             .filter(|(id, _)| !moved.contains(&id.index()));
         let mut wanted: BTreeSet<_> = staying.flat_map(|(_, function)| calls(function)).collect();
-        wanted.extend(rest.exports.iter().filter_map(exported));
+        wanted.extend(base.exports.iter().filter_map(exported));
         let wanted = wanted
             .into_iter()
             .map(|id| id.index())
             .filter(|index| moved.contains(index));
-        let table = function_table(rest)?;
-        let table = rest.tables.get_mut(table);
+        let table = function_table(base)?;
+        let table = base.tables.get_mut(table);
         let called: BTreeMap<_, _> = wanted.zip(table.initial..).collect();
         table.initial += called.len() as u64;
         table.maximum = table.maximum.map(|maximum| maximum.max(table.initial));
@@ -220,12 +197,11 @@ enum Imported {
     Table,
 }
 
-/// Makes everything but the functions of `moved` and the `texts` an import of `taken`. Returns what
-/// it imports, by the name of the import.
+/// Makes everything but the functions of `moved` an import of `taken`. Returns what it imports, by the
+/// name of the import.
 fn keep_only(
     taken: &mut Module,
     moved: &BTreeSet<usize>,
-    texts: Vec<Text>,
     slots: &Slots,
     first_name: usize,
 ) -> Result<Vec<(String, Imported)>> {
@@ -241,18 +217,15 @@ fn keep_only(
 
     for memory in taken.memories.iter_mut() {
         memory.data_segments.clear();
-        memory.import = Some(taken.imports.add(REST, "", memory.id()));
-    }
-    for text in texts {
-        text.put(taken)?;
+        memory.import = Some(taken.imports.add(BASE, "", memory.id()));
     }
     for table in taken.tables.iter_mut() {
         table.elem_segments.clear();
-        table.import = Some(taken.imports.add(REST, "", table.id()));
+        table.import = Some(taken.imports.add(BASE, "", table.id()));
     }
     let globals: Vec<_> = taken.globals.iter().map(|global| global.id()).collect();
     for id in globals {
-        let import = taken.imports.add(REST, "", id);
+        let import = taken.imports.add(BASE, "", id);
         taken.globals.get_mut(id).kind = GlobalKind::Import(import);
     }
     let mut ids = BTreeMap::new();
@@ -261,7 +234,7 @@ fn keep_only(
         if moved.contains(&id.index()) {
             ids.insert(id.index(), id);
         } else if matches!(function.kind, FunctionKind::Local(_)) {
-            let import = taken.imports.add(REST, "", id);
+            let import = taken.imports.add(BASE, "", id);
             function.kind = FunctionKind::Import(ImportedFunction { import, ty });
         }
     }
@@ -269,7 +242,7 @@ fn keep_only(
     let table = function_table(taken)?;
     let size = taken.tables.get_mut(table);
     size.initial += slots.called.len() as u64;
-    // The table of the rest may be larger, with slots of other parts.
+    // The table of the base may be larger, with slots of other parts.
     size.maximum = None;
     let mut runs: Vec<(u64, Vec<FunctionId>)> = Vec::new();
     for (&slot, index) in &slots.all {
@@ -290,7 +263,7 @@ fn keep_only(
 
     let mut imported = Vec::new();
     for (number, import) in (first_name..).zip(taken.imports.iter_mut()) {
-        REST.clone_into(&mut import.module);
+        BASE.clone_into(&mut import.module);
         import.name = number.to_string();
         let what = match import.kind {
             ImportKind::Function(id) => Imported::Function(id.index()),
@@ -307,14 +280,14 @@ fn keep_only(
 /// Exports what the part imports, and replaces the functions of `moved` by calls through the
 /// table.
 fn leave_calls(
-    rest: &mut Module,
+    base: &mut Module,
     moved: &BTreeSet<usize>,
     slots: &Slots,
     imported: &[(String, Imported)],
 ) -> Result<()> {
-    let table = function_table(rest)?;
-    let functions: Vec<_> = rest.funcs.iter().map(|function| function.id()).collect();
-    let globals: Vec<_> = rest.globals.iter().map(|global| global.id()).collect();
+    let table = function_table(base)?;
+    let functions: Vec<_> = base.funcs.iter().map(|function| function.id()).collect();
+    let globals: Vec<_> = base.globals.iter().map(|global| global.id()).collect();
     let function_at = |index| {
         functions
             .iter()
@@ -333,17 +306,17 @@ fn leave_calls(
         let item: ExportItem = match *imported {
             Imported::Function(index) => function_at(index)?.into(),
             Imported::Global(index) => global_at(index)?.into(),
-            Imported::Memory => rest.get_memory_id()?.into(),
+            Imported::Memory => base.get_memory_id()?.into(),
             Imported::Table => table.into(),
         };
-        rest.exports.add(name, item);
+        base.exports.add(name, item);
     }
     let nothing = {
-        let mut builder = FunctionBuilder::new(&mut rest.types, &[], &[]);
+        let mut builder = FunctionBuilder::new(&mut base.types, &[], &[]);
         builder.func_body().unreachable();
-        builder.finish(Vec::new(), &mut rest.funcs)
+        builder.finish(Vec::new(), &mut base.funcs)
     };
-    for element in rest.elements.iter_mut() {
+    for element in base.elements.iter_mut() {
         if let ElementItems::Functions(functions) = &mut element.items {
             for id in functions
                 .iter_mut()
@@ -355,48 +328,17 @@ fn leave_calls(
     }
     for (&index, &slot) in &slots.called {
         let id = function_at(index)?;
-        let ty = rest.funcs.get(id).ty();
-        let (params, results) = rest.types.params_results(ty);
+        let ty = base.funcs.get(id).ty();
+        let (params, results) = base.types.params_results(ty);
         let (params, results) = (params.to_vec(), results.to_vec());
-        let arguments: Vec<_> = params.iter().map(|&ty| rest.locals.add(ty)).collect();
-        let mut builder = FunctionBuilder::new(&mut rest.types, &params, &results);
+        let arguments: Vec<_> = params.iter().map(|&ty| base.locals.add(ty)).collect();
+        let mut builder = FunctionBuilder::new(&mut base.types, &params, &results);
         let mut body = builder.func_body();
         for &argument in &arguments {
             body.local_get(argument);
         }
         body.i32_const(slot as i32).call_indirect(ty, table);
-        rest.funcs.get_mut(id).kind = FunctionKind::Local(builder.local_func(arguments));
+        base.funcs.get_mut(id).kind = FunctionKind::Local(builder.local_func(arguments));
     }
-    Ok(())
-}
-
-/// Makes the function that returns whether `part` is loaded look for one of its functions in the
-/// table.
-fn look_for(rest: &mut Module, part: &Part, slots: &Slots) -> Result<()> {
-    let Part {
-        name, is_loaded, ..
-    } = part;
-    let table = function_table(rest)?;
-    let slot = slots.called.values().next();
-    let slot = *slot.with_context(|| format!("nothing calls {name}"))?;
-    let mut functions = rest.funcs.iter_mut();
-    let found = functions.find(|one| {
-        one.name
-            .as_deref()
-            .is_some_and(|name| name.starts_with(is_loaded))
-    });
-    let function = found.with_context(|| format!("there is no {is_loaded}"))?;
-    let flag = [ValType::I32];
-    ensure!(
-        rest.types.params_results(function.ty()) == (&[], &flag),
-        "{is_loaded} returns no flag"
-    );
-    let mut builder = FunctionBuilder::new(&mut rest.types, &[], &flag);
-    let mut body = builder.func_body();
-    body.i32_const(slot as i32)
-        .table_get(table)
-        .ref_is_null()
-        .unop(UnaryOp::I32Eqz);
-    function.kind = FunctionKind::Local(builder.local_func(Vec::new()));
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! Tests of dividing a module.
 
 use super::*;
+use walrus::ValType;
 
 /// A module in which `main` calls `part::outer`, which calls `part::inner` and `shared`, and
 /// whose table has `part::pointed` and `shared`.
@@ -23,7 +24,6 @@ fn module() -> Module {
     let inner = function("only::the::part::calls", false, &[shared]);
     let outer = function("part::outer", false, &[inner, shared]);
     let pointed = function("part::pointed", false, &[]);
-    let is_loaded = function("is_loaded", true, &[]);
     let main = function("main", true, &[outer]);
     let memory = module.memories.add_local(false, false, 1, None, None);
     let table = module
@@ -36,17 +36,13 @@ fn module() -> Module {
         .add(ElementKind::Active { table, offset }, items);
     module.tables.get_mut(table).elem_segments.insert(element);
     module.exports.add("main", main);
-    module.exports.add("is_loaded", is_loaded);
     module.exports.add("memory", memory);
     module
 }
 
 const PART: Part = Part {
     name: "part",
-    symbols: &["part::"],
-    texts: Vec::new,
-    callers: &["main"],
-    is_loaded: "is_loaded",
+    modules: &["part::"],
 };
 
 fn names(module: &Module) -> Vec<&str> {
@@ -60,22 +56,22 @@ fn names(module: &Module) -> Vec<&str> {
 
 #[test]
 fn a_part_takes_its_functions_and_what_only_they_call() -> Result<()> {
-    let Divided { rest, taken } = take(&module().emit_wasm(), &PART)?;
+    let Divided { base, taken } = take(&module().emit_wasm(), &PART)?;
     let parse = |bytes: &[u8]| ModuleConfig::new().parse(bytes);
-    let (rest, taken) = (parse(&rest)?, parse(&taken)?);
+    let (base, taken) = (parse(&base)?, parse(&taken)?);
     assert_eq!(
         names(&taken),
         ["only::the::part::calls", "part::outer", "part::pointed"]
     );
     // What remains of `part::outer` calls through the table.
-    assert_eq!(names(&rest), ["is_loaded", "main", "part::outer", "shared"]);
-    let exports: Vec<_> = rest
+    assert_eq!(names(&base), ["main", "part::outer", "shared"]);
+    let exports: Vec<_> = base
         .exports
         .iter()
         .map(|export| export.name.as_str())
         .collect();
     for import in taken.imports.iter() {
-        assert_eq!(import.module, REST);
+        assert_eq!(import.module, BASE);
         assert!(exports.contains(&import.name.as_str()), "{}", import.name);
     }
     // The slot of the pointer, and one after the end of the table.
@@ -86,25 +82,6 @@ fn a_part_takes_its_functions_and_what_only_they_call() -> Result<()> {
 
 #[test]
 fn a_part_that_is_not_there_is_an_error() {
-    let bytes = module().emit_wasm();
-    for part in [
-        Part {
-            symbols: &["other::"],
-            ..PART
-        },
-        Part {
-            callers: &["other::"],
-            ..PART
-        },
-        Part {
-            is_loaded: "missing",
-            ..PART
-        },
-        Part {
-            is_loaded: "main_",
-            ..PART
-        },
-    ] {
-        assert!(take(&bytes, &part).is_err());
-    }
+    let modules: &[_] = &["other::"];
+    assert!(take(&module().emit_wasm(), &Part { modules, ..PART }).is_err());
 }

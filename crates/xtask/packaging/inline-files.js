@@ -5,10 +5,6 @@
 
 import BODIES from 'inline:bodies';
 import CLASSIC from 'inline:classic';
-import FUELS from 'inline:fuels';
-import OUTLINES from 'inline:outlines';
-import QUANTITIES from 'inline:quantities';
-import VORTICITY from 'inline:vorticity';
 import WASM from 'inline:wasm';
 import WORKER from 'inline:worker';
 import { trustedWorker } from './engine/trusted-worker.js';
@@ -21,11 +17,7 @@ export function wasm() {
 /** The parts of the wasm. */
 export const PARTS = {
   classic: () => unpacked(CLASSIC),
-  outlines: () => unpacked(OUTLINES),
-  fuels: () => unpacked(FUELS),
   bodies: () => unpacked(BODIES),
-  vorticity: () => unpacked(VORTICITY),
-  quantities: () => unpacked(QUANTITIES),
 };
 
 /**

@@ -46,12 +46,7 @@ export async function inlined(sources, wasm, { name, version, license }) {
     banner: { js: `/* ${name} ${version}, ${license} */` },
     plugins: [filesInside(sources, wasm, {
       classic: await deflated('hearth-engine_classic.wasm'),
-      quantities: await deflated('hearth-engine_quantities.wasm'),
-      fuels: await deflated('hearth-engine_fuels.wasm'),
       bodies: await deflated('hearth-engine_bodies.wasm'),
-      water: await deflated('hearth-engine_water.wasm'),
-      vorticity: await deflated('hearth-engine_vorticity.wasm'),
-      outlines: await deflated('hearth-engine_outlines.wasm'),
       wasm: await deflated('hearth-engine_bg.wasm'),
       worker: worker.text,
     })],

@@ -1,51 +1,30 @@
-//! What wasm-bindgen makes of a module, without what no visitor needs, and with the parts that few
-//! need apart.
+//! What wasm-bindgen makes of a module, as a page loads it: with the parts that few need apart.
 
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use hearth_core::preset::{PRESETS, Preset};
 use wasm_parts::{Bound, Part};
 
 use crate::shell::Shell;
 
-/// The parts. `hearth_bindings::parts` determines when one is needed.
-const PARTS: &str = include_str!("parts.json");
+/// The parts. `hearth_bindings::parts` determines which one a scene needs.
+const PARTS: [Part; 2] = [
+    Part {
+        name: "classic",
+        modules: &["hearth_core::classic::"],
+    },
+    Part {
+        name: "bodies",
+        modules: &[
+            "hearth_core::combustion::fuels::",
+            "hearth_core::combustion::water::",
+            "hearth_core::solids::free::",
+        ],
+    },
+];
 
-/// A row of the table. The file also states for readers why functions call a part.
-#[derive(serde::Deserialize)]
-struct Row<'a> {
-    name: &'a str,
-    #[serde(borrow)]
-    modules: Vec<&'a str>,
-    symbols: Vec<&'a str>,
-    callers: Vec<&'a str>,
-    is_loaded: &'a str,
-}
-
-impl Row<'_> {
-    fn part(&self, module: &str) -> Part<'_> {
-        Part {
-            name: self.name,
-            symbols: &self.symbols,
-            texts: match (self.name, module) {
-                ("presets", _) => || PRESETS.iter().map(Preset::text).collect(),
-                ("bodies", "hearth-engine") => || {
-                    let all = PRESETS.iter().map(Preset::text);
-                    all.filter(|text| text.contains("motion free")).collect()
-                },
-                _ => Vec::new,
-            },
-            callers: &self.callers,
-            is_loaded: self.is_loaded,
-        }
-    }
-}
-
-/// Makes each wasm module and its glue smaller, and takes the parts out of those of the engine and the
-/// library.
+/// Takes the parts out of the wasm modules of the engine and the library, and orders the functions of all.
 pub(crate) fn divide(sh: &Shell, web: &Path) -> Result<()> {
-    let parts: Vec<Row> = serde_json::from_str(PARTS)?;
     for wasm in sh.read_dir(web.join("wasm"))? {
         let name = wasm.file_name().unwrap_or_default().to_string_lossy();
         let Some(name) = name.strip_suffix("_bg.wasm") else {
@@ -54,14 +33,14 @@ pub(crate) fn divide(sh: &Shell, web: &Path) -> Result<()> {
         let script = wasm.with_file_name(format!("{name}.js"));
         let (bytes, glue) = (sh.read_binary_file(&wasm)?, sh.read_file(&script)?);
         let mut bound = Bound::new(&bytes, glue, env!("CARGO_PKG_VERSION"))?;
-        // The panel has futures, and its glue fetches its module.
+        // The glue of the panel fetches its module.
         if name != "hearth-panel" {
             bound
-                .remove_dead()
-                .with_context(|| format!("cannot shorten {}", script.display()))?;
-            for part in parts.iter().filter(|part| part.modules.contains(&name)) {
+                .let_caller_load()
+                .with_context(|| format!("cannot change {}", script.display()))?;
+            for part in &PARTS {
                 let taken = bound
-                    .take(&part.part(name))
+                    .take(part)
                     .with_context(|| format!("cannot divide {name}"))?;
                 let file = format!("{name}_{}.wasm", part.name);
                 sh.write_file(wasm.with_file_name(file), taken)?;

@@ -7,7 +7,7 @@
  * @typedef {import('../../hearth-fire.js').HearthFire} HearthFire
  */
 
-import { EngineError, prefetch } from '../../engine/engine.js';
+import { EngineError } from '../../engine/engine.js';
 import { burning } from '../../engine/files.js';
 import { DEFAULTS, ID_OF_ATTRIBUTE, setOrRemove, warmth } from '../attributes/attributes.js';
 import { EngineConnection } from './engine-connection.js';
@@ -281,7 +281,6 @@ export class FireSession {
   async #prepare() {
     const { fire } = this;
     const state = this.#warmth() && !fire.src ? burning(fire.preset) : undefined;
-    state?.then((saved) => saved && prefetch('burning'));
     const file = this.state.started ? undefined : this.#file.begin();
     await this.#gone;
     await this.adopt(true);

@@ -23,7 +23,6 @@ use super::gas::walls::Walls;
 use super::gas::{Gas, make_room};
 use super::open_air::OpenAir;
 use super::reaction::embers::Embers;
-use crate::held::Held;
 use crate::params::Physics;
 use crate::random::Random;
 use crate::scene::Scene;
@@ -46,10 +45,10 @@ const STEPS_AMONG_BODIES: u32 = 8;
 impl Fuels {
     /// The solids of a scene that burn, in place of those of the scene before.
     #[inline(never)]
-    pub fn set(held: &mut Held<Fuels>, scene: &Scene, solids: &mut Solids) {
+    pub fn set(present: &mut Option<Box<Fuels>>, scene: &Scene, solids: &mut Solids) {
         let values = scene.settings();
         let (air, spacing) = (values.ambient_temperature, values.spacing());
-        let mut fuels = held.take().unwrap_or_default();
+        let mut fuels = present.take().unwrap_or_default();
         let mut before = std::mem::take(&mut fuels.all);
         for (id, solid, surface) in scene.surfaces() {
             let known = before.iter().position(|one| one.id == id);
@@ -87,7 +86,7 @@ impl Fuels {
         fuels.make_room();
         fuels.blocks.resize(BLOCKS * BLOCKS, Block::default());
         if !fuels.all.is_empty() {
-            **held = Some(fuels);
+            *present = Some(fuels);
         }
     }
 

@@ -60,7 +60,7 @@ impl Combustion {
         values: &Physics,
         random: &mut Random,
     ) -> Result<(), NoFuel> {
-        let fuel = match &mut *self.fuels {
+        let fuel = match &mut self.fuels {
             Some(fuels) => fuels.ignite(at, &mut self.gas, &self.solids, values),
             None => Err(NoFuel),
         };
@@ -71,7 +71,7 @@ impl Combustion {
 
     /// Puts out solids that have fuel, and gas.
     pub fn extinguish(&mut self, at: Where, values: &Physics) -> Result<(), NoFuel> {
-        match &mut *self.fuels {
+        match &mut self.fuels {
             Some(fuels) => fuels.extinguish(at, &mut self.gas, &self.solids, values),
             None => Err(NoFuel),
         }
@@ -95,7 +95,7 @@ impl Combustion {
 
     /// Updates what a picture shows of the solids that have fuel.
     pub fn show_fuels(&mut self) {
-        if let Some(fuels) = &mut *self.fuels {
+        if let Some(fuels) = &mut self.fuels {
             fuels.show(&self.solids);
         }
     }
@@ -108,7 +108,7 @@ impl Combustion {
     /// Writes the embers for the renderer.
     pub fn write_embers(&self, out: &mut Vec<Instance>) {
         self.embers.write_instances(out);
-        if let Some(water) = &*self.water {
+        if let Some(water) = &self.water {
             water.write_instances(out);
         }
     }

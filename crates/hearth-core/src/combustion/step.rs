@@ -93,7 +93,7 @@ impl Combustion {
         if let Some(open) = &open {
             open.relax_rim_velocity(gas, dt);
         }
-        let film = match &mut *self.fuels {
+        let film = match &mut self.fuels {
             Some(fuels) => {
                 let around = (open.as_deref_mut(), &mut *solids);
                 fuels.burn((gas, walls), around, &mut self.embers, values, random, dt)

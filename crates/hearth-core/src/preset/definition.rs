@@ -68,11 +68,6 @@ impl Preset {
             let added = scene.add(&fields);
             debug_assert!(added.is_ok(), "preset {}: {added:?}", self.name);
         }
-        if self.text.starts_with('\0') {
-            // The text comes with the code that a scene of free solids needs: so does this one.
-            let free = [(KIND, "solid"), ("motion", "free")];
-            let _ = scene.add(&free.map(|(field, name)| (field, Input::Text(name))));
-        }
         scene
     }
 }

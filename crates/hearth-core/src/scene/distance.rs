@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use glam::Vec2;
 
-use super::field::{self, Field, is_sampled};
+use super::field::{self, Field};
 
 use crate::direction::direction;
 use crate::extremes::{fast_max, fast_min};
-use crate::params::{Fuel, Shape, Solid};
+use crate::params::{Shape, Solid};
 
 /// A circle, a box or a line as a rounded box.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,12 +152,6 @@ impl Solid {
             radius,
         };
         Surface { frame, field }
-    }
-
-    /// Whether it has a field that its `surface` lacks.
-    pub(super) fn lacks_field(&self, surface: &Surface) -> bool {
-        is_sampled(self.shape) && surface.field.is_none()
-            || self.fuel != Fuel::None && !field::is_loaded()
     }
 
     /// Whether the field of another solid is its own.

@@ -5,8 +5,6 @@
 //! 1980, with lines in place of points). Between nodes the distance is interpolated linearly in
 //! both directions.
 
-use std::hint::black_box;
-
 use glam::Vec2;
 
 use super::contour::{self, Line, Nodes};
@@ -36,16 +34,9 @@ pub(super) fn is_sampled(shape: Shape) -> bool {
     matches!(shape, Shape::Polygon | Shape::Stroke | Shape::Mask)
 }
 
-/// Whether the code of fields is there. A build may leave it to a part that is loaded later, and
-/// then replaces this function; `black_box` keeps the compiler from doing without it.
-#[inline(never)]
-pub(super) fn is_loaded() -> bool {
-    black_box(1_u8) == 1
-}
-
-/// The field of a solid; `None` for a rounded box, and while the code of fields is not there.
+/// The field of a solid; `None` for a rounded box.
 pub(super) fn of(solid: &Solid) -> Option<Field> {
-    (is_sampled(solid.shape) && is_loaded()).then(|| Field::of(solid))
+    is_sampled(solid.shape).then(|| Field::of(solid))
 }
 
 /// A sampled signed distance.

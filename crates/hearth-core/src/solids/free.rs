@@ -88,7 +88,7 @@ impl FreeBodies {
             // The new place in the scene is no motion.
             (body.velocity, body.spin) = (Vec2::ZERO, 0.0);
         }
-        *solids.free = free.all.iter().any(|one| one.is_free).then_some(free);
+        solids.free = free.all.iter().any(|one| one.is_free).then_some(free);
     }
 
     /// Moves the free bodies to a time \[s\].
@@ -110,13 +110,13 @@ impl FreeBodies {
             free.rest(dt);
             free.place(solids);
         }
-        *solids.free = Some(free);
+        solids.free = Some(free);
     }
 
     /// Accelerates the bodies by the forces of the gas in a step.
     #[inline(never)]
     pub fn feel(solids: &mut Solids, dt: f32) {
-        let Some(free) = &mut *solids.free else {
+        let Some(free) = &mut solids.free else {
             return;
         };
         let gravity = fast_max(free.gravity, 1e-3);

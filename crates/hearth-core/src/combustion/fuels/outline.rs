@@ -76,7 +76,7 @@ impl Fuels {
             self.all.append(&mut parts);
             self.make_room();
         }
-        if let Some(free) = &mut *solids.free {
+        if let Some(free) = &mut solids.free {
             free.burn_hinges(&|object, at| self.part_at(object, at));
         }
     }
@@ -101,7 +101,7 @@ impl Fuels {
 impl Burning {
     /// Gives a free body the mass that is left.
     pub(super) fn weigh(&self, solids: &mut Solids) {
-        let Some(free) = &mut *solids.free else {
+        let Some(free) = &mut solids.free else {
             return;
         };
         free.weigh(self.id, &self.moments());

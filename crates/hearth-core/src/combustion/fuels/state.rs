@@ -4,7 +4,6 @@ use glam::Vec2;
 
 use super::cells::Burning;
 use crate::combustion::charred::Charred;
-use crate::held::OfPart;
 
 /// Blocks along each side of the region.
 pub(super) const BLOCKS: usize = 24;
@@ -36,13 +35,6 @@ pub(crate) struct Fuels {
     pub(super) film: f32,
     /// What a picture shows.
     pub charred: Charred,
-}
-
-impl OfPart for Fuels {
-    #[inline(never)]
-    fn free(value: &mut Option<Box<Self>>) {
-        drop(value.take());
-    }
 }
 
 /// The gas beside a cell in a step: what it offers and what it gets.

@@ -39,7 +39,7 @@ impl Combustion {
         };
         water.advance(scene, around, random);
         water.near = near;
-        *self.water = Some(water);
+        self.water = Some(water);
     }
 
     /// The droplets in the air.

@@ -3,7 +3,6 @@
 use super::bed::Bed;
 use super::report::{Droplets, Sprayed};
 use super::steam::Steam;
-use crate::held::OfPart;
 
 /// Water at a fire.
 #[derive(Clone, Debug, Default)]
@@ -18,13 +17,6 @@ pub(crate) struct Water {
     pub(super) height: f32,
     /// Room for the particles around a place.
     pub(super) near: Vec<(usize, f32)>,
-}
-
-impl OfPart for Water {
-    #[inline(never)]
-    fn free(value: &mut Option<Box<Self>>) {
-        drop(value.take());
-    }
 }
 
 impl Water {

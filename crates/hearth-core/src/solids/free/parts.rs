@@ -37,7 +37,7 @@ impl FreeBodies {
     /// rest keeps the id. Returns that of the piece. Mass and momenta stay the same.
     #[inline(never)]
     pub fn break_off(solids: &mut Solids, id: u32, rest: &Moments, piece: Piece) -> u32 {
-        let Some(free) = &mut *solids.free else {
+        let Some(free) = &mut solids.free else {
             return 0;
         };
         free.parts += 1;
@@ -70,7 +70,7 @@ impl FreeBodies {
     /// Removes the parts that are no longer there.
     #[inline(never)]
     pub fn remove_parts(solids: &mut Solids, is_there: &dyn Fn(u32) -> bool) {
-        let Some(free) = &mut *solids.free else {
+        let Some(free) = &mut solids.free else {
             return;
         };
         let count = free.all.len();
@@ -201,7 +201,7 @@ mod tests {
             assert_eq!(added, Ok(2));
             let mut solids = Solids::of(&scene, &BOX, 0.1);
             let all = moments(&PIECES, Vec2::ZERO);
-            if let Some(free) = &mut *solids.free {
+            if let Some(free) = &mut solids.free {
                 free.weigh(2, &all);
                 let body = &mut free.all[0];
                 (body.velocity, body.spin) = (Vec2::new(0.8, -1.1), 5.0);

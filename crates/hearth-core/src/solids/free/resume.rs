@@ -21,7 +21,7 @@ impl FreeBodies {
             }
             free.let_go_apart();
             free.place(solids);
-            *solids.free = Some(free);
+            solids.free = Some(free);
         }
     }
 }

@@ -4,7 +4,6 @@ use super::body::Rigid;
 use super::contact::{Contact, Plane};
 use super::hinge::Hinge;
 use crate::bounds::Bounds;
-use crate::held::OfPart;
 
 /// The free solids of a scene and the solids that they meet.
 #[derive(Clone, Debug, Default)]
@@ -26,11 +25,4 @@ pub(crate) struct FreeBodies {
     pub(super) time: f64,
     /// How many parts have broken off.
     pub(super) parts: u32,
-}
-
-impl OfPart for FreeBodies {
-    #[inline(never)]
-    fn free(value: &mut Option<Box<Self>>) {
-        drop(value.take());
-    }
 }

@@ -37,10 +37,10 @@ export interface SimulationOptions {
    */
   wasm?: string | URL | BufferSource | WebAssembly.Module;
   /**
-   * The parts of the wasm that are not beside the module: the classic model; polygons, strokes and
-   * masks; the presets; solids that burn; free solids; water. A browser fetches the others when a simulation needs them.
+   * The parts of the wasm that are not beside the module: the classic model; solids that burn, water and
+   * free solids. A browser fetches the others when a simulation needs them.
    */
-  wasmParts?: { [part in 'classic' | 'outlines' | 'presets' | 'fuels' | 'bodies' | 'water' | 'solids' | 'vorticity']?: string | URL | BufferSource | WebAssembly.Module };
+  wasmParts?: { [part in 'classic' | 'bodies']?: string | URL | BufferSource | WebAssembly.Module };
 }
 
 /** Numbers in an array of any kind. */

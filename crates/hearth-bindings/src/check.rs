@@ -67,7 +67,6 @@ impl Check {
     ///
     /// # Errors
     /// The value has another form.
-    #[inline(never)]
     pub fn test(&self, id: &str, value: &Untrusted) -> Result<(), ValidationError> {
         if self.optional && value.is_missing() {
             return Ok(());
@@ -129,7 +128,6 @@ impl Check {
 }
 
 /// An error with a range, unless the value is valid.
-#[inline(never)]
 fn in_range(
     id: &str,
     value: &Untrusted,
@@ -140,7 +138,7 @@ fn in_range(
     if valid {
         return Ok(());
     }
-    // The number format of `hearth-core`: that of the standard library is 20 KB of code.
+    // In the number format of `hearth-core`.
     let allowed = format!("{from}{}{to}{}", Input::Number(min), Input::Number(max));
     Err(ValidationError {
         range: Some((min, max)),

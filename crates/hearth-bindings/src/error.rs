@@ -20,8 +20,6 @@ pub struct ValidationError {
 
 impl ValidationError {
     /// An error that names the `allowed` values.
-    // Inlined into its many callers, it costs a kilobyte.
-    #[inline(never)]
     pub fn new(id: &str, value: &Untrusted, allowed: &str) -> ValidationError {
         ValidationError {
             id: id.to_owned(),

@@ -37,7 +37,6 @@ extern "C" {
 
 impl Record {
     /// Sets the value of a parameter.
-    #[inline(never)]
     pub fn set_value(&self, name: &str, value: AnyValue<'_>) {
         match value {
             AnyValue::Flag(on) => self.set_flag(name, on),

@@ -34,8 +34,6 @@ pub fn with_values(scene: &Scene, values: Values<'_>) -> Result<Scene, Vec<Valid
 ///
 /// # Errors
 /// Every invalid value.
-// Inlined, it would look like every other caller of presets.
-#[inline(never)]
 pub fn document(
     preset: Option<&Preset>,
     values: Values<'_>,
@@ -62,7 +60,6 @@ pub fn with_defaults(scene: &Scene, values: Values<'_>) -> Result<Scene, Vec<Val
     changed(scene, values, true)
 }
 
-#[inline(never)]
 fn changed(
     scene: &Scene,
     values: Values<'_>,
@@ -108,7 +105,6 @@ pub fn set_valid(scene: &mut Scene, values: Values<'_>, errors: &mut Vec<Validat
 }
 
 /// Changes the model first, because it decides the domains of the other parameters.
-#[inline(never)]
 fn change(
     scene: &mut Scene,
     values: Values<'_>,
@@ -229,7 +225,6 @@ pub fn object_records(scene: &Scene) -> Array {
     records
 }
 
-#[inline(never)]
 fn fields<'a>(values: Values<'a>) -> Vec<(&'a str, Input<'a>)> {
     let fields = values.iter();
     fields
@@ -238,7 +233,6 @@ fn fields<'a>(values: Values<'a>) -> Vec<(&'a str, Input<'a>)> {
 }
 
 /// The error of an object's field, with the sent value.
-#[inline(never)]
 fn of_object(error: &ParamError, sent: Values<'_>) -> ValidationError {
     let mut named = sent.iter();
     let value = named.find(|(field, _)| error.id.ends_with(field.as_str()));

@@ -113,13 +113,11 @@ impl Untrusted {
     }
 
     /// A field with this name.
-    #[inline(never)]
     pub fn named(name: &str, value: Untrusted) -> (String, Untrusted) {
         (name.to_owned(), value)
     }
 
     /// A checked value.
-    #[inline(never)]
     pub fn of_value(value: AnyValue<'_>) -> Untrusted {
         match value {
             AnyValue::Flag(on) => Untrusted::Flag(on),
@@ -156,7 +154,6 @@ impl Untrusted {
     }
 
     /// The fields of an object; empty for any other value.
-    #[inline(never)]
     pub fn fields(&self) -> Values<'_> {
         match self {
             Untrusted::Object(fields) => fields,
@@ -173,7 +170,6 @@ impl Untrusted {
     }
 
     /// The field with this name, or [`Untrusted::Missing`].
-    #[inline(never)]
     pub fn field(&self, name: &str) -> &Untrusted {
         self.fields()
             .iter()
@@ -203,7 +199,6 @@ impl Untrusted {
     }
 
     /// The number; NaN for any other value.
-    #[inline(never)]
     pub fn number(&self) -> f64 {
         match *self {
             Untrusted::Number(number) => number,
@@ -212,7 +207,6 @@ impl Untrusted {
     }
 
     /// The text; empty for any other value.
-    #[inline(never)]
     pub fn text(&self) -> &str {
         match self {
             Untrusted::Text(text) => text,

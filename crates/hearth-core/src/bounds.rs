@@ -66,7 +66,7 @@ fn wrap(x: f32, period: f32) -> f32 {
     if (0.0..=period).contains(&x) {
         return x;
     }
-    // `clamp` includes a panic that formats both bounds: 20 KB of download.
+    // Unlike `clamp`, a place in the domain for what is no number too.
     (x - period * (x / period).floor()).max(0.0).min(period)
 }
 

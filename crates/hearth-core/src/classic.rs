@@ -254,8 +254,6 @@ impl Solver for Classic {
         }));
     }
 
-    // Inlined into a loop, it becomes a loop per mode.
-    #[inline(never)]
     fn measured(&self, i: usize, values: &Physics, mode: DisplayMode) -> Measured {
         let one = &self.particles[i];
         let age_share = one.age / one.lifetime;

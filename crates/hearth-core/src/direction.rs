@@ -1,6 +1,6 @@
 //! Directions of angles.
 //!
-//! `libm`'s functions reduce angles of any size, which takes 2 KB of download.
+//! `libm`'s functions take radians, in which no right angle is exact.
 
 use glam::Vec2;
 

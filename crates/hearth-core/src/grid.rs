@@ -75,8 +75,6 @@ pub(crate) const MAX_RUNS: usize = 5;
 impl Grid {
     /// Sorts particles by position, for a support radius `reach`. Returns the new index of
     /// each particle. The caller moves the particles; the ranges of the grid are of new indices.
-    // Inlined, the code would be in the download once per caller.
-    #[inline(never)]
     pub fn sort(
         &mut self,
         positions: impl ExactSizeIterator<Item = Vec2>,
@@ -233,7 +231,6 @@ impl Grid {
 
     /// [`run`](Grid::run) across a periodic edge, where few blocks are.
     #[cold]
-    #[inline(never)]
     fn run_across(&self, row: usize, bins: [usize; 2], shift: Vec2) -> Run {
         self.run(row, bins, shift)
     }

@@ -127,7 +127,6 @@ impl Axis {
 
     /// The cell before a cell, that cell or the one after it (`side` 0, 1, 2), and the shift
     /// of the positions in it.
-    #[inline(never)]
     fn next_to(&self, cell: usize, side: usize) -> (usize, f32) {
         let next = cell + side;
         if next == 0 {

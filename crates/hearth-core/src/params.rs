@@ -21,7 +21,6 @@ mod solid;
 mod table;
 #[cfg(test)]
 mod tests;
-pub(crate) mod text;
 mod value;
 
 pub use choices::{

@@ -54,8 +54,6 @@ pub struct Scene {
 pub type Fields<'a> = [(&'a str, Input<'a>)];
 
 impl Clone for Scene {
-    // Derived, every crate that clones a scene has this code.
-    #[inline(never)]
     fn clone(&self) -> Scene {
         Scene {
             settings: self.settings.clone(),
@@ -96,7 +94,6 @@ impl Scene {
 
     /// Replaces the settings, the first source's properties included. The other objects
     /// stay.
-    #[inline(never)]
     pub fn set_settings(&mut self, settings: Parameters) {
         self.settings = settings;
         let mut index = 1;
@@ -114,8 +111,6 @@ impl Scene {
         self.objects.iter().filter_map(|one| self.source_of(one))
     }
 
-    // Inlined, it costs half a kilobyte of download.
-    #[inline(never)]
     fn source_of<'a>(&'a self, one: &'a Stored) -> Option<&'a Parameters> {
         let source = one.values.of_source(&self.settings)?;
         let solid = source.solid_of_source();
@@ -145,7 +140,6 @@ impl Scene {
     }
 
     /// Whether a solid is free to move.
-    #[inline(never)]
     pub fn has_free(&self) -> bool {
         self.solids().any(|solid| solid.motion == Motion::Free)
     }
@@ -231,7 +225,6 @@ impl Scene {
     }
 
     /// Applies `act` to a copy, and keeps the copy if there is no error.
-    #[inline(never)]
     fn transact(
         &mut self,
         act: &mut dyn FnMut(&mut Scene, &mut Vec<ParamError>),
@@ -248,7 +241,6 @@ impl Scene {
     }
 
     /// Adds an object and appends its errors.
-    #[inline(never)]
     fn insert(&mut self, fields: &Fields<'_>, errors: &mut Vec<ParamError>) {
         let index = self.objects.len();
         let is_free = |id: f64| self.objects.iter().all(|one| f64::from(one.id) != id);
@@ -307,7 +299,6 @@ impl Scene {
     }
 
     /// Writes properties of the object at `index`.
-    #[inline(never)]
     fn write(&mut self, index: usize, fields: &Fields<'_>, errors: &mut Vec<ParamError>) {
         let Some(object) = self.objects.get_mut(index) else {
             return;
@@ -368,7 +359,6 @@ fn values_of_source(settings: &Parameters, source: &Parameters, index: usize) ->
 }
 
 /// `settings` with the source properties of `source`.
-#[inline(never)]
 fn with_properties_of(settings: &Parameters, source: &Parameters) -> Parameters {
     let mut merged = settings.clone();
     for property in KINDS[0].properties() {
@@ -381,14 +371,12 @@ fn must_be(id: String, input: Input<'_>, words: &'static str) -> ParamError {
     refused(id, input, ParamErrorKind::Other(words))
 }
 
-#[inline(never)]
 fn refused(id: String, input: Input<'_>, kind: ParamErrorKind) -> ParamError {
     let value = format!("{input}");
     ParamError { id, value, kind }
 }
 
 /// The JavaScript path of a field of the object at `index`.
-#[inline(never)]
 fn path(index: usize, field: &str) -> String {
     format!("objects[{index}].{field}")
 }

@@ -85,8 +85,6 @@ impl Simulation {
     }
 
     /// Draws the free solids where they are.
-    // Inlined, it would be in each of its callers.
-    #[inline(never)]
     fn show_free(&mut self) {
         if let Some(free) = &self.solver.solids().free {
             free.show(&mut self.scene);

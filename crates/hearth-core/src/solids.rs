@@ -125,8 +125,6 @@ impl Solids {
         }
     }
 
-    // A part of the library.
-    #[inline(never)]
     fn gather(&mut self, scene: &Scene, time: f64, bounds: &Bounds, near: f32) {
         let old = std::mem::take(&mut self.bodies);
         for (id, solid, surface) in scene.surfaces() {
@@ -171,7 +169,6 @@ impl Solids {
 
     /// Moves the solids that move by themselves to where they are at a time \[s\]. Each body and
     /// image keeps its index.
-    #[inline(never)]
     pub fn advance(&mut self, time: f64) {
         for body in &mut self.bodies {
             body.drive_to(time);
@@ -194,8 +191,6 @@ impl Solids {
         }
     }
 
-    // A part of the library.
-    #[inline(never)]
     fn place_anew(&mut self, bounds: &Bounds, near: f32) {
         let spare = std::mem::take(&mut self.spare);
         let mut old = std::mem::replace(&mut self.bodies, spare);
@@ -271,7 +266,6 @@ impl Solids {
 
     /// Boils water of a mass [kg/m] off a solid at its boiling point \[K\], which takes so much heat `each`
     /// [kJ/kg]. Returns the mass that boils. One of a fixed temperature does not cool.
-    #[inline(never)]
     pub fn boil(&mut self, id: u32, mass: f32, each: f32, boiling: f32) -> f32 {
         let mut boiled = 0.0;
         for body in self.bodies.iter_mut().filter(|body| body.id == id) {
@@ -293,7 +287,6 @@ impl Solids {
     }
 
     /// Gives the bodies of a solid a sampled surface around the same centre.
-    #[inline(never)]
     pub fn reshape(&mut self, id: u32, field: &Arc<Field>) {
         for body in self.bodies.iter_mut().filter(|body| body.id == id) {
             for frame in [&mut body.rest, &mut body.surface.frame] {

@@ -10,8 +10,8 @@ use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
 use crate::solids::Solids;
 
-/// Declares the trait, and implements it for [`Either`] by delegation. A `dyn Solver` would
-/// keep all methods of both models in every download.
+/// Declares the trait, and implements it for [`Either`] by delegation: unlike those of a
+/// `dyn Solver`, its calls for each particle are inlined.
 macro_rules! solver {
     (
         &mut $this:ident { $(

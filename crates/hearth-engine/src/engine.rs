@@ -26,10 +26,10 @@ const CONTEXT_LOST: &str = "the graphics context was lost; the fire continues wh
 /// Draws any number of fires.
 #[wasm_bindgen]
 pub struct Engine {
-    /// A page has few fires, so a linear search is fast and takes less code than a map.
+    /// A page has few fires, so a linear search is faster than a map.
     #[expect(
         clippy::vec_box,
-        reason = "moving a pointer takes less code than moving a fire"
+        reason = "moving a pointer is faster than moving a fire"
     )]
     fires: Vec<Box<Fire>>,
     canvas: SharedCanvas,

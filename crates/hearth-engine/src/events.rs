@@ -58,8 +58,6 @@ impl Events {
     }
 
     /// Posts an event.
-    // Inlined into its many callers, this function and those below add a kilobyte.
-    #[inline(never)]
     pub fn post(&self, event: &Record) {
         self.post.deliver(&JsValue::UNDEFINED, event);
     }
@@ -192,7 +190,6 @@ impl Events {
     }
 }
 
-#[inline(never)]
 fn event(kind: &str, fire: u32) -> Record {
     let event = Record::new();
     event.set_text("type", kind);

@@ -327,8 +327,6 @@ impl Fire {
     }
 
     /// Whether the next frame has work for this fire.
-    // Inlined into its callers, the engine would be larger.
-    #[inline(never)]
     pub fn needs_frame(&self) -> bool {
         let on_stage = self.is_on_stage();
         let pending = !self.pending.is_empty() || (self.pending.awaits_drawing() && !on_stage);

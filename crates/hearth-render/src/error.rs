@@ -22,7 +22,6 @@ pub enum RenderError {
 }
 
 impl fmt::Display for RenderError {
-    // Pieces take less code than formatting.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let pieces = match self {
             RenderError::Program { pass, log } => [

@@ -183,7 +183,6 @@ impl<'a> Frame<'a> {
         self.field_share(0.5)
     }
 
-    #[inline(never)]
     fn field_share(&self, inset: f32) -> [f32; 2] {
         let whole = self.layout.field;
         [0, 1].map(|axis| (self.used[axis] as f32 - inset) / whole[axis] as f32)

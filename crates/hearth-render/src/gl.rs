@@ -2,7 +2,7 @@
 //! `glow`.
 //!
 //! The renderer does not depend on a browser. `glow` supports any driver; the engine implements
-//! the trait for the page's context with less code.
+//! the trait for the page's context.
 //!
 //! `glow` marks every call `unsafe`, because native drivers trust pointers and sizes. WebGL checks
 //! them all, and this file passes only handles of one context, whole slices and plain numbers. So

@@ -58,8 +58,8 @@ fn gradient_noise(x: f32, y: f32, period: usize, seed: usize) -> f32 {
     )
 }
 
-/// Direction of a lattice point by its number: towards a random point of a square. Sine and cosine
-/// would add 5 KB of code. The hash is Wang's.
+/// Direction of a lattice point by its number: towards a random point of a square. The hash
+/// is Wang's.
 fn direction(mut number: u32) -> (f32, f32) {
     number = (number ^ 61 ^ (number >> 16)).wrapping_mul(9);
     number = (number ^ (number >> 4)).wrapping_mul(0x27d4_eb2d);

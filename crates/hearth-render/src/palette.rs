@@ -89,8 +89,7 @@ impl Tint {
     }
 }
 
-/// Linear sRGB of a colour, times its alpha. A cubic decodes sRGB with less code than a power
-/// law.
+/// Linear sRGB of a colour, times its alpha. A cubic decodes sRGB.
 fn linear(colour: Colour) -> [f32; 3] {
     let [r, g, b, a] = colour.rgba.map(|channel| f32::from(channel) / 255.0);
     [r, g, b].map(|c| a * c * (0.0125 + c * (0.6822 + c * 0.3053)))

@@ -83,8 +83,6 @@ impl Scale {
         }
     }
 
-    // A part of the build.
-    #[inline(never)]
     fn enclose(&mut self, of: (DisplayMode, Model), quantity: Quantity, range: Option<[f32; 2]>) {
         let is_new = self.of != Some(of);
         self.of = Some(of);

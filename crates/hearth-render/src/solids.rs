@@ -116,7 +116,6 @@ fn records(
 
 /// The number to add to the surface of a solid that has fuel, whose box and field become those of
 /// what is left of it.
-#[inline(never)]
 fn burnt<'a>(
     CharredSolid { place, left, .. }: &'a CharredSolid,
     frame: &mut RoundedBox,
@@ -136,7 +135,6 @@ fn burnt<'a>(
 }
 
 /// Appends a field: a head, then its distances. The depth of a round solid is negative.
-#[inline(never)]
 fn append(instances: &mut Vec<Instance>, field: &Field) {
     let step = 2.0 * field.half.x / (field.columns as f32 - 1.0);
     let rise = 2.0 * field.half.y / (field.rows as f32 - 1.0);

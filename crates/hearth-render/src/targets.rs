@@ -53,8 +53,6 @@ impl<G: Graphics> Targets<G> {
     }
 
     /// Frees a target.
-    // Inlined, the loop below would be unrolled.
-    #[inline(never)]
     pub fn free(&mut self, gl: &G, target: usize) {
         if let Some(old) = self.made[target].take() {
             old.destroy(gl);

@@ -54,7 +54,7 @@ xflags::xflags! {
         cmd showcase {}
         /// Simulates the scenes that a page may open with, and stores them burning.
         cmd prewarmed {}
-        /// Prints the download sizes of the built site.
+        /// Builds the site, prints its download sizes and records them.
         cmd size {}
         /// Writes the files that are generated from the parameter table and the scenes.
         cmd codegen {}

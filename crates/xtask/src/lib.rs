@@ -69,7 +69,7 @@ fn run(command: Xtask) -> Result<ExitCode> {
         XtaskCmd::Prewarmed(_) => report_written(prewarmed::refresh(&paths::root(), true)?),
         XtaskCmd::Size(_) => {
             site::build()?;
-            package::sizes(&paths::site().join("web"))?;
+            package::sizes(&paths::site().join("web"), true)?;
         }
         XtaskCmd::Codegen(_) => {
             let mut written = script::generated_files()?;

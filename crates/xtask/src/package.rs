@@ -15,7 +15,7 @@ use crate::{npm, paths, script, site, tools};
 pub(crate) fn build() -> Result<()> {
     site::build()?;
     make()?;
-    sizes(&folder())?;
+    sizes(&folder(), false)?;
     println!(
         "The package is in {}; `npm pack` there makes the file to install or publish.",
         paths::shown(&folder())
@@ -47,12 +47,13 @@ pub(crate) fn reproduce() -> Result<()> {
     Ok(cmd!(sh, "node {scripts}/reproduce.mjs").run()?)
 }
 
-/// Prints the download sizes of a package or a site's `web` folder; fails where one is
-/// over its ceiling.
-pub(crate) fn sizes(folder: &Path) -> Result<()> {
+/// Prints the download sizes of a package or a site's `web` folder, and compares them with the
+/// recorded ones, or records them.
+pub(crate) fn sizes(folder: &Path, write: bool) -> Result<()> {
     script::tools()?;
     let (sh, scripts) = (Shell::new()?, paths::packaging());
-    Ok(cmd!(sh, "node {scripts}/sizes.mjs {folder}").run()?)
+    let write = write.then_some("--write");
+    Ok(cmd!(sh, "node {scripts}/sizes.mjs {folder} {write...}").run()?)
 }
 
 /// Where the package is made.

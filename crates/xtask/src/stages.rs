@@ -14,7 +14,7 @@ use std::thread;
 use anyhow::{Result, ensure};
 
 use crate::report::Report;
-use crate::{baselines, cost, goldens, package, script, site};
+use crate::{baselines, cost, goldens, package, paths, script, site};
 
 /// When a stage runs without being named.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -71,7 +71,7 @@ const STAGES: &[Stage] = stages! {
     Quick "site": "the static site builds", site::build;
     Quick "types" needs "site": "the compiler accepts the types of the scripts", script::check_types;
     Quick "package" needs "site": "the npm package is whole and names no folder of this machine", package::make;
-    Quick "size" needs "package": "downloads stay small", size;
+    Quick "size" needs "site": "downloads are no larger than recorded", size;
     Quick "library" needs "site": "the headless library keeps its laws in Node, and the native bits", library::laws_in_node;
     Quick "native": "quick laws of the physics, and every unit test", code::native;
     Quick "shaders": "the reference compiler accepts every shader", code::shaders;
@@ -149,7 +149,7 @@ fn generated() -> Result<()> {
 }
 
 fn size() -> Result<()> {
-    package::sizes(&package::folder())
+    package::sizes(&paths::site().join("web"), false)
 }
 
 #[cfg(test)]

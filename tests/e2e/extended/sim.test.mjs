@@ -90,7 +90,7 @@ test('the library loads with a policy that allows wasm, and else rejects with th
 });
 
 test('a simulation in a browser changes to the classic model, or throws and goes on', async () => {
-  const part = 'hearth-sim_classic.wasm';
+  const gone = { status: 404, body: '' };
   const page = `<!doctype html><meta charset="utf-8"><title>The library</title><link rel="icon" href="data:,">`;
   const change = async (/** @type {string} */ url) => {
     const { createSimulation } = await import(url);
@@ -122,7 +122,7 @@ test('a simulation in a browser changes to the classic model, or throws and goes
       return [...two, one].map((sim) => `${sim.get('model')} ${sim.objects.length}`);
     }, url);
     assert.deepEqual(both, ['classic 1', 'classic 1', 'classic 2']);
-    const without = await browser.open(page, { files: { [part]: { status: 404, body: '' } } });
+    const without = await browser.open(page, { files: { 'hearth-sim_classic.wasm': gone, 'hearth-sim_bodies.wasm': gone } });
     const { thrown, model, bits } = await without.evaluate(change, url);
     assert.match(thrown, /the part "classic" of the wasm could not be loaded: Error: .*hearth-sim_classic\.wasm answers 404/);
     assert.equal(model, 'combustion');
@@ -132,35 +132,27 @@ test('a simulation in a browser changes to the classic model, or throws and goes
       return createSimulation({ model: 'classic' }).then(() => '', String);
     }, url);
     assert.match(rejected, /the part "classic" of the wasm could not be loaded/);
-  } finally {
-    await browser.close();
-  }
-});
-
-test('a simulation of a preset in a browser fetches the part of presets, and another does not', async () => {
-  const page = `<!doctype html><meta charset="utf-8"><title>The library</title><link rel="icon" href="data:,">`;
-  const part = 'hearth-sim_presets.wasm';
-  const start = async (/** @type {string} */ url) => {
-    const { createSimulation } = await import(url);
-    const fetched = () => performance.getEntriesByType?.('resource').filter(({ name }) => name.endsWith('_presets.wasm')).length;
-    const sim = await createSimulation({ params: { wind: 0.5 } });
-    sim.restore();
-    const before = fetched();
-    const made = (/** @type {string} */ preset) => createSimulation({ preset }).then(
-      (/** @type {any} */ one) => [one.params, one.objects], String,
-    );
-    const all = [await made('no-preset'), await made('campfire'), await made('paper-fire')];
-    return { all, fetches: [before, fetched()] };
-  };
-  const { all } = await start(pathToFileURL(path.join(SITE, 'web/sim.js')).href);
-  assert.match(all[0], /^RangeError: preset = "no-preset" is refused: .*campfire/);
-  const browser = await Browser.launch(...FOLDERS);
-  try {
-    assert.deepEqual(await (await browser.open(page)).evaluate(start, '/web/sim.js'), { all, fetches: [0, 1] });
-    const without = await browser.open(page, { files: { [part]: { status: 404, body: '' } } });
-    const [unknown, campfire] = (await without.evaluate(start, '/web/sim.js')).all;
-    assert.equal(unknown, all[0]);
-    assert.match(campfire, /the part "presets" of the wasm could not be loaded: Error: .*hearth-sim_presets\.wasm answers 404/);
+    // Code that stays without a part needs none.
+    const present = await without.evaluate(async (from) => {
+      const { createSimulation } = await import(from);
+      const solid = { kind: 'solid', shape: 'polygon', points: '-0.1,0 0.1,0 0,0.2', x: 0.2, y: 0.4 };
+      const sim = await createSimulation({ preset: 'fireside', params: { vorticity_confinement: 0.3 } });
+      sim.step(30);
+      sim.addObject({ ...solid, motion: 'sway' });
+      sim.step(30);
+      sim.reset();
+      sim.step(30);
+      const refused = ['fuel', 'motion'].map((name) => {
+        try {
+          return sim.addObject({ ...solid, [name]: name === 'fuel' ? 'wood' : 'free' });
+        } catch (error) {
+          return String(error);
+        }
+      });
+      return [sim.freeSolids().length, sim.fuels().length, sim.embers().ages.length >= 0, ...refused];
+    }, url);
+    assert.deepEqual(present.slice(0, 3), [0, 0, true]);
+    for (const message of present.slice(3)) assert.match(message, /the part "bodies" of the wasm could not be loaded/);
   } finally {
     await browser.close();
   }

@@ -188,14 +188,3 @@ test('the classic model has no power, and its own height, light, spectrum and pr
   assert.ok(Math.max(...columns['temperature [K]']) > 900);
   assert.deepEqual(tab.problems, []);
 });
-
-test('a part that does not load is reported, and the fire burns on', async () => {
-  const tab = await browser.open('index.html?scene=default&paused&quality=low', { ...WIDE, files: { 'hearth-engine_quantities.wasm': { status: 404 } } });
-  await tab.ready();
-  await tab.page.waitForSelector('#draw:not([hidden])');
-  await tab.page.click('#draw');
-  await tab.page.waitForSelector('.hearth-toolbar [data-tool="plots"]');
-  await openPlots(tab);
-  await tab.until('why', () => /^The code for quantities of the gas could not be loaded/.test(document.querySelector('.hearth-status')?.textContent ?? ''));
-  await tab.burnt(0.2);
-});

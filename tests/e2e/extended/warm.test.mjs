@@ -97,11 +97,10 @@ test('other values than those of the kept fire burn first, and those of the look
   }
 });
 
-test('a damaged stored fire is reported, a missing one or one without its code is not, and the fire burns', async () => {
+test('a damaged stored fire is reported, a missing one is not, and the fire burns', async () => {
   const answers = {
     damaged: { before: damage },
     gone: { before: lose },
-    'without its code': { files: { 'hearth-engine_burning.wasm': { status: 404, body: '' } } },
   };
   for (const [answer, options] of Object.entries(answers)) {
     const tab = await open('<hearth-fire preset="fireside" warm="1" paused></hearth-fire>', options);

@@ -119,8 +119,6 @@ impl Particles {
     }
 
     /// The indices of all particles in the order of their ids.
-    // Inlined, its code doubles.
-    #[inline(never)]
     pub fn by_id(&self) -> Vec<usize> {
         in_order(self.len(), self.next_id, &|i| self[i].id)
     }

@@ -17,7 +17,6 @@ const FRICTION: f32 = 0.3;
 
 /// Keeps the particles outside of the solids. The life of those without a place ends. What changes
 /// their velocities took `dt` \[s\]; free solids feel nothing of what takes no time.
-#[inline(never)]
 pub(super) fn hold(particles: &mut Particles, solids: &mut Solids, values: &Physics, dt: f32) {
     if solids.is_empty() {
         return;

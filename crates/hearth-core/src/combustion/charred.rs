@@ -1,4 +1,4 @@
-//! Solids that have fuel, for a picture. A page has this code without that of [fuels](super::fuels).
+//! Solids that have fuel, for a picture.
 
 use std::sync::Arc;
 

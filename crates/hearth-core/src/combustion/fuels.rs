@@ -91,7 +91,6 @@ impl Fuels {
     }
 
     /// Makes room for what the cells of all meet and see.
-    #[inline(never)]
     fn make_room(&mut self) {
         let mut cells = 0;
         for burning in &mut self.all {

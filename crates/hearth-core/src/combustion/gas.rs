@@ -246,16 +246,12 @@ impl Gas {
     }
 
     /// The indices of all particles in the order of their ids.
-    // Inlined, its code would be in every reader.
-    #[inline(never)]
     pub fn by_id(&self) -> Vec<usize> {
         in_order(self.len(), self.next_id, &|i| self.id[i])
     }
 }
 
 /// Makes room for so many items.
-// Inlined, it would be in the code once for each array.
-#[inline(never)]
 pub(super) fn make_room<T>(array: &mut Vec<T>, capacity: usize) {
     array.reserve(capacity.saturating_sub(array.len()));
 }

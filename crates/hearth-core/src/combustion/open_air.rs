@@ -153,7 +153,6 @@ impl OpenAir {
     }
 
     /// Updates the map.
-    #[inline(never)]
     fn update(&mut self, gas: &Gas, scene: &Scene, solids: &Solids) {
         let (map, values) = (&mut self.map, scene.settings());
         for cell in &mut map.cells {
@@ -269,7 +268,6 @@ pub(super) fn layout(values: &Physics, seen: Option<Seen>, spacing: f32) -> Layo
 }
 
 /// The rectangle around a source whose cells are awake.
-#[inline(never)]
 fn awake_at(source: &Parameters, solids: &Solids) -> Rectangle {
     let burner = Burner::of(source);
     let [low, high] = match solids.parts(source) {

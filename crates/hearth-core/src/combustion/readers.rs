@@ -37,10 +37,8 @@ impl Combustion {
     }
 
     /// Lets free solids start again.
-    // A part of the code of saved fires.
-    #[inline(always)]
     pub fn forget_free(&mut self) {
-        self.solids.free = Default::default();
+        self.solids.free = None;
     }
 
     /// The ids of the solids that conduct heat, and their temperatures \[K\].

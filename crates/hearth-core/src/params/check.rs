@@ -6,7 +6,6 @@ use super::name::{COMMON, COMMON_DESCRIPTIONS};
 use super::slot::Slot;
 use super::solid::{SOLID, SOLID_DESCRIPTIONS};
 use super::table::{DESCRIPTIONS, PARAMETERS, Param};
-use super::text::trimmed;
 use super::value::{AnyValue, Colour, Input, ParamError, ParamErrorKind, Value};
 
 impl Param {
@@ -14,7 +13,6 @@ impl Param {
     ///
     /// # Errors
     /// A text in another form.
-    #[inline(never)]
     pub(super) fn store(
         &self,
         slot: Option<Slot<'_>>,
@@ -96,7 +94,7 @@ impl Param {
             Kind::Integer(_) => in_range(true).map(|x| Value::Integer(x as u32)),
             Kind::Seed => in_range(true).map(|x| Value::Seed(x as u32)),
             Kind::Choice(choices) => match input {
-                Input::Text(text) => choices.iter().find(|&&name| name == trimmed(text)),
+                Input::Text(text) => choices.iter().find(|&&name| name == text.trim_ascii()),
                 Input::Number(_) | Input::Flag(_) => None,
             }
             .map(|name| Value::Choice(name))
@@ -120,9 +118,7 @@ impl Param {
         }
     }
 
-    // Inlined, it costs half a kilobyte of download.
     #[cold]
-    #[inline(never)]
     pub(super) fn error(&self, input: Input<'_>, kind: ParamErrorKind) -> ParamError {
         ParamError {
             id: self.id.to_owned(),

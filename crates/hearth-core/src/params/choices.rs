@@ -16,8 +16,6 @@ pub trait Choice: Copy + PartialEq + 'static {
     }
 }
 
-// One search for all types: a match per type costs a kilobyte.
-#[inline(never)]
 fn index_of(names: &[&str], name: &str) -> Option<usize> {
     names.iter().position(|known| *known == name)
 }

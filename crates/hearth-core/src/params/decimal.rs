@@ -1,13 +1,11 @@
 //! Small code to read and write decimals.
 //!
-//! The standard library reads and writes every float exactly, with tables and big integers that
-//! would be a sixth of the engine's download. Parameters are `f32`s with few digits: integers
+//! The standard library reads and writes every float exactly, with tables and big integers.
+//! Parameters are `f32`s with few digits: integers
 //! and powers of ten up to 10²² are exact in an `f64`, and a division of two of them is rounded
 //! once, like the result of the standard library.
 
 use std::fmt;
-
-use super::text::split_once;
 
 /// Largest power of ten that is exact as an `f64`.
 const EXACT_POWER: i32 = 22;
@@ -16,7 +14,7 @@ const EXACT_WHOLE: f64 = 9_007_199_254_740_992.0;
 
 /// Parses numbers such as `-12.5`, `.5` and `3e-4`.
 pub(super) fn parse(text: &str) -> Option<f64> {
-    let (mantissa, exponent) = match split_once(text, b"eE") {
+    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, exponent.parse().ok()?),
         None => (text, 0_i32),
     };

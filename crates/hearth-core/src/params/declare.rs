@@ -55,7 +55,6 @@ macro_rules! parameters {
         pub(super) enum Field { $($( $($shown)? $($id)?, )+)+ }
 
         impl Values {
-            #[inline(never)]
             pub(super) fn slot(&mut self, field: Field) -> Slot<'_> {
                 match field { $($(
                     Field::$($shown)? $($id)? =>
@@ -63,15 +62,12 @@ macro_rules! parameters {
                 )+)+ }
             }
 
-            // On a copy: one mutable table of slots is half the code of two tables.
-            #[inline(never)]
             pub(super) fn get(&self, param: &Param) -> Value {
                 let field = param.field.map(|field| self.clone().slot(field).value());
                 field.unwrap_or(param.domains[0].default)
             }
 
             /// Writes a value to the field of `param`.
-            #[inline(never)]
             pub(super) fn put(&mut self, param: &Param, value: AnyValue<'_>) {
                 if let Some(field) = param.field {
                     let _ = self.slot(field).put(value);

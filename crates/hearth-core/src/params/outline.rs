@@ -9,7 +9,6 @@ use std::sync::Arc;
 use glam::Vec2;
 
 use super::decimal::{self, Decimal};
-use super::text::split_once;
 
 /// Most points of an outline, and least.
 const MOST_POINTS: usize = 256;
@@ -142,8 +141,8 @@ impl Mask {
     }
 
     fn parse(text: &str) -> Option<Mask> {
-        let (size, letters) = split_once(text, b":")?;
-        let (width, height) = split_once(size, b"x")?;
+        let (size, letters) = text.split_once(':')?;
+        let (width, height) = size.split_once('x')?;
         let [width, height] = [width, height].map(|side| {
             let side = decimal::parse(side).unwrap_or_default();
             let whole = side as usize;

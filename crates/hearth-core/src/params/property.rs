@@ -18,7 +18,6 @@ pub struct Property {
 
 impl Property {
     /// Its entry.
-    #[inline(never)]
     pub fn entry(&self) -> Option<&'static Param> {
         let mut all = self.table.iter().chain(COMMON);
         all.find(|param| param.id == self.id)

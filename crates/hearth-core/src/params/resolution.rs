@@ -63,7 +63,6 @@ impl Parameters {
     /// Sets the resolution at which that number of particles would fill the frame. With open
     /// edges, this sets `spacing`, and `max_particles` to twice the number, because a fire moves
     /// air beyond the frame, too.
-    #[inline(never)]
     pub fn set_frame_particles(&mut self, particles: u32) {
         if self.has_open_edges() {
             let frame = self.domain_width * self.domain_height;
@@ -110,7 +109,7 @@ impl Parameters {
     pub(crate) fn set_within(&mut self, id: &'static str, number: f64) {
         if let Some(param) = Param::find(id) {
             let (min, max) = param.any_domain(self.model).range;
-            // `clamp` may panic with its limits, whose words are many kilobytes of code.
+            // Unlike `clamp`, a number in the range for what is no number too.
             let set = self.set(id, Input::Number(number.max(min).min(max)));
             debug_assert_eq!(set, Ok(()));
         }

@@ -87,7 +87,7 @@ impl Parameters {
         let values = values.into_iter();
         let mut new = self.clone();
         let mut errors = Vec::new();
-        // Two passes are less code than a sort.
+        // The model first: it decides which values the others belong to.
         for models in [true, false] {
             for (id, input) in values.clone() {
                 if (id == MODEL) == models
@@ -131,7 +131,6 @@ impl Parameters {
     }
 
     /// Writes a checked value to the present model, to the other one, or to both.
-    #[inline(never)]
     fn write(&mut self, param: &Param, value: AnyValue<'_>) {
         let domain = param.domain(self.model);
         let shared = domain.is_some_and(|domain| domain.model.is_none());
@@ -161,7 +160,6 @@ impl Parameters {
 
 /// The error of an unknown id.
 #[cold]
-#[inline(never)]
 fn unknown(id: &str, input: Input<'_>) -> ParamError {
     let (start, dots) = abbreviated(id);
     ParamError {

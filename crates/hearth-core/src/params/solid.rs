@@ -123,7 +123,6 @@ impl Solid {
     }
 
     /// The field of a property.
-    #[inline(never)]
     fn slot(&mut self, property: &Param) -> Option<Slot<'_>> {
         let place = SOLID.iter().position(|one| one.id == property.id)?;
         self.slots().nth(place)

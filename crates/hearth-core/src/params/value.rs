@@ -6,7 +6,6 @@
 use std::fmt;
 
 use super::decimal::{self, Decimal};
-use super::text::trimmed;
 
 /// A colour with opacity, 8 bits a channel, sRGB, not premultiplied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,7 +27,7 @@ impl Colour {
 
     /// Reads `transparent`, `#rgb`, `#rrggbb` or `#rrggbbaa`.
     pub fn parse(text: &str) -> Option<Colour> {
-        let text = trimmed(text);
+        let text = text.trim_ascii();
         if text.eq_ignore_ascii_case("transparent") {
             return Some(Colour::TRANSPARENT);
         }
@@ -141,7 +140,7 @@ impl<'a> Input<'a> {
     pub(super) fn number(&self) -> Option<f64> {
         match *self {
             Input::Number(x) => Some(x),
-            Input::Text(text) => decimal::parse(trimmed(text)),
+            Input::Text(text) => decimal::parse(text.trim_ascii()),
             Input::Flag(_) => None,
         }
         .filter(|x: &f64| x.is_finite())
@@ -173,7 +172,6 @@ impl fmt::Display for Input<'_> {
 
 /// The start of a text, and an ellipsis if it is long: a long text must not flood a console.
 pub(super) fn abbreviated(text: &str) -> (&str, &str) {
-    // `get`: the panic of an index into a text costs 3.5 KB of download.
     let end = text.char_indices().nth(40);
     match end.and_then(|(end, _)| text.get(..end)) {
         Some(start) => (start, "…"),
@@ -228,7 +226,6 @@ pub enum ParamErrorKind {
 impl fmt::Display for ParamError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let ParamError { id, value, kind } = self;
-        // One text for all rules: a format string per kind costs half a kilobyte of download.
         let mut must_be = |allowed: fmt::Arguments<'_>| {
             write!(f, "{id} = {value} is refused: it must be {allowed}")
         };
@@ -245,13 +242,7 @@ impl fmt::Display for ParamError {
                 must_be(format_args!("{kind} from {min} to {max}{space}{unit}"))
             }
             ParamErrorKind::NotAChoice { choices } => {
-                // `join` costs 300 bytes of download.
-                let mut names = String::new();
-                for name in *choices {
-                    names.push_str(if names.is_empty() { "" } else { ", " });
-                    names.push_str(name);
-                }
-                must_be(format_args!("one of {names}"))
+                must_be(format_args!("one of {}", choices.join(", ")))
             }
             ParamErrorKind::NotAFlag => must_be(format_args!("true or false")),
             ParamErrorKind::NotAColour => {

@@ -1,6 +1,5 @@
 //! The types of the presets.
 
-use crate::params::text::split_once;
 use crate::params::{IN_FRAME, Input, Parameters};
 use crate::scene::{KIND, Scene};
 
@@ -79,11 +78,10 @@ struct Fields(&'static str);
 impl Iterator for Fields {
     type Item = (&'static str, Input<'static>);
 
-    #[inline(never)]
     fn next(&mut self) -> Option<Self::Item> {
-        let (line, rest) = split_once(self.0, b"\n").unwrap_or((self.0, ""));
+        let (line, rest) = self.0.split_once('\n').unwrap_or((self.0, ""));
         self.0 = rest;
-        let (id, value) = split_once(line, b" ")?;
+        let (id, value) = line.split_once(' ')?;
         Some((id, Input::from_decimal(value)))
     }
 }

@@ -30,8 +30,6 @@ impl Nodes {
 }
 
 /// A side of a polygon.
-// A loop over these is a third of the code of one over an iterator of sides.
-#[inline(never)]
 fn side(points: &[Vec2], index: usize) -> Line {
     let point = |index: usize| points.get(index).copied().unwrap_or_default();
     let next = if index + 1 < points.len() {
@@ -44,7 +42,6 @@ fn side(points: &[Vec2], index: usize) -> Line {
 
 /// The outline of a polygon: its sides, without what is inside of a polygon that crosses or touches
 /// itself.
-#[inline(never)]
 pub(super) fn of_polygon(points: &[Vec2]) -> Vec<Line> {
     let mut lines = Vec::new();
     for index in 0..points.len() {
@@ -90,7 +87,6 @@ fn is_edge(points: &[Vec2], [one, other]: Line) -> bool {
 }
 
 /// How often a polygon winds around a point.
-#[inline(never)]
 pub(super) fn winding(points: &[Vec2], at: Vec2) -> i32 {
     let mut turns = 0;
     for index in 0..points.len() {
@@ -103,7 +99,6 @@ pub(super) fn winding(points: &[Vec2], at: Vec2) -> i32 {
 }
 
 /// Where a line passes a height, and 1 if it rises, −1 if it falls and 0 if it does not pass.
-#[inline(never)]
 fn passes([one, other]: Line, y: f32) -> (f32, i32) {
     let turn = i32::from(one.y <= y) - i32::from(other.y <= y);
     (
@@ -113,7 +108,6 @@ fn passes([one, other]: Line, y: f32) -> (f32, i32) {
 }
 
 /// The lines between nodes with an opacity above and below the edge: marching squares.
-#[inline(never)]
 pub(super) fn of_nodes(nodes: &Nodes, opacity: &[f32]) -> Vec<Line> {
     let mut lines = Vec::new();
     for row in 1..nodes.rows {
@@ -141,7 +135,6 @@ pub(super) fn of_nodes(nodes: &Nodes, opacity: &[f32]) -> Vec<Line> {
 }
 
 /// The place between two nodes where the opacity is that of the edge.
-#[inline(never)]
 fn cut(nodes: &Nodes, opacity: &[f32], from: [usize; 2], to: [usize; 2]) -> Option<Vec2> {
     let [a, b] = [from, to].map(|[column, row]| {
         let opacity = opacity.get(row * nodes.columns + column);

@@ -86,7 +86,6 @@ impl Surface {
         }
     }
 
-    #[inline(never)]
     fn sampled(&self, field: &Field, point: Vec2) -> (f32, Vec2) {
         let (distance, normal) = field.distance(self.frame.local(point));
         let axis = self.frame.axis;
@@ -121,7 +120,6 @@ impl Solid {
     }
 
     /// Its surface with a field that was sampled before.
-    #[inline(never)]
     pub(crate) fn surface_with(&self, field: Option<Arc<Field>>) -> Surface {
         let size = 0.5 * Vec2::new(self.width, self.height);
         let radius = match self.shape {

@@ -63,7 +63,6 @@ impl Drive {
     }
 
     /// The solid at a time \[s\], whose box at rest is `rest`.
-    #[inline(never)]
     pub fn at(&self, rest: &RoundedBox, time: f64) -> Driven {
         let swing = direction(degrees(time * self.frequency));
         let turn = direction(degrees(time * f64::from(self.spin) / 360.0));

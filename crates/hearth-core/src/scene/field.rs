@@ -62,7 +62,6 @@ pub struct Field {
 
 impl Field {
     /// The field of a solid that has one.
-    #[inline(never)]
     fn of(solid: &Solid) -> Field {
         match solid.shape {
             Shape::Polygon => {
@@ -142,7 +141,6 @@ impl Field {
     }
 
     /// Measures the distance from the outline of what is opaque at these nodes.
-    #[inline(never)]
     fn enclose(&mut self, opacity: Vec<f32>) {
         self.measure(&contour::of_nodes(&self.nodes(), &opacity));
         for (node, opacity) in opacity.into_iter().enumerate() {
@@ -154,7 +152,6 @@ impl Field {
 
     /// The field of what is more opaque than half, of this size about its middle \[m\], with about
     /// that distance between nodes \[m\].
-    #[inline(never)]
     pub(crate) fn of_opacity(half: Vec2, step: f32, at: &dyn Fn(Vec2) -> f32) -> Field {
         let cells = (2.0 * half / step).to_array();
         let nodes = cells.map(|cells| cells as usize + 2 * MARGIN + 2);
@@ -219,7 +216,6 @@ impl Field {
     }
 
     /// Sets the distance of each node from the nearest of these lines.
-    #[inline(never)]
     fn measure(&mut self, lines: &[Line]) {
         let mut nearest = vec![NONE; self.distances.len()];
         for (index, line) in (0..).zip(lines) {
@@ -254,7 +250,6 @@ impl Field {
     }
 
     /// Offers a line to the nodes around it.
-    #[inline(never)]
     fn seed(&mut self, nearest: &mut [u32], lines: &[Line], index: u32, &[one, other]: &Line) {
         let place = |point: Vec2| (point - self.middle + self.half) / self.step;
         let (one, other) = (place(one), place(other));
@@ -282,7 +277,6 @@ impl Field {
     }
 
     /// Makes a line the nearest one of a node if it is nearer.
-    #[inline(never)]
     fn offer(
         &mut self,
         nearest: &mut [u32],

@@ -41,7 +41,6 @@ impl Values {
     }
 
     /// Computes the surface of a solid that was `before`.
-    #[inline(never)]
     pub fn settle(&mut self, before: Option<&Solid>) {
         if let Values::Solid(stored) = self {
             let (solid, surface) = &mut **stored;
@@ -73,7 +72,6 @@ pub(super) struct Stored {
 
 impl Stored {
     /// The solid with its id and its surface, if it is on.
-    #[inline(never)]
     pub fn surface(&self) -> Option<(u32, &Solid, &Surface)> {
         let (solid, surface) = self.values.of_solid()?;
         solid.enabled.then_some((self.id, solid, surface))

@@ -37,8 +37,6 @@ impl Simulation {
     /// upwards [m/s], density [kg/m³], fuel, oxygen, soot, and the distance from the surface of the
     /// nearest solid \[m\], negative inside. What the model does not have is not a number, and so is
     /// all of a place without gas; open air that rests is left out of a simulation, but is gas.
-    // A part of the wasm.
-    #[inline(never)]
     pub fn measure(&self, place: Vec2) -> Vec<f32> {
         let (solver, values) = (&self.solver, self.scene.settings());
         let burns = values.model() == Model::Combustion;

@@ -12,8 +12,6 @@ pub(super) type AnySolver = Either<Classic, Combustion>;
 
 impl AnySolver {
     /// The solver at the start of a fire.
-    // Inlined into its three callers, it costs a kilobyte of download.
-    #[inline(never)]
     pub fn new(scene: &Scene, random: &mut Random) -> AnySolver {
         match scene.settings().model() {
             Model::Classic => Either::Classic(Classic::new(scene)),

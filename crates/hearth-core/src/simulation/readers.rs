@@ -64,8 +64,6 @@ impl Simulation {
     }
 
     /// Copies of all particles, in the order of birth.
-    // Inlined, its code would be in every reader.
-    #[inline(never)]
     pub fn particles(&self) -> Vec<Particle> {
         let solver = &self.solver;
         self.each(|i| solver.particle(i, self.time))
@@ -154,14 +152,10 @@ impl Simulation {
         Some(self.scalars(of))
     }
 
-    // From copies of whole particles: a loop per reader and model costs a kilobyte of
-    // download.
-    #[inline(never)]
     fn scalars(&self, of: fn(&Particle) -> f32) -> Vec<f32> {
         self.particles().iter().map(of).collect()
     }
 
-    #[inline(never)]
     fn vectors(&self, of: fn(&Particle) -> Vec2) -> Vec<Vec2> {
         self.particles().iter().map(of).collect()
     }

@@ -46,7 +46,6 @@ const LONGEST: f32 = 0.05;
 impl Body {
     /// Adds the force of a particle of gas at a position, whose mass \[kg/m\] it gave the opposite of this
     /// acceleration [m/s²].
-    #[inline(never)]
     pub fn push(&mut self, from: Vec2, mass: f32, acceleration: Vec2) {
         let force = acceleration * mass;
         self.force += force;
@@ -130,7 +129,6 @@ impl FreeBodies {
     }
 
     /// Sets what a solid that burns weighs: a share of its mass, and where that is.
-    #[inline(never)]
     pub fn weigh(&mut self, id: u32, left: &Moments) {
         if let Some(one) = self.all.iter_mut().find(|one| one.id == id) {
             one.weigh(left);

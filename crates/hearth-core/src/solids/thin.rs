@@ -54,8 +54,6 @@ impl Lines<'_> {
     /// Which of those to four positions of a bit mask have a part inside of the solid, whose corners
     /// hide less if they are round: whether neither an axis of its box nor the normal of the line
     /// separates them.
-    // A part of the library, and inlined it would be in each loop over lines.
-    #[inline(never)]
     pub fn crossed(&self, [x, y]: [Lanes; 2], mask: u32) -> u32 {
         let RoundedBox {
             centre,
@@ -84,7 +82,6 @@ impl Lines<'_> {
     }
 
     /// Which of the lines to four positions, relative to the centre, cross a sampled outline.
-    #[inline(never)]
     fn inside(&self, field: &Field, to: [Lanes; 2], mask: u32) -> u32 {
         let [x, y] = to.map(Lanes::to_array);
         let lanes = (0..LANES).filter(|&lane| {
@@ -124,8 +121,6 @@ impl Solids {
         !self.is_empty() && self.any_between(one, other, support)
     }
 
-    // A part of the library.
-    #[inline(never)]
     fn any_between(&self, one: Vec2, other: Vec2, support: f32) -> bool {
         let mut near = self.bodies.iter();
         near.any(|body| {

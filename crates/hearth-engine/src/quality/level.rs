@@ -16,8 +16,6 @@ impl Level {
     pub const ALL: [Level; 3] = [Level::Low, Level::Medium, Level::High];
 
     /// The level of that name.
-    // Inlined into its callers, the engine would be larger.
-    #[inline(never)]
     pub fn of(name: &str) -> Option<Level> {
         Level::ALL.into_iter().find(|level| level.name() == name)
     }

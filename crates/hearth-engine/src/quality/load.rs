@@ -36,8 +36,6 @@ pub struct Load {
 
 impl Load {
     /// Expected time of a frame with another detail \[ms\].
-    // Inlined into its callers, the engine would be larger.
-    #[inline(never)]
     pub fn expected(&self, detail: Detail) -> f64 {
         // More particles make each step slower, and steps shorter.
         let more = self.particles.map_or(1.0, |numbers| {
@@ -59,7 +57,6 @@ impl Load {
     }
 
     /// The finest detail from `finest` down to `coarsest` that fits.
-    #[inline(never)]
     pub fn finest(&self, mut finest: Detail, coarsest: Detail) -> Option<Detail> {
         while finest >= coarsest {
             if self.fits(finest) {

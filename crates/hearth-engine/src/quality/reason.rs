@@ -35,12 +35,9 @@ pub fn of_capacity(step: f64, max: f64, now: u32, wanted: u32) -> String {
 }
 
 /// Two times with the words before each \[ms\].
-// Inlined into its callers, the engine would be larger.
-#[inline(never)]
 fn of_times(times: [(&str, f64); 2]) -> String {
     let mut text = String::new();
     for (words, ms) in times {
-        // Formatting a fraction would add 20 KB of code.
         let tenths = (ms * 10.0).round() as u32;
         text.push_str(&format!("{words}{}.{} ms", tenths / 10, tenths % 10));
     }

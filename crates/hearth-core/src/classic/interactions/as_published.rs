@@ -68,8 +68,6 @@ impl PairSum<2> for AsPublished {
         Broadcast::of(block, pick)
     }
 
-    // Inlined, these rarely used forms cost half a kilobyte of download.
-    #[inline(never)]
     fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
         let offset = one.offset(others);
         let Separation { x, y, square, q } = offset;

@@ -78,9 +78,7 @@ impl Burning {
     }
 
     /// For each cell that is in, the first cell of its region; else [`NONE`].
-    #[inline(never)]
     fn regions(&self, is_in: fn(&Cell) -> bool) -> Vec<u32> {
-        // As the function of `vec!`, code that several parts of the wasm call is in every download.
         let cells = (0..).zip(&self.cells);
         let of = cells.map(|(index, cell)| if is_in(cell) { index } else { NONE });
         let mut of: Vec<u32> = of.collect();
@@ -119,7 +117,6 @@ impl Burning {
     }
 
     /// The heaviest rest of each region of the shape at first.
-    #[inline(never)]
     fn staying(&self, now: &[u32]) -> Vec<u32> {
         let first = self.regions(|cell| cell.first > 0.0);
         let mut mass: Vec<f32> = now.iter().map(|_| 0.0).collect();
@@ -142,7 +139,6 @@ impl Burning {
     }
 
     /// A region as a solid of its own; `None` if it is too small.
-    #[inline(never)]
     fn part(&self, now: &[u32], region: u32) -> Option<Burning> {
         let columns = self.columns.max(1);
         let (mut left, mut right, mut bottom, mut top) = (columns, 0, self.rows, 0);

@@ -116,7 +116,6 @@ impl Burning {
     }
 
     /// Finds the outline of what stands.
-    #[inline(never)]
     pub(super) fn find_outline(&mut self) {
         // A part is sampled as the whole.
         let half = self.whole_half();

@@ -152,7 +152,6 @@ impl Fuels {
         whole.map(|one| self.solid(one, air, gas_heat)).collect()
     }
 
-    #[inline(never)]
     fn solid(&self, burning: &Burning, air: f32, gas_heat: f32) -> BurningSolid {
         let mut account = Account::default();
         let (mut first, mut fuel, mut water, mut char) = (0.0, 0.0, 0.0, 0.0);

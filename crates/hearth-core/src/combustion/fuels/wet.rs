@@ -22,7 +22,6 @@ const CLIMBS: f32 = -0.35;
 impl Fuels {
     /// Gives water of a mass [kg/m] and a temperature \[K\] to a body at a place of its surface. Returns
     /// what its cells take, and whether one of them is hot enough to boil it.
-    #[inline(never)]
     pub fn wet(
         &mut self,
         body: &Body,

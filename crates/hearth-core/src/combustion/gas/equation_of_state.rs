@@ -20,7 +20,7 @@ pub(crate) fn expansion(temperature: f32, values: &Physics) -> f32 {
         // The default. libm's root does not use the processor's instruction.
         ratio.sqrt()
     } else {
-        // A third of the download of `powf`, and the same to 1e-6.
+        // `powf` to 1e-6.
         libm::expf(values.gas_expansion * libm::logf(ratio))
     }
 }

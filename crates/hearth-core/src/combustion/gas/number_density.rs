@@ -121,8 +121,6 @@ impl NumberDensity {
 }
 
 /// Removes the pairs that thin solids part.
-// A part of the library.
-#[inline(never)]
 fn part(
     blocks: &mut [Block],
     grid: &Grid,

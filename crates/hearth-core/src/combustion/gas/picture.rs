@@ -51,8 +51,6 @@ impl Gas {
     }
 
     /// A particle with the quantity of a display mode.
-    // Inlined into a loop, it becomes a loop per mode.
-    #[inline(never)]
     pub fn measured(&self, i: usize, mode: DisplayMode) -> Measured {
         let [temperature, fuel, _, soot] = self.state[i].to_array();
         let value = match mode {

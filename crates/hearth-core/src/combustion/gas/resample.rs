@@ -224,8 +224,6 @@ impl<'a> Old<'a> {
     }
 
     /// The state of the gas at a position, and its density relative to air.
-    // Inlined into its loop, it doubles the code of a resample.
-    #[inline(never)]
     fn at(&self, place: Vec2) -> (Particle, f32) {
         let mut particle = Particle::at(place);
         particle.temperature = self.air;

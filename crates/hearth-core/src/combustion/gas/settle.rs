@@ -30,8 +30,6 @@ impl Combustion {
         }
     }
 
-    // A part of the library.
-    #[inline(never)]
     fn fill_around(&mut self, values: &Physics) {
         let size = Vec2::new(values.domain_width, values.domain_height);
         let corner = Vec2::new(-0.5 * size.x, 0.0);
@@ -50,8 +48,6 @@ impl Combustion {
         }
     }
 
-    // A part of the library.
-    #[inline(never)]
     fn push_out(&mut self, values: &Physics, depth: f32) {
         let gas = &mut self.gas;
         let floor = self.open.as_ref().is_some_and(|open| open.has_floor());

@@ -63,8 +63,6 @@ pub(crate) struct Motion {
 
 /// The coefficient α of the artificial viscosity: the parameter, and more while much gas is at
 /// the speed limit.
-// Inlined, it costs 170 bytes of download.
-#[inline(never)]
 pub(crate) fn artificial_viscosity(gas: &Gas, values: &Physics, sound: f32) -> f32 {
     let limit = AT_LIMIT * SPEED_LIMIT * sound;
     let is_at_limit = |velocity: &Vec2| velocity.length_squared() > limit * limit;
@@ -78,8 +76,6 @@ pub(crate) fn artificial_viscosity(gas: &Gas, values: &Physics, sound: f32) -> f
 
 /// The longest stable step \[s\] for the accelerations of the gas. `sound` is its speed in the air: in gas that takes θ times the
 /// room of air, sound is √θ times as fast, because p = c₀² (Y − Ȳ) and ρ = Y/θ.
-// Inlined, it costs 170 bytes of download.
-#[inline(never)]
 pub(crate) fn max_stable_step(gas: &Gas, context: &Context) -> f32 {
     let (values, sound) = (context.values, context.sound);
     let h = context.kernel.smoothing_length();

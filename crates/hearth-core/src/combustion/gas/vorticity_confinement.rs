@@ -153,8 +153,6 @@ impl VorticityConfinement {
         }
     }
 
-    // A part of the wasm: no function of it is called without confinement.
-    #[inline(never)]
     fn act(
         &mut self,
         gas: &mut Gas,

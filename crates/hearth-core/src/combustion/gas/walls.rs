@@ -99,8 +99,6 @@ impl Walls {
     }
 
     /// Finds the particles near solids.
-    // A part of the library.
-    #[inline(never)]
     fn find_solids(&mut self, gas: &Gas, grid: &Grid, solids: &Solids, kernel: &Kernel) {
         let support = kernel.support();
         for (number, body) in (0..).zip(&solids.bodies) {

@@ -52,7 +52,6 @@ pub(crate) struct Rectangle {
 }
 
 /// Activates the cells of gas that is hotter than this or otherwise active, at least this deep.
-#[inline(never)]
 pub(super) fn activate(map: &mut Map, gas: &Gas, hot: f32, min_depth: f32) {
     for (state, &position) in gas.state.iter().zip(&gas.position) {
         if state.x > hot || state.y > FUELLED || state.w > SOOTY {

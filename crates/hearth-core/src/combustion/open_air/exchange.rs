@@ -109,7 +109,6 @@ impl<'a> Inflow<'a> {
     }
 
     /// Whether a place is outside of all solids.
-    #[inline(never)]
     fn is_free(&self, place: Vec2) -> bool {
         !self.solids.touch(place, FROM_SOLIDS * self.spacing)
     }
@@ -220,7 +219,6 @@ impl Exchange {
     }
 
     /// Collects the particles of a cell and those around it.
-    #[inline(never)]
     fn gather(&mut self, map: &Map, gas: &Gas, cell: usize, corner: Vec2, inflow: &Inflow<'_>) {
         self.nearby.clear();
         let reach = ROOM * inflow.spacing;
@@ -238,14 +236,12 @@ impl Exchange {
     }
 
     /// The square of the distance of a place to the nearest particle.
-    #[inline(never)]
     fn room(&self, place: Vec2) -> f32 {
         let squares = self.nearby.iter().map(|at| at.distance_squared(place));
         squares.fold(f32::MAX, fast_min)
     }
 
     /// Adds air to a cell, if there is room for another particle.
-    #[inline(never)]
     fn add(
         &mut self,
         cell: &mut Cell,
@@ -264,7 +260,6 @@ impl Exchange {
     /// Adds a column of the lattice of the whole map to a cell, except nearer than `close`
     /// spacings to present particles.
     #[expect(clippy::too_many_arguments)]
-    #[inline(never)]
     fn add_column(
         &mut self,
         map: &mut Map,

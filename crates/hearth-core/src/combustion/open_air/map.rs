@@ -123,8 +123,6 @@ impl Layout {
     }
 
     /// Calls `each` with an inner cell and the eight around it.
-    // Inlined, its loops are unrolled in every caller.
-    #[inline(never)]
     pub fn around(&self, cell: usize, each: &mut dyn FnMut(usize)) {
         for middle in [cell - self.columns, cell, cell + self.columns] {
             for other in middle - 1..=middle + 1 {
@@ -292,8 +290,6 @@ impl Map {
     }
 
     /// The depth at a position, interpolated between the centres of the cells.
-    // A part of the build gets a copy of its own.
-    #[inline(always)]
     pub fn depth_at(&self, position: Vec2) -> f32 {
         let Layout {
             per_metre,
@@ -322,7 +318,6 @@ impl Map {
 
 /// Lowers each distance to that of the way through other inner cells, with steps of 1 along the
 /// axes and `across` along diagonals, by two sweeps (Borgefors 1986).
-#[inline(never)]
 pub(super) fn measure(distance: &mut [f32], layout: &Layout, across: f32) {
     for _ in 0..2 {
         for cell in layout.inner() {

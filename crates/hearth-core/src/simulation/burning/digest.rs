@@ -57,8 +57,6 @@ fn with_changed<'a>(
 }
 
 /// Continues a hash with these bytes, by Fowler, Noll and Vo (FNV-1a).
-// Inlined into its three callers, it costs half a kilobyte of download.
-#[inline(never)]
 fn fnv(hash: u64, bytes: &[u8]) -> u64 {
     bytes.iter().fold(hash, |hash, &byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)

@@ -146,7 +146,6 @@ impl FreeBodies {
     /// Lets the hinges go whose solids have burnt through there, and moves the others to the parts that
     /// have their places. `part_at` finds the part of a solid at a place in its frame, from the middle
     /// of it at first; `None` where nothing is left.
-    #[inline(never)]
     pub fn burn_hinges(&mut self, part_at: &dyn Fn(u32, Vec2) -> Option<u32>) {
         for hinge in self.hinges.iter_mut().filter(|one| !one.is_broken) {
             for end in &mut hinge.ends {

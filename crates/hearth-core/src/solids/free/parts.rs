@@ -21,21 +21,18 @@ pub(crate) struct Piece {
 
 impl FreeBodies {
     /// How many parts may break off a solid; `None` of one that no force moves.
-    #[inline(never)]
     pub fn room_for_parts_of(&self, id: u32) -> Option<usize> {
         let moves = self.all.iter().any(|one| one.id == id && one.is_free);
         moves.then(|| MAX_OBJECTS.saturating_sub(self.all.len()))
     }
 
     /// Whether a body may have that outline.
-    #[inline(never)]
     pub fn is_body(field: &Field) -> bool {
         !Samples::of_field(field).all().is_empty()
     }
 
     /// Lets a piece of a body go on as a body of its own, with the velocity that its material has; the
     /// rest keeps the id. Returns that of the piece. Mass and momenta stay the same.
-    #[inline(never)]
     pub fn break_off(solids: &mut Solids, id: u32, rest: &Moments, piece: Piece) -> u32 {
         let Some(free) = &mut solids.free else {
             return 0;
@@ -68,7 +65,6 @@ impl FreeBodies {
     }
 
     /// Removes the parts that are no longer there.
-    #[inline(never)]
     pub fn remove_parts(solids: &mut Solids, is_there: &dyn Fn(u32) -> bool) {
         let Some(free) = &mut solids.free else {
             return;

@@ -411,6 +411,7 @@ impl Neighbours {
 
 /// Takes back the kernels of the pairs of a particle, a block and a lane at a position, and some of
 /// another block from the sums of the first pass.
+// Rare, so it is not inlined into the loop over the pairs.
 #[inline(never)]
 fn subtract<B: Block>(
     blocks: &mut [B],

@@ -58,7 +58,7 @@ impl Bound {
     /// Takes a part out of the module; returns it as bytes.
     ///
     /// # Errors
-    /// As [`take`].
+    /// The module has no function of the part.
     pub fn take(&mut self, part: &Part) -> Result<Vec<u8>> {
         let Divided { base, taken } = take(&self.module.emit_wasm(), part)?;
         self.module = ModuleConfig::new().parse(&base)?;

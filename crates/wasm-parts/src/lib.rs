@@ -1,4 +1,4 @@
-//! Makes a wasm module smaller to download: it divides it, and [orders](order()) its functions.
+//! Makes a wasm module smaller to download: it divides it, and orders its functions.
 //!
 //! What few visitors need becomes modules of their own, its parts, which a page fetches when it needs
 //! them. A part imports memory, function table, globals and functions of the module that it is taken
@@ -21,7 +21,7 @@ use walrus::{
 };
 
 pub use glue::Bound;
-pub use order::order;
+use order::order;
 
 /// What a part takes from a module.
 pub struct Part {
@@ -40,21 +40,21 @@ impl Part {
 }
 
 /// The name of the module that a part imports from.
-pub const BASE: &str = "base";
+const BASE: &str = "base";
 
 /// A module and a part of it, as bytes.
-pub struct Divided {
+struct Divided {
     /// The module without the part.
-    pub base: Vec<u8>,
+    base: Vec<u8>,
     /// The part.
-    pub taken: Vec<u8>,
+    taken: Vec<u8>,
 }
 
 /// Takes `part` from the module of these bytes.
 ///
 /// # Errors
 /// The module is invalid, or has no function of the part.
-pub fn take(bytes: &[u8], part: &Part) -> Result<Divided> {
+fn take(bytes: &[u8], part: &Part) -> Result<Divided> {
     let mut base = ModuleConfig::new().parse(bytes)?;
     // A function has the same index in both.
     let mut taken = ModuleConfig::new().parse(bytes)?;

@@ -4,7 +4,7 @@
 //! A solid gets [cells](cells) when it is set, or when the spacing changes. Every step
 //! [exchanges](step) heat, fuel and oxygen with the gas beside them. A few times a second the
 //! [outline](outline) follows what is left. The code is a part of the wasm that a page loads for a
-//! scene with a fuel: nothing outside of it calls a function of it without one.
+//! scene with a fuel: nothing outside of it calls a function of it without one, or inlines it.
 
 mod breaking;
 mod cells;

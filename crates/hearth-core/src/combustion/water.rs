@@ -5,7 +5,8 @@
 //! [strike](strike) solids, [beds](bed) of sources and the floor. A part of their vapour becomes
 //! [steam](steam), which only pictures show. No fire is put out by decree: gas that is cooled below its
 //! ignition temperature does not burn, and fuel that is wet dries first. The code is a part of the wasm
-//! that a page loads for the first spray: nothing outside of it calls a function of it without one.
+//! that a page loads for the first spray: nothing outside of it calls a function of it without one, or
+//! inlines it.
 
 mod advance;
 mod around;

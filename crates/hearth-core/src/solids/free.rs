@@ -7,7 +7,7 @@
 //! A contact acts before its surfaces meet, so a fast body stops at a thin one. The gas pushes a
 //! body by the force that the body has on the gas (Akinci et al. 2012). The code is a part of the
 //! wasm that a page loads for a scene with such a solid: nothing outside of it calls a function of it
-//! without one.
+//! without one, or inlines it.
 
 mod body;
 mod contact;

@@ -1,4 +1,4 @@
-// The distance of this pixel from the surface of a solid. ROW and TEXELS come from build/values.rs.
+// The distance of this pixel from the surface of a solid. PARTICLES_PER_ROW and TEXELS_PER_PARTICLE come from build/values.rs.
 
 in vec2 local;
 in vec2 node;
@@ -12,7 +12,7 @@ uniform float pixel_size;    // [m]
 float listed(vec2 first, ivec2 at) {
     int number = at.y * int(first.y) + at.x;
     int texel = int(first.x) + number / 4;
-    return texelFetch(particles, ivec2(texel % (ROW * TEXELS), texel / (ROW * TEXELS)), 0)[number % 4];
+    return texelFetch(particles, ivec2(texel % (PARTICLES_PER_ROW * TEXELS_PER_PARTICLE), texel / (PARTICLES_PER_ROW * TEXELS_PER_PARTICLE)), 0)[number % 4];
 }
 
 float sampled(ivec2 at) {

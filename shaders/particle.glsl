@@ -1,8 +1,8 @@
 // Reads a particle and positions a corner of its quad. One instance draws a block of quads, because
-// an instance costs software renderers and some phones far more than a quad. BLOCK, ROW and TEXELS
+// an instance costs software renderers and some phones far more than a quad. QUADS_PER_INSTANCE, PARTICLES_PER_ROW and TEXELS_PER_PARTICLE
 // come from build/values.rs.
 
-uniform sampler2D particles; // TEXELS texels per particle, ROW particles per row
+uniform sampler2D particles; // TEXELS_PER_PARTICLE texels per particle, PARTICLES_PER_ROW particles per row
 uniform vec2 clip_scale;     // metres to clip coordinates
 uniform vec2 clip_offset;    // middle of the floor in clip coordinates
 uniform float count;         // number of particles
@@ -16,8 +16,8 @@ struct Particle {
 };
 
 Particle this_particle() {
-    int number = gl_InstanceID * BLOCK + gl_VertexID / 6;
-    ivec2 texel = ivec2(number % ROW * TEXELS, number / ROW);
+    int number = gl_InstanceID * QUADS_PER_INSTANCE + gl_VertexID / 6;
+    ivec2 texel = ivec2(number % PARTICLES_PER_ROW * TEXELS_PER_PARTICLE, number / PARTICLES_PER_ROW);
     vec4 motion = texelFetch(particles, texel, 0);
     vec4 state = texelFetch(particles, texel + ivec2(1, 0), 0);
     int at = gl_VertexID % 6; // two triangles: 0 1 2, 2 1 3

@@ -164,10 +164,10 @@ vec2 cell_at(vec2 at) {
 
 void main() {
     vec3 at = surface(local, node);
-    float material = floor(body.w / SURFACES);
-    float kilokelvin = (body.w - material * SURFACES) * 1e-3;
-    bool front = material >= FRONT;
-    if (front) material -= FRONT;
+    float material = floor(body.w / MATERIAL_FACTOR);
+    float kilokelvin = (body.w - material * MATERIAL_FACTOR) * 1e-3;
+    bool front = material >= FRONT_OFFSET;
+    if (front) material -= FRONT_OFFSET;
     float inner = min(body.x, body.y);
     float size = inner + body.z;
     float rim = clamp(1.0 + at.z / (body.z + BEVEL * inner), 0.0, 1.0);

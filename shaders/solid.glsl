@@ -1,6 +1,6 @@
 // One quad per solid, with a margin for its soft edge. The record of a solid holds the centre and the
-// direction of its width, then half of its box, a radius, and its surface: material × SURFACES +
-// temperature [K], with FRONT added to the material before the fire. The radius is that of the corners around the box. A negative one is the place of
+// direction of its width, then half of its box, a radius, and its surface: material × MATERIAL_FACTOR +
+// temperature [K], with FRONT_OFFSET added to the material before the fire. The radius is that of the corners around the box. A negative one is the place of
 // a sampled distance in the texture, counted in records: first the number of nodes of a row, the
 // largest depth, which is negative if the solid is round, and the distances between nodes; then, in
 // the next record, the distance at each node. Both constants come from build/values.rs.
@@ -26,8 +26,8 @@ Particle this_solid() {
     node = local;
     if (body.z < 0.0) {
         int place = int(-body.z);
-        vec4 head = texelFetch(particles, ivec2(place % ROW * TEXELS, place / ROW), 0);
-        field = vec4(float((place + 1) * TEXELS), head.x, head.zw);
+        vec4 head = texelFetch(particles, ivec2(place % PARTICLES_PER_ROW * TEXELS_PER_PARTICLE, place / PARTICLES_PER_ROW), 0);
+        field = vec4(float((place + 1) * TEXELS_PER_PARTICLE), head.x, head.zw);
         node = (local + size) / head.zw;
         // Round, a thin box with a radius.
         body.xyz = head.y < 0.0 ? vec3(-THIN, -THIN, -1.0) * head.y : vec3(head.yy, 0.0);

@@ -13,15 +13,15 @@ void main() {
     uv = gl_Position.xy * 0.5 + 0.5;
     grid = vec3(0.0);
     spot = local;
-    float number = floor(body.w / SURFACES);
-    if (number >= BURNING) {
+    float number = floor(body.w / MATERIAL_FACTOR);
+    if (number >= FUEL_OFFSET) {
         // Its temperature is the place of its cells; its material is drawn on what it was at first.
-        int place = int(body.w - number * SURFACES) + ROW;
-        ivec2 head = ivec2(place % ROW * TEXELS, place / ROW);
+        int place = int(body.w - number * MATERIAL_FACTOR) + PARTICLES_PER_ROW;
+        ivec2 head = ivec2(place % PARTICLES_PER_ROW * TEXELS_PER_PARTICLE, place / PARTICLES_PER_ROW);
         vec4 size = texelFetch(particles, head, 0);
         vec4 box = texelFetch(particles, head + ivec2(1, 0), 0);
-        grid = vec3(float((place + 1) * TEXELS), size.yz);
+        grid = vec3(float((place + 1) * TEXELS_PER_PARTICLE), size.yz);
         spot = (local / vec2(size.w, box.x) * 0.5 + 0.5) * grid.yz - 0.5;
-        body = vec4(box.yzw, (number - BURNING) * SURFACES);
+        body = vec4(box.yzw, (number - FUEL_OFFSET) * MATERIAL_FACTOR);
     }
 }

@@ -11,16 +11,16 @@ use wasm_bindgen::{JsCast, JsValue};
 use crate::Record;
 
 /// Deepest nesting of lists and objects.
-const DEEPEST: u32 = 6;
+const MAX_DEPTH: u32 = 6;
 
 /// Most elements of a list and fields of an object; far more than there are parameters.
-const LONGEST: u32 = 1000;
+const MAX_LENGTH: u32 = 1000;
 
 /// Longest text in bytes: that of the largest mask.
-const LONGEST_TEXT: usize = 66_000;
+const MAX_TEXT_BYTES: usize = 66_000;
 
 /// Most bytes of a saved fire.
-const LONGEST_BYTES: u32 = 65_536;
+const MAX_BYTES: u32 = 65_536;
 
 /// Values by their ids, in the order in which they were sent.
 pub type Values<'a> = &'a [(String, Untrusted)];
@@ -56,7 +56,7 @@ impl Untrusted {
             return Untrusted::Number(number);
         }
         if let Some(text) = value.as_string() {
-            return if text.len() > LONGEST_TEXT {
+            return if text.len() > MAX_TEXT_BYTES {
                 Untrusted::Other("a text of more than 66000 letters")
             } else {
                 Untrusted::Text(text)
@@ -78,11 +78,11 @@ impl Untrusted {
         if value.is_null() {
             return Untrusted::Other("null");
         }
-        if !value.is_object() || depth == DEEPEST {
+        if !value.is_object() || depth == MAX_DEPTH {
             return Untrusted::Other("an object");
         }
         if let Some(bytes) = value.dyn_ref::<Uint8Array>() {
-            return if bytes.length() > LONGEST_BYTES {
+            return if bytes.length() > MAX_BYTES {
                 Untrusted::Other("more than 64 KiB")
             } else {
                 Untrusted::Bytes(bytes.to_vec())
@@ -95,7 +95,7 @@ impl Untrusted {
             &Object::entries(value.unchecked_ref())
         };
         let length = elements.length();
-        if length > LONGEST {
+        if length > MAX_LENGTH {
             return Untrusted::Other("more than a thousand elements");
         }
         let copy = |of: &Array, at| Untrusted::at_depth(&of.get(at), depth + 1);

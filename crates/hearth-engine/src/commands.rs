@@ -10,8 +10,8 @@ use hearth_bindings::{
 };
 use hearth_render::Fit;
 
-use crate::limits::{Fps, Pixels};
-use crate::quality::Level;
+use crate::pacing::picture_limits::{Fps, Pixels};
+use crate::pacing::quality::Level;
 
 /// Maximum side of a canvas [device pixels], which browsers set.
 pub const MAX_SIDE: i32 = 16_384;

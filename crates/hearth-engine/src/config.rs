@@ -107,7 +107,7 @@ impl<'a> Config<'a> {
             scene,
             ..base
         };
-        requested.follow_frame();
+        requested.follow_domain();
         Ok(requested)
     }
 }
@@ -120,15 +120,18 @@ pub fn export(requested: &Requested) -> Untrusted {
     // Each model has its own defaults.
     let set = base.set("model", Input::Text(now.model.name()));
     debug_assert_eq!(set, Ok(()));
-    let has_source = requested.scene.objects().any(|one| one.is_first_source());
+    let has_source = requested
+        .scene
+        .objects()
+        .any(|object| object.is_first_source());
     let mut values = Vec::new();
     for param in PARAMETERS {
         let mut properties = KINDS[0].properties();
-        let of_source = has_source && properties.any(|one| one.id == param.id);
+        let of_source = has_source && properties.any(|property| property.id == param.id);
         let before = if param.id == "model" { preset } else { &base };
         let value = param.get(now);
         let differs = match param.id {
-            // A spacing that follows the frame is not stated.
+            // A spacing that follows the domain is not stated.
             SPACING => requested.spacing_overridden,
             COUNT => value != param.get(before) || requested.exports_count(),
             _ => value != param.get(before),

@@ -1,7 +1,7 @@
 //! The engine's interface to JavaScript: calls and frames in, events and pictures out.
 //!
 //! `web/engine/loop.js` requests frames and listens to the canvas's context. Each method
-//! returns whether to request another frame, so no loop runs while all fires rest.
+//! returns whether to request another frame, so no loop runs while no fire has work.
 
 use hearth_bindings::{Untrusted, ValidationError, memory, panic, parts, settings};
 use hearth_core::{NoFuel, NoWater, Vec2, Where};
@@ -10,12 +10,11 @@ use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::WebGl2RenderingContext;
 
-use crate::budget::share;
-use crate::capacity::START;
 use crate::commands::Command;
-use crate::duty::{Duty, SHARE_OF_PAGE, SHARE_OF_WORKER};
 use crate::events::{ErrorKind, Events, Post};
-use crate::fire::Fire;
+use crate::fire::{Fire, FrameTime};
+use crate::pacing::machine_limit::MachineLimit;
+use crate::pacing::thread_budget::{SHARE_OF_PAGE, SHARE_OF_WORKER, ThreadBudget, deadline};
 use crate::pointer::PointerForce;
 use crate::requested::Requested;
 use crate::shared_canvas::{Canvas, SharedCanvas, Show};
@@ -34,7 +33,7 @@ pub struct Engine {
     fires: Vec<Box<Fire>>,
     canvas: SharedCanvas,
     clock: WallClock,
-    duty: Duty,
+    budget: ThreadBudget,
     /// Whether the thread is the page's own.
     on_page: bool,
     events: Events,
@@ -54,7 +53,7 @@ enum Answer {
 impl Engine {
     /// Creates an engine without fires that draws on `canvas` in its WebGL2 `context`, if the
     /// browser gives one. It posts events through `post(event)` and pictures through
-    /// `show(fire, alone)`, which returns whether the picture is already shown. `on_page`: its thread is
+    /// `show(fire)`, which returns whether the picture is already shown. `on_page`: its thread is
     /// the page's own, so it leaves most of it to the page.
     ///
     /// # Errors
@@ -74,7 +73,7 @@ impl Engine {
             fires: Vec::new(),
             canvas,
             clock: WallClock,
-            duty: Duty::new(if on_page {
+            budget: ThreadBudget::new(if on_page {
                 SHARE_OF_PAGE
             } else {
                 SHARE_OF_WORKER
@@ -111,7 +110,7 @@ impl Engine {
             Ok(Answer::Missing(part)) => return Err(part.into()),
             Err(errors) => self.events.refused(fire, request, &errors),
         }
-        self.duty.spend(self.clock.now() - start);
+        self.budget.spend(self.clock.now() - start);
         Ok(self.needs_frame())
     }
 
@@ -127,12 +126,11 @@ impl Engine {
     /// Processes a frame of the display at `now` \[ms\]. Returns whether to request another.
     pub fn frame(&mut self, now: f64) -> bool {
         let start = self.clock.now();
-        let budget = self.duty.budget(start);
+        let budget = self.budget.refill(start);
         if budget <= 0.0 {
             return self.needs_frame();
         }
         let fires = self.fires.iter().filter(|f| f.needs_frame()).count();
-        self.canvas.alone.set(fires == 1);
         let mut end = start + budget;
         let mut drawing = 0.0;
         let mut left = fires;
@@ -142,23 +140,22 @@ impl Engine {
             self.fires.push(first);
         }
         for fire in self.fires.iter_mut().filter(|f| f.needs_frame()) {
-            let deadline = share(self.clock.now(), end, left);
+            let deadline = deadline(self.clock.now(), end, left);
             left -= 1;
             if fire.is_due(now) {
                 // The time of drawing does not shorten the steps of other fires.
-                let drew = fire.frame(
+                let time = FrameTime {
                     now,
                     deadline,
-                    (fires, self.duty.share()),
-                    &self.canvas,
-                    &self.clock,
-                    &self.events,
-                );
+                    fires,
+                    share: self.budget.share(),
+                };
+                let drew = fire.frame(time, &self.canvas, &self.clock, &self.events);
                 end += drew;
                 drawing += drew;
             }
         }
-        self.duty.spend(self.clock.now() - start - drawing);
+        self.budget.spend(self.clock.now() - start - drawing);
         self.needs_frame()
     }
 
@@ -215,11 +212,6 @@ fn spray(fire: &mut Fire, [x, y, u, v, grams]: [f64; 5]) -> Result<(), Vec<Valid
     })
 }
 
-/// Maximum number of particles of a fire that is not measured yet: limited on a page's own thread.
-const fn limit(on_page: bool) -> u32 {
-    if on_page { START } else { u32::MAX }
-}
-
 impl Engine {
     fn needs_frame(&self) -> bool {
         self.fires.iter().any(|fire| fire.needs_frame())
@@ -244,7 +236,9 @@ impl Engine {
                     events.refused(id, 0, &errors);
                 }
                 let values = requested.completed();
-                if let Err(error) = memory::reserve(None, &values, limit(self.on_page)) {
+                if let Err(error) =
+                    memory::reserve(None, &values, MachineLimit::new(self.on_page).particles())
+                {
                     events.error(id, ErrorKind::Memory, &error.message);
                     return Ok(Answer::Done);
                 }
@@ -272,7 +266,12 @@ impl Engine {
                 return Ok(Answer::Missing(part));
             }
             let [old, new] = [fire.requested(), &requested].map(Requested::completed);
-            memory::reserve(Some(&old), &new, limit(self.on_page)).map_err(|error| vec![error])?;
+            memory::reserve(
+                Some(&old),
+                &new,
+                MachineLimit::new(self.on_page).particles(),
+            )
+            .map_err(|error| vec![error])?;
             if let Command::Set { source, .. }
             | Command::Restore { source, .. }
             | Command::AddObject { source, .. }

@@ -23,7 +23,7 @@ use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::config::export;
-use crate::quality::Quality;
+use crate::pacing::quality::Quality;
 use crate::requested::Requested;
 
 #[wasm_bindgen]
@@ -82,7 +82,10 @@ impl Events {
         let event = event("changed", fire);
         event.set_flag("replaced", replaced);
         event.set_text("source", source);
-        let state = |one: &Requested| (one.preset, one.count_overridden, one.spacing_overridden);
+        let state = |settings: &Requested| {
+            let overridden = (settings.count_overridden, settings.spacing_overridden);
+            (settings.preset, overridden)
+        };
         let same = state(old) == state(new);
         if self.put_values(&event, new, Some(old)) || replaced || !same {
             self.post(&event);

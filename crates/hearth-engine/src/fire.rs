@@ -1,7 +1,9 @@
 //! A fire: its simulation, clock and picture.
 
-mod frame;
-mod warming;
+mod particles;
+mod tick;
+
+pub use tick::FrameTime;
 
 use glam::Vec2;
 use hearth_bindings::memory;
@@ -12,22 +14,22 @@ use hearth_render::{Camera, Fit, Viewport};
 use js_sys::Float32Array;
 use wasm_bindgen::JsValue;
 
-use crate::average::Averages;
-use crate::budget::RealTime;
-use crate::capacity::Capacity;
 use crate::commands::Start;
 use crate::events::Events;
-use crate::fire_frame::FireFrame;
-use crate::grain::Grain;
-use crate::limits::{Fps, Limits, Pixels};
-use crate::pending::Pending;
+use crate::fire_renderer::FireRenderer;
+use crate::pacing::averages::Averages;
+use crate::pacing::machine_limit::MachineLimit;
+use crate::pacing::picture_limits::{Fps, PictureLimits, Pixels};
+use crate::pacing::quality::{Level, Quality};
+use crate::pacing::real_time::RealTime;
+use crate::pacing::size_limit::SizeLimit;
+use crate::pacing::step_requests::StepRequests;
+use crate::pacing::warm_up::WarmUp;
 use crate::pointer::PointerForce;
-use crate::quality::{Level, Quality};
 use crate::requested::{Requested, adapt};
-use crate::warm::Warm;
 
 /// Memory of the largest map of open air, in particles.
-const MAP_IN_PARTICLES: usize = 4096;
+const MAP_MEMORY_IN_PARTICLES: usize = 4096;
 
 /// Work since the last picture. The simulation also runs in frames without a picture.
 #[derive(Default)]
@@ -43,22 +45,22 @@ pub struct Fire {
     /// decides.
     requested: Requested,
     pub(crate) simulation: Simulation,
-    warm: Warm,
+    warm_up: WarmUp,
     /// Whether a new fire starts before the next step.
     starts: bool,
     /// Whether the fire was ever drawn.
     drawn: bool,
     pub(crate) quality: Quality,
-    grain: Grain,
-    capacity: Capacity,
-    pub(crate) fire_frame: FireFrame,
+    size_limit: SizeLimit,
+    machine_limit: MachineLimit,
+    pub(crate) renderer: FireRenderer,
     /// Whether there is a context to draw in.
     drawable: bool,
     instances: Vec<Instance>,
     embers: Vec<Instance>,
     /// Size of the element [device pixels].
     size: (u32, u32),
-    limits: Limits,
+    limits: PictureLimits,
     /// Earliest time of the next picture if their rate is limited \[ms\].
     next: f64,
     pointer: Option<PointerForce>,
@@ -67,7 +69,7 @@ pub struct Fire {
     pub(crate) playing: bool,
     /// Whether the picture is out of date.
     stale: bool,
-    pending: Pending,
+    step_requests: StepRequests,
     clock: Clock,
     /// Length of the last step [s of fire], an estimate of the next.
     last_step: f64,
@@ -85,30 +87,30 @@ impl Fire {
     pub fn new(id: u32, requested: Requested, start: &Start<'_>, on_page: bool) -> Fire {
         let guess = start.guess.unwrap_or(Level::Medium);
         let quality = Quality::new(start.quality, guess);
-        let warm = Warm::new(start.warm, start.state.to_vec());
+        let warm_up = WarmUp::new(start.warm, start.state.to_vec());
         let mut fire = Fire {
             id,
             simulation: Simulation::new(Parameters::default()),
             requested,
-            starts: warm.is_enabled(),
+            starts: warm_up.is_enabled(),
             drawn: false,
-            warm,
+            warm_up,
             quality,
-            grain: Grain::of(start.side),
-            capacity: Capacity::new(on_page),
-            fire_frame: FireFrame::default(),
+            size_limit: SizeLimit::of(start.side),
+            machine_limit: MachineLimit::new(on_page),
+            renderer: FireRenderer::default(),
             drawable: false,
             instances: Vec::new(),
             embers: Vec::new(),
             size: (0, 0),
-            limits: Limits::default(),
+            limits: PictureLimits::default(),
             next: 0.0,
             pointer: None,
             visible: false,
             camera: Camera::default(),
             playing: !start.paused,
             stale: true,
-            pending: Pending::default(),
+            step_requests: StepRequests::default(),
             clock: Clock::new(),
             last_step: 0.0,
             fps: FpsCounter::new(),
@@ -142,7 +144,7 @@ impl Fire {
         if !requested.costs_like(old) {
             self.real_time.forget_losses();
             self.quality.skip();
-            self.capacity.forget();
+            self.machine_limit.restart();
         }
         let time = self.simulation.time();
         // The fire of another scene starts without gas of the previous one.
@@ -150,7 +152,7 @@ impl Fire {
         self.requested = requested;
         self.adapt();
         let restarted = replaced && differs || self.simulation.time() < time;
-        if self.warm.is_enabled() && (restarted || differs && !self.drawn) {
+        if self.warm_up.is_enabled() && (restarted || differs && !self.drawn) {
             self.start(events);
         }
     }
@@ -166,12 +168,12 @@ impl Fire {
         self.adapt();
     }
 
-    /// Applies the requested settings and the quality's number of particles to the simulation,
-    /// which resamples a burning fire.
+    /// Applies the requested settings and the number of particles to the simulation, which
+    /// resamples a burning fire.
     fn adapt(&mut self) {
-        let scene = self.warm.coarse(&self.scene());
+        let scene = self.scene();
         adapt(&mut self.simulation, scene);
-        self.see();
+        self.send_seen_domain();
         self.stale = true;
     }
 
@@ -180,11 +182,11 @@ impl Fire {
         let was_on_stage = self.is_on_stage();
         self.stale |= self.size != size;
         self.size = size;
-        if self.grain.resize(side) {
+        if self.size_limit.resize(side) {
             self.quality.skip();
             self.adapt();
         }
-        self.see();
+        self.send_seen_domain();
         self.follow_stage(was_on_stage);
     }
 
@@ -194,7 +196,7 @@ impl Fire {
         self.visible = visible;
         if !visible {
             // Other fires can use the memory of its targets.
-            self.fire_frame.free();
+            self.renderer.free();
             self.stale = true;
         }
         self.follow_stage(was_on_stage);
@@ -258,7 +260,7 @@ impl Fire {
             ..self.camera
         };
         self.stale = true;
-        self.see();
+        self.send_seen_domain();
     }
 
     /// Enlarges a part of the picture.
@@ -271,12 +273,12 @@ impl Fire {
         self.stale = true;
     }
 
-    /// Tells the simulation what the picture shows before it is enlarged.
-    fn see(&mut self) {
+    /// Sends the simulation the part of the world that the picture shows before it is enlarged.
+    fn send_seen_domain(&mut self) {
         let (width, height) = self.size;
         let values = self.requested.parameters();
         // The map of what is seen needs less memory than so many particles.
-        let has_room = !values.has_open_edges() || memory::has_room(MAP_IN_PARTICLES);
+        let has_room = !values.has_open_edges() || memory::has_room(MAP_MEMORY_IN_PARTICLES);
         if width == 0 || height == 0 || !has_room {
             return;
         }
@@ -288,7 +290,7 @@ impl Fire {
 
     /// Counts a picture in flight as shown.
     pub fn shown(&mut self) {
-        self.fire_frame.shown();
+        self.renderer.shown();
     }
 
     /// Plays or pauses.
@@ -304,7 +306,7 @@ impl Fire {
     /// Restarts the simulation.
     pub fn reset(&mut self, events: &Events) {
         self.simulation.reset();
-        if self.warm.is_enabled() {
+        if self.warm_up.is_enabled() {
             self.start(events);
         }
         self.stale = true;
@@ -314,14 +316,14 @@ impl Fire {
     /// Requests a number of steps, or steps for a duration, which frames make as their budget
     /// allows. The answer to `request` follows when they are drawn.
     pub fn request_steps(&mut self, steps: u32, seconds: f64, request: u32) {
-        self.pending.add(steps, seconds, request);
+        self.step_requests.add(steps, seconds, request);
     }
 
     /// Sets whether there is a context to draw in. The simulation is not affected.
     pub fn set_drawable(&mut self, drawable: bool) {
         let was_on_stage = self.is_on_stage();
         self.drawable = drawable;
-        self.fire_frame.free();
+        self.renderer.free();
         self.stale = true;
         self.follow_stage(was_on_stage);
     }
@@ -329,23 +331,26 @@ impl Fire {
     /// Whether the next frame has work for this fire.
     pub fn needs_frame(&self) -> bool {
         let on_stage = self.is_on_stage();
-        let pending = !self.pending.is_empty() || (self.pending.awaits_drawing() && !on_stage);
+        let pending =
+            !self.step_requests.is_empty() || (self.step_requests.awaits_drawing() && !on_stage);
         pending || (on_stage && (self.playing || self.is_warming() || self.needs_picture()))
     }
 
     fn needs_picture(&self) -> bool {
-        self.stale && self.fire_frame.is_ready()
+        self.stale && self.renderer.is_ready()
     }
 
     /// Whether the limit of the frame rate allows a frame at `now` \[ms\].
     pub fn is_due(&mut self, now: f64) -> bool {
-        !self.pending.is_empty() || self.is_warming() || self.limits.is_due(now, &mut self.next)
+        !self.step_requests.is_empty()
+            || self.is_warming()
+            || self.limits.is_due(now, &mut self.next)
     }
 
     /// Quantities of the first and last colour of the picture; `None` if the display mode
     /// measures nothing, or is not drawn yet.
     pub(crate) fn measured(&self) -> Option<[f32; 2]> {
-        let (mode, ends) = self.fire_frame.scale()?;
+        let (mode, ends) = self.renderer.scale()?;
         (mode == self.requested.parameters().display_mode).then_some(ends)
     }
 

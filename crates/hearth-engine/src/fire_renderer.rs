@@ -20,9 +20,35 @@ struct Drawing {
     passes: PassTimes,
 }
 
+/// What a picture of a fire shows.
+pub struct FrameInput<'a> {
+    /// The number of the fire.
+    pub fire: u32,
+    /// Size of the picture \[device pixels\].
+    pub size: (u32, u32),
+    /// Limits of the resolution of its targets.
+    pub limits: ResolutionLimits,
+    /// Part of the world in the picture.
+    pub camera: Camera,
+    /// Age of the fire \[s\].
+    pub time: f64,
+    /// Settings and objects.
+    pub scene: &'a Scene,
+    /// The particles.
+    pub particles: &'a [Instance],
+    /// The embers.
+    pub embers: &'a [Instance],
+    /// Temperatures of solids that conduct heat, by their ids \[K\].
+    pub temperatures: &'a [(u32, f32)],
+    /// What is left of solids with fuel.
+    pub charred: Option<&'a Charred>,
+    /// Whether the fire is paused.
+    pub paused: bool,
+}
+
 /// Draws a fire and limits its pictures in flight.
 #[derive(Default)]
-pub struct FireFrame {
+pub struct FireRenderer {
     drawing: Option<Drawing>,
     /// State of the fine structure, which outlives a lost context.
     motion: Motion,
@@ -32,7 +58,7 @@ pub struct FireFrame {
     in_flight: u32,
 }
 
-impl FireFrame {
+impl FireRenderer {
     /// Whether another picture may be drawn.
     pub fn is_ready(&self) -> bool {
         self.in_flight < MAX_IN_FLIGHT
@@ -59,27 +85,26 @@ impl FireFrame {
         self.drawing.as_ref()?.renderer.as_ref()?.scale()
     }
 
-    /// Draws particles and the solids of a scene, and shows the picture of `fire`. Returns the time at which the upload of
-    /// the particles ended \[ms\].
+    /// Draws a picture and shows it. Returns the time at which the upload of the particles ended
+    /// \[ms\].
     ///
     /// # Errors
     /// The driver rejects a resource.
-    #[allow(clippy::too_many_arguments)]
     pub fn draw(
         &mut self,
-        fire: u32,
         canvas: &SharedCanvas,
-        size: (u32, u32),
-        limits: ResolutionLimits,
-        (instances, embers): (&[Instance], &[Instance]),
-        (time, scene, temperatures, charred): (f64, &Scene, &[(u32, f32)], Option<&Charred>),
-        camera: Camera,
-        paused: bool,
+        input: &FrameInput<'_>,
         clock: &WallClock,
     ) -> Result<f64, String> {
         let Some(gpu) = canvas.gpu() else {
             return Ok(clock.now());
         };
+        let &FrameInput {
+            time,
+            scene,
+            camera,
+            ..
+        } = input;
         let parameters = scene.settings();
         let context = &gpu.gl.context;
         let mut motion = self.motion;
@@ -90,11 +115,11 @@ impl FireFrame {
                 return Ok(clock.now());
             };
             let passes = &mut drawing.passes;
-            let [width, height] = canvas.resize(size);
-            renderer.upload(gl, parameters.display_mode, instances, embers);
-            renderer.upload_solids(gl, scene, time, temperatures, charred);
+            let [width, height] = canvas.resize(input.size);
+            renderer.upload(gl, parameters.display_mode, input.particles, input.embers);
+            renderer.upload_solids(gl, scene, time, input.temperatures, input.charred);
             let sent = clock.now();
-            renderer.set_limits(limits);
+            renderer.set_limits(input.limits);
             passes.begin(context, clock);
             let view = View {
                 width,
@@ -102,11 +127,11 @@ impl FireFrame {
                 time,
                 camera,
             };
-            let on_pass = &mut |key| passes.end(context, clock, key);
+            let on_pass = &mut |name| passes.end(context, clock, name);
             let painted = renderer.paint_in_passes(gl, &view, parameters, on_pass);
             passes.finish(context);
             motion = renderer.motion();
-            if paused && parameters.model() == Model::Combustion {
+            if input.paused && parameters.model() == Model::Combustion {
                 carried = renderer.carried(gl);
             }
             painted.map(|()| sent)
@@ -118,7 +143,7 @@ impl FireFrame {
         }
         match painted {
             Ok(sent) => {
-                if !canvas.show(fire) {
+                if !canvas.show(input.fire) {
                     self.in_flight += 1;
                 }
                 Ok(sent)

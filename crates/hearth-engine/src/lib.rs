@@ -5,26 +5,18 @@
 //! worker behind one interface. All fires share one canvas (see `shared_canvas`).
 //!
 //! In each frame, the clock determines the due fire time, the simulation makes whole steps
-//! within the frame's [`budget`], and the renderer draws the result. Frames of a running fire
+//! within the frame's [budget](pacing::thread_budget), and the renderer draws the result. Frames of a running fire
 //! allocate nothing.
 
 // Logic that is tested without a browser.
-pub mod budget;
-pub mod capacity;
 pub mod commands;
 pub mod config;
-pub mod duty;
-pub mod grain;
-pub mod limits;
+pub mod pacing;
 pub mod pointer;
-pub mod quality;
 pub mod requested;
 pub mod stats;
-pub mod warm;
 
 // Bindings to the page.
-#[cfg(target_arch = "wasm32")]
-mod average;
 #[cfg(target_arch = "wasm32")]
 mod engine;
 #[cfg(target_arch = "wasm32")]
@@ -32,11 +24,9 @@ pub mod events;
 #[cfg(target_arch = "wasm32")]
 mod fire;
 #[cfg(target_arch = "wasm32")]
-mod fire_frame;
+mod fire_renderer;
 #[cfg(target_arch = "wasm32")]
 mod pass_times;
-#[cfg(target_arch = "wasm32")]
-mod pending;
 #[cfg(target_arch = "wasm32")]
 mod shared_canvas;
 #[cfg(target_arch = "wasm32")]

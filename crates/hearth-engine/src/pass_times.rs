@@ -6,17 +6,17 @@
 
 use web_sys::{WebGl2RenderingContext as Context, WebGlQuery};
 
-use crate::average::smooth;
+use crate::pacing::averages::smooth;
 use crate::wall_clock::WallClock;
 use crate::webgl::Calls;
 
-const TIMER: &str = "EXT_disjoint_timer_query_webgl2";
+const TIMER_EXTENSION: &str = "EXT_disjoint_timer_query_webgl2";
 const TIME_ELAPSED: u32 = 0x88bf;
 const DISJOINT: u32 = 0x8fbb;
 
 /// Times of the passes of one fire.
 pub struct PassTimes {
-    /// Keys of the passes and their times \[ms\], in drawing order.
+    /// Names of the passes and their times \[ms\], in drawing order.
     pub times: Vec<(&'static str, f64)>,
     timer: Option<Timer>,
     /// Number of submitted passes of this picture.
@@ -43,7 +43,7 @@ enum State {
 impl PassTimes {
     /// No times yet.
     pub fn new(context: &Context) -> PassTimes {
-        let offered = matches!(context.get_extension(TIMER), Ok(Some(_)));
+        let offered = matches!(context.get_extension(TIMER_EXTENSION), Ok(Some(_)));
         let query = offered.then(|| context.create_query()).flatten();
         PassTimes {
             times: Vec::new(),
@@ -91,13 +91,13 @@ impl PassTimes {
     }
 
     /// Ends a submitted pass.
-    pub fn end(&mut self, context: &Context, clock: &WallClock, key: &'static str) {
+    pub fn end(&mut self, context: &Context, clock: &WallClock, name: &'static str) {
         let at = self.submitted;
         self.submitted += 1;
-        if self.times.get(at).is_none_or(|(known, _)| *known != key) {
+        if self.times.get(at).is_none_or(|(known, _)| *known != name) {
             // Another model or look has other passes from here on.
             self.times.truncate(at);
-            self.times.push((key, 0.0));
+            self.times.push((name, 0.0));
         }
         match &mut self.timer {
             Some(timer) => {

@@ -1,13 +1,13 @@
 //! The force of a pointer on the gas.
 
 /// Radius of the force \[m\].
-const RADIUS: f32 = 0.12;
+const FORCE_RADIUS: f32 = 0.12;
 
 /// Rate at which gas takes the pointer's velocity [1/s].
-const RATE: f32 = 60.0;
+const DRAG_RATE: f32 = 60.0;
 
 /// Duration of one call's force [s of fire]: it bridges the time until the next call.
-const DURATION: f64 = 0.05;
+const FORCE_SECONDS: f64 = 0.05;
 
 /// A force that pulls the gas near a pointer along with it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,18 +24,18 @@ impl PointerForce {
         PointerForce {
             position,
             velocity,
-            left: DURATION,
+            left: FORCE_SECONDS,
         }
     }
 
     /// The acceleration [m/s²] of gas at a position \[m\] with a velocity [m/s].
     pub fn acceleration(&self, position: [f32; 2], velocity: [f32; 2]) -> [f32; 2] {
-        let [x, y] = [0, 1].map(|axis| (position[axis] - self.position[axis]) / RADIUS);
+        let [x, y] = [0, 1].map(|axis| (position[axis] - self.position[axis]) / FORCE_RADIUS);
         let share = 1.0 - (x * x + y * y);
         if share <= 0.0 {
             return [0.0; 2];
         }
-        [0, 1].map(|axis| RATE * share * share * (self.velocity[axis] - velocity[axis]))
+        [0, 1].map(|axis| DRAG_RATE * share * share * (self.velocity[axis] - velocity[axis]))
     }
 
     /// Counts a step of that length [s of fire]. Returns whether the force still acts.

@@ -8,7 +8,7 @@ use hearth_core::params::{Input, Model};
 use hearth_core::preset::{PRESETS, Preset};
 use hearth_core::{Parameters, Scene, Simulation};
 
-use crate::quality::Level;
+use crate::pacing::particle_count::Resolution;
 
 /// The parameters of the resolution, which follows the quality unless a page sets one of them.
 pub(crate) const COUNT: &str = "max_particles";
@@ -74,25 +74,18 @@ impl Requested {
         self.count_overridden || self.spacing_overridden && self.parameters().has_open_edges()
     }
 
-    /// Whether the resolution follows the level.
-    pub fn follows_level(&self) -> bool {
+    /// The number of particles that the settings request.
+    pub fn resolution(&self) -> Resolution {
         let (values, preset) = (self.parameters(), self.preset());
-        let own = preset.names(COUNT) && values.get(COUNT) == preset.parameters().get(COUNT);
-        values.model() == Model::Combustion && !self.is_fixed() && !own
-    }
-
-    /// Whether the resolution is that of the scene, which names its number of particles.
-    pub fn follows_scene(&self) -> bool {
-        self.parameters().model() == Model::Combustion && !self.is_fixed() && !self.follows_level()
-    }
-
-    /// The number of particles that would fill the frame, without a limit of the device: that of
-    /// the medium level if it follows the level.
-    pub fn number(&self) -> u32 {
-        if self.follows_level() {
-            Level::Medium.particles()
+        let number = || self.completed().frame_particles();
+        if values.model() == Model::Classic {
+            Resolution::Classic(number())
+        } else if self.is_fixed() {
+            Resolution::Page(number())
+        } else if preset.names(COUNT) && values.get(COUNT) == preset.parameters().get(COUNT) {
+            Resolution::Scene(number())
         } else {
-            self.completed().frame_particles()
+            Resolution::Level
         }
     }
 
@@ -104,8 +97,8 @@ impl Requested {
         values
     }
 
-    /// Follows the frame and the number of particles with the spacing, unless a page set it.
-    pub fn follow_frame(&mut self) {
+    /// Adapts the spacing to the domain and the number of particles, unless a page set it.
+    pub fn follow_domain(&mut self) {
         let now = self.completed().spacing;
         if self.parameters().has_open_edges() && now != self.parameters().spacing {
             let mut settings = self.parameters().clone();
@@ -115,11 +108,17 @@ impl Requested {
         }
     }
 
-    /// The scene, with that number of particles in its frame unless a page set the resolution.
+    /// The scene with that [number of particles](crate::pacing::particle_count). Only levels raise the cap.
     pub fn at(&self, particles: u32) -> Scene {
         let mut values = self.completed();
-        if particles != self.number() && (self.follows_level() || self.follows_scene()) {
+        let resolution = self.resolution();
+        if particles != resolution.number() {
+            let cap = values.max_particles;
             values.set_frame_particles(particles);
+            if values.max_particles > cap && resolution != Resolution::Level {
+                let set = values.set(COUNT, Input::Number(cap.into()));
+                debug_assert_eq!(set, Ok(()));
+            }
         }
         let mut scene = self.scene.clone();
         scene.set_settings(values);
@@ -134,22 +133,9 @@ impl Requested {
             let resolution = (values.max_particles, values.frame_particles());
             (values.model(), resolution, values.time_scale)
         };
-        cost(self) == cost(other) && self.follows_level() == other.follows_level()
+        let follows_level = |requested: &Requested| requested.resolution() == Resolution::Level;
+        cost(self) == cost(other) && follows_level(self) == follows_level(other)
     }
-}
-
-/// A scene with fewer particles in its frame, and no higher cap.
-pub(crate) fn with_count(scene: &Scene, particles: u32) -> Scene {
-    let mut settings = scene.settings().clone();
-    let cap = settings.max_particles;
-    settings.set_frame_particles(particles);
-    if settings.max_particles > cap {
-        let set = settings.set(COUNT, Input::Number(cap.into()));
-        debug_assert_eq!(set, Ok(()));
-    }
-    let mut new = scene.clone();
-    new.set_settings(settings);
-    new
 }
 
 /// Applies a scene to a simulation. A burning fire is resampled if the number of particles

@@ -9,7 +9,6 @@
 //! its graphics card. The engine creates the resources again when the context is restored. The
 //! simulations are not affected.
 
-use std::cell::Cell;
 use std::rc::Rc;
 
 use hearth_render::{RenderError, SharedResources};
@@ -42,7 +41,7 @@ extern "C" {
     // The binding of js-sys creates an object per call to catch exceptions, which this function
     // never throws.
     #[wasm_bindgen(method, js_name = call)]
-    fn take(this: &Show, of: &JsValue, fire: u32, alone: bool) -> bool;
+    fn take(this: &Show, of: &JsValue, fire: u32) -> bool;
 }
 
 /// A context and the resources that its fires share.
@@ -69,12 +68,10 @@ pub struct SharedCanvas {
     context: Context,
     gpu: Option<Gpu>,
     show: Show,
-    /// Whether this frame draws one fire at most, whose picture may stay on the canvas.
-    pub alone: Cell<bool>,
 }
 
 impl SharedCanvas {
-    /// Wraps a canvas and its context. `show(fire, alone)` takes a picture from the canvas and returns
+    /// Wraps a canvas and its context. `show(fire)` takes a picture from the canvas and returns
     /// whether it is already shown; it never throws.
     ///
     /// # Errors
@@ -93,7 +90,6 @@ impl SharedCanvas {
             context,
             gpu: None,
             show,
-            alone: Cell::new(false),
         };
         shared.restore()?;
         Ok(shared)
@@ -147,7 +143,7 @@ impl SharedCanvas {
     /// Shows the canvas as the picture of a fire. Returns whether the picture is already shown;
     /// otherwise [`Engine::shown`](crate::Engine::shown) follows.
     pub fn show(&self, fire: u32) -> bool {
-        self.show.take(&JsValue::UNDEFINED, fire, self.alone.get())
+        self.show.take(&JsValue::UNDEFINED, fire)
     }
 }
 

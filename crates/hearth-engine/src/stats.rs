@@ -89,17 +89,17 @@ stats! { fire, report, fuels, canvas =>
     /// Averages over more than a hundred steps hide the coarse clocks of browsers.
     "stages": "Record<'sort' | 'density' | 'forces' | 'integrate' | 'upload', number>" = set_object(&numbers(&fire.averages.stages()))
     /// Time of each render pass [ms], by name, in drawing order.
-    "passes": "Record<string, number>" = set_object(&numbers(fire.fire_frame.passes().map_or(&[], |passes| &passes.times)))
+    "passes": "Record<string, number>" = set_object(&numbers(fire.renderer.passes().map_or(&[], |passes| &passes.times)))
     /// What `passes` measures: `gpu`, time on the graphics card, of one pass per picture in
     /// turn; `submit`, time of submitting the pass, if the browser offers no timer query.
-    "passTimer": "'gpu' | 'submit' | ''" = set_text(fire.fire_frame.passes().map_or("", |passes| passes.timer()))
+    "passTimer": "'gpu' | 'submit' | ''" = set_text(fire.renderer.passes().map_or("", |passes| passes.timer()))
     /// The current level of quality.
     "quality": "'low' | 'medium' | 'high'" = set_text(fire.quality.level().name())
     /// The reason of that level.
     "qualityReason": "string" = set_text(fire.quality.reason())
     /// What limits the number of particles: `quality low`, `quality medium`, `quality high`,
     /// `size` or, where more would take too long, `speed`; else empty.
-    "limit": "string" = set_text(fire.limited_by())
+    "limit": "string" = set_text(fire.particle_count().limit.name())
     /// Mean number of neighbours of a particle.
     "neighbours": "number" = set_number(report.mean_neighbours.into())
     /// Quantities of the first and last colour, such as `[0, 2000]`, in the unit of the shown

@@ -1,7 +1,8 @@
 //! Constants of `src/constants.rs` for shaders.
 
 use crate::constants::{
-    BLOCK, BURNING, COOLEST, ENTRIES, FRONT, HOTTEST, NOISE_LEVELS, ROW, SURFACES, TEXELS,
+    COLOUR_ENTRIES, COOLEST_KELVIN, FRONT_OFFSET, FUEL_OFFSET, HOTTEST_KELVIN, MATERIAL_FACTOR,
+    NOISE_LEVELS, PARTICLES_PER_ROW, QUADS_PER_INSTANCE, TEXELS_PER_PARTICLE,
 };
 
 /// The numbers of the materials that the shader draws, in the order of `Material`; 0 is stone.
@@ -16,13 +17,13 @@ pub fn shared() -> Vec<(&'static str, String)> {
     let real = |value: f32| format!("{value:?}");
     let [scale, offset] = table_coordinate();
     let mut all = vec![
-        ("BLOCK", whole(BLOCK)),
-        ("ROW", whole(ROW)),
-        ("TEXELS", whole(TEXELS)),
+        ("QUADS_PER_INSTANCE", whole(QUADS_PER_INSTANCE)),
+        ("PARTICLES_PER_ROW", whole(PARTICLES_PER_ROW)),
+        ("TEXELS_PER_PARTICLE", whole(TEXELS_PER_PARTICLE)),
         ("NOISE_LEVELS", real(NOISE_LEVELS as f32)),
-        ("SURFACES", real(SURFACES)),
-        ("FRONT", real(FRONT)),
-        ("BURNING", real(BURNING)),
+        ("MATERIAL_FACTOR", real(MATERIAL_FACTOR)),
+        ("FRONT_OFFSET", real(FRONT_OFFSET)),
+        ("FUEL_OFFSET", real(FUEL_OFFSET)),
         ("TABLE_SCALE", real(scale)),
         ("TABLE_OFFSET", real(offset)),
     ];
@@ -36,7 +37,7 @@ pub fn shared() -> Vec<(&'static str, String)> {
 /// Scale and offset from a temperature \[kK\] to a coordinate of the colour table. The first and the
 /// last entry are at the middle of their texels.
 pub fn table_coordinate() -> [f32; 2] {
-    let entries = ENTRIES as f32;
-    let scale = (entries - 1.0) / entries * 1e3 / (HOTTEST - COOLEST);
-    [scale, 0.5 / entries - scale * COOLEST * 1e-3]
+    let entries = COLOUR_ENTRIES as f32;
+    let scale = (entries - 1.0) / entries * 1e3 / (HOTTEST_KELVIN - COOLEST_KELVIN);
+    [scale, 0.5 / entries - scale * COOLEST_KELVIN * 1e-3]
 }

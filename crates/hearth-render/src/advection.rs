@@ -5,10 +5,10 @@
 //! and out before its end.
 
 /// Maximum time between two pictures of continuous motion \[s\].
-const LONGEST_FRAME: f64 = 0.1;
+const MAX_PICTURE_INTERVAL: f64 = 0.1;
 /// Time of advection in a picture without a predecessor \[s\], so that a paused fire looks as if
 /// it had moved.
-const INITIAL: f32 = 0.08;
+const INITIAL_SECONDS: f32 = 0.08;
 
 /// Period of a pattern \[s\]: the time in which gas rises by a few widths of the source \[m\].
 pub fn period(source_width: f32) -> f32 {
@@ -33,9 +33,13 @@ impl Advection {
         let elapsed = self.time.map_or(-1.0, |before| time - before);
         self.time = Some(time);
         // A reset of the time or a long pause is no motion.
-        let is_moving = (0.0..=LONGEST_FRAME).contains(&elapsed);
+        let is_moving = (0.0..=MAX_PICTURE_INTERVAL).contains(&elapsed);
         let before = [0.0, 0.5].map(|start| (self.periods + start).floor());
-        self.elapsed = if is_moving { elapsed as f32 } else { INITIAL };
+        self.elapsed = if is_moving {
+            elapsed as f32
+        } else {
+            INITIAL_SECONDS
+        };
         if is_moving {
             self.periods += elapsed / f64::from(period);
         }
@@ -91,7 +95,10 @@ mod tests {
         let mut advection = Advection::default();
         for time in [0.0, 100.0, 0.0, 500.0] {
             advection.advance(time, 0.6);
-            assert_eq!((advection.elapsed, advection.kept), (INITIAL, [0.0; 2]));
+            assert_eq!(
+                (advection.elapsed, advection.kept),
+                (INITIAL_SECONDS, [0.0; 2])
+            );
         }
         advection.forget();
         advection.advance(500.0, 0.6);

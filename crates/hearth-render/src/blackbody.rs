@@ -5,11 +5,11 @@
 //! Luminance spans a factor of 170 000 between 1000 and 2000 K, far beyond a screen, so an
 //! exponent compresses it; the chroma stays physical.
 
-use crate::cie::{FIRST, OBSERVER, STEP};
-use crate::constants::{COOLEST, ENTRIES, HOTTEST};
+use crate::cie::{FIRST_WAVELENGTH, OBSERVER, WAVELENGTH_STEP};
+use crate::constants::{COLOUR_ENTRIES, COOLEST_KELVIN, HOTTEST_KELVIN};
 
 /// Temperature of unit luminance \[K\]: the middle of a flame.
-const REFERENCE: f64 = 1500.0;
+const UNIT_LUMINANCE_KELVIN: f64 = 1500.0;
 
 /// CIE 1931 chromaticity coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ pub fn chromaticity(temperature: f64) -> Chromaticity {
 
 /// Luminance of a black body of `temperature` \[K\] relative to 1500 K.
 pub fn luminance(temperature: f64) -> f64 {
-    tristimulus(temperature)[1] / tristimulus(REFERENCE)[1]
+    tristimulus(temperature)[1] / tristimulus(UNIT_LUMINANCE_KELVIN)[1]
 }
 
 /// Linear sRGB of unit luminance of a black body of `temperature` \[K\]. Blue is negative below
@@ -53,10 +53,10 @@ pub fn linear_srgb(temperature: f64) -> [f64; 3] {
 pub(crate) fn table() -> Vec<[f32; 4]> {
     // Above the first logarithm, so that the first search descends.
     let mut log_luminance = -20.0;
-    (0..ENTRIES)
+    (0..COLOUR_ENTRIES)
         .map(|entry| {
-            let share = entry as f32 / (ENTRIES - 1) as f32;
-            let temperature = f64::from(COOLEST + share * (HOTTEST - COOLEST));
+            let share = entry as f32 / (COLOUR_ENTRIES - 1) as f32;
+            let temperature = f64::from(COOLEST_KELVIN + share * (HOTTEST_KELVIN - COOLEST_KELVIN));
             log_luminance = ln(luminance(temperature), log_luminance);
             let [r, g, b] = linear_srgb(temperature).map(|channel| channel as f32);
             [r, g, b, log_luminance as f32]
@@ -76,7 +76,10 @@ fn ln(x: f64, mut guess: f64) -> f64 {
 fn tristimulus(temperature: f64) -> [f64; 3] {
     let mut sum = [0.0; 3];
     for (band, observer) in OBSERVER.iter().enumerate() {
-        let radiance = planck(FIRST + STEP * band as f64, temperature);
+        let radiance = planck(
+            FIRST_WAVELENGTH + WAVELENGTH_STEP * band as f64,
+            temperature,
+        );
         for (sum, share) in sum.iter_mut().zip(observer) {
             *sum += radiance * f64::from(*share);
         }
@@ -163,8 +166,8 @@ mod tests {
     #[test]
     fn logarithms_are_exact_to_the_precision_of_the_table() {
         for (entry, [.., log]) in table().into_iter().enumerate() {
-            let share = entry as f32 / (ENTRIES - 1) as f32;
-            let kelvin = f64::from(COOLEST + share * (HOTTEST - COOLEST));
+            let share = entry as f32 / (COLOUR_ENTRIES - 1) as f32;
+            let kelvin = f64::from(COOLEST_KELVIN + share * (HOTTEST_KELVIN - COOLEST_KELVIN));
             let exact = luminance(kelvin).ln();
             assert!((f64::from(log) - exact).abs() < 1e-5, "{kelvin} K: {log}");
         }

@@ -7,7 +7,7 @@ use hearth_core::params::Model;
 use crate::instance::{position, remaining_life, temperature, upward_speed};
 
 /// Minimum temperature of gas that counts as flame \[K\].
-const WARM: f32 = 600.0;
+const MIN_FLAME_KELVIN: f32 = 600.0;
 
 /// Sums over all particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,7 +41,11 @@ impl ParticleBounds {
         for particle in particles {
             let ([_, y], speed) = (position(particle), upward_speed(particle));
             alive.add(remaining_life(particle), y, speed);
-            hot.add((temperature(particle) - WARM).max(0.0), y, speed);
+            hot.add(
+                (temperature(particle) - MIN_FLAME_KELVIN).max(0.0),
+                y,
+                speed,
+            );
         }
         for [x, y] in particles.iter().chain(embers).map(position) {
             edges = [

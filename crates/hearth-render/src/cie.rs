@@ -5,9 +5,9 @@
 //! 0.0005 compared with the table's 1 nm.
 
 /// First wavelength of [`OBSERVER`] \[nm\].
-pub const FIRST: f64 = 380.0;
+pub const FIRST_WAVELENGTH: f64 = 380.0;
 /// Step between two wavelengths of [`OBSERVER`] \[nm\].
-pub const STEP: f64 = 10.0;
+pub const WAVELENGTH_STEP: f64 = 10.0;
 
 /// x̄, ȳ, z̄ at 380, 390, … 780 nm. An `f32` holds all digits of the table.
 #[rustfmt::skip]

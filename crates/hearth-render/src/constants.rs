@@ -1,26 +1,26 @@
 //! Constants of Rust and of the shaders, which get them from `build/values.rs`.
 
 /// Quads per instance.
-pub const BLOCK: usize = 64;
+pub const QUADS_PER_INSTANCE: usize = 64;
 /// Particles per row of their texture.
-pub const ROW: usize = 512;
+pub const PARTICLES_PER_ROW: usize = 512;
 /// Texels per particle.
-pub const TEXELS: usize = 2;
+pub const TEXELS_PER_PARTICLE: usize = 2;
 
 /// Factor of a material in the number of a surface, above every temperature \[K\].
-pub const SURFACES: f32 = 4096.0;
+pub const MATERIAL_FACTOR: f32 = 4096.0;
 /// Added to the number of the material of a solid before the fire.
-pub const FRONT: f32 = 16.0;
+pub const FRONT_OFFSET: f32 = 16.0;
 /// Added to the number of the material of a solid with fuel. The place of its cells is then in place
 /// of the temperature.
-pub const BURNING: f32 = 32.0;
+pub const FUEL_OFFSET: f32 = 32.0;
 
 /// Mipmap levels of the noise tile below its finest one.
 pub const NOISE_LEVELS: u32 = 7;
 
 /// Minimum temperature of the colour table \[K\].
-pub const COOLEST: f32 = 600.0;
+pub const COOLEST_KELVIN: f32 = 600.0;
 /// Maximum temperature of the colour table \[K\]. Parameters go up to 2500 K.
-pub const HOTTEST: f32 = 2600.0;
+pub const HOTTEST_KELVIN: f32 = 2600.0;
 /// Entries of the colour table.
-pub const ENTRIES: usize = 128;
+pub const COLOUR_ENTRIES: usize = 128;

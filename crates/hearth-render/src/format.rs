@@ -77,7 +77,7 @@ mod tests {
     #[test]
     fn in_eight_bits_the_weight_saturates_before_the_heat() {
         let [weight, heat, ..] = TargetFormat::Rgba8.field_range();
-        let hottest = crate::constants::HOTTEST / 1000.0;
+        let hottest = crate::constants::HOTTEST_KELVIN / 1000.0;
         // The mean temperature is heat / weight.
         assert!(heat >= weight * hottest * 0.999);
     }

@@ -1,4 +1,4 @@
-//! A frame: the data of its passes about the fire, the picture and the camera.
+//! What the uniforms of all passes of a frame follow from: the fire, the picture and the camera.
 
 use hearth_core::params::{Backdrop, Colour, DisplayMode, Edges, Ground, Layers, Model};
 use hearth_core::{Parameters, Source};
@@ -11,19 +11,19 @@ use crate::resolution::Layout;
 use crate::viewport::Viewport;
 
 /// Brightness of gas of 1500 K at an exposure of 0.
-const GAIN: f32 = 2.0;
+const BASE_GAIN: f32 = 2.0;
 /// Reach of the glow in texels of its widest copy.
-const HALO: f32 = 3.5;
+const HALO_TEXELS: f32 = 3.5;
 /// Minimum radius of a kernel in texels. Narrower kernels flicker as they move.
-const MIN_TEXELS: f32 = 1.5;
+const MIN_KERNEL_TEXELS: f32 = 1.5;
 /// Height of the wall's foot above that of the fire, in heights of the domain: the wall stands
 /// behind the fire.
 const WALL_OFFSET: f32 = 0.1;
 /// Maximum foot of the fire that stands on the floor, in heights of the domain.
 const MAX_FOOT: f32 = 0.6;
 
-/// One frame.
-pub struct Frame<'a> {
+/// What the uniforms of a frame follow from.
+pub struct FrameUniforms<'a> {
     /// Parameters of physics and look.
     pub parameters: &'a Parameters,
     /// Position of the fire.
@@ -56,38 +56,15 @@ pub struct Frame<'a> {
     pub scenery_is_stale: bool,
 }
 
-impl<'a> Frame<'a> {
-    /// The frame of a source, a number of particles, embers and solids, and the bounds of the gas.
-    pub fn new(
-        parameters: &'a Parameters,
-        source: Source,
-        (layout, format): (Layout, TargetFormat),
-        (viewport, before, time): (Viewport, Viewport, f64),
-        ([particles, embers, solids], bounds): ([usize; 3], &ParticleBounds),
-        motion: Motion,
-    ) -> Frame<'a> {
-        let kernel = Kernel::of(parameters, &source);
-        let used = layout.used_field(particles, kernel.radius, viewport.metres[1]);
-        let mut frame = Frame {
-            parameters,
-            source,
-            layout,
-            format,
-            viewport,
-            before,
-            time,
-            particles,
-            embers,
-            solids,
-            motion,
-            kernel,
-            used,
-            reach: [0.0; 4],
-            scenery_is_stale: true,
-        };
-        frame.kernel.radius = frame.resolved(kernel.radius, used[1]);
-        frame.reach = bounds.widened(kernel.margin.max(frame.kernel.radius));
-        frame
+impl FrameUniforms<'_> {
+    /// Fits the kernels, the used part of the field and the reach to the bounds of the gas.
+    pub fn fit(&mut self, bounds: &ParticleBounds) {
+        let height = self.viewport.metres[1];
+        self.used = self
+            .layout
+            .used_field(self.particles, self.kernel.radius, height);
+        self.kernel.radius = self.resolved(self.kernel.radius, self.used[1]);
+        self.reach = bounds.widened(self.kernel.margin.max(self.kernel.radius));
     }
 
     /// Whether the display mode is `mode`.
@@ -136,7 +113,7 @@ impl<'a> Frame<'a> {
 
     /// Light of the background, which is a sky where no wall hides it.
     pub fn sky(&self) -> [f32; 3] {
-        let share = SKY * (1.0 - self.wall());
+        let share = SKY_BRIGHTNESS * (1.0 - self.wall());
         let [r, g, b, _] = background(self.parameters.background);
         [r, g, b].map(|channel| share * channel * channel)
     }
@@ -165,7 +142,7 @@ impl<'a> Frame<'a> {
 
     /// At least the minimum radius that a target with that number of lines resolves \[m\].
     pub fn resolved(&self, radius: f32, lines: u32) -> f32 {
-        radius.max(MIN_TEXELS * self.viewport.metres[1] / lines as f32)
+        radius.max(MIN_KERNEL_TEXELS * self.viewport.metres[1] / lines as f32)
     }
 
     /// Size of a pixel \[m\].
@@ -200,14 +177,14 @@ impl<'a> Frame<'a> {
     /// from the fire.
     pub fn halo(&self) -> [f32; 4] {
         let lines = self.layout.blurs()[self.widest_blur()][1];
-        let halo = HALO * self.viewport.metres[1] / lines as f32;
+        let halo = HALO_TEXELS * self.viewport.metres[1] / lines as f32;
         let [left, lower, right, upper] = self.reach;
         [left - halo, lower - halo, right + halo, upper + halo]
     }
 
     /// Brightness of gas of 1500 K.
     pub fn gain(&self) -> f32 {
-        GAIN * exp2(self.parameters.exposure)
+        BASE_GAIN * exp2(self.parameters.exposure)
     }
 
     /// 1 if the fire is visible, or 0.
@@ -239,7 +216,7 @@ impl<'a> Frame<'a> {
         f32::from(quantity.is_some_and(|quantity| quantity.signed))
     }
 
-    /// Height at which the wall of the backdrop meets the floor, in heights of the domain. The
+    /// Height of the foot of the backdrop's wall, in heights of the domain. The
     /// fire stands on the floor in front of the wall.
     pub fn wall_foot(&self) -> f32 {
         let foot = self.source.base.y / self.parameters.domain_height;
@@ -253,7 +230,7 @@ pub fn has_backdrop(parameters: &Parameters) -> bool {
 }
 
 /// Brightness of the ground under a white background.
-const SKY: f32 = 0.4;
+const SKY_BRIGHTNESS: f32 = 0.4;
 
 /// Two to the power of `exponent`.
 pub fn exp2(exponent: f32) -> f32 {

@@ -23,8 +23,8 @@ const SPRITE_SPACINGS: f32 = 4.0;
 pub struct Kernel {
     /// Radius \[m\].
     pub radius: f32,
-    /// Size of the broadest fine structure \[m\].
-    pub grain: f32,
+    /// Width of a tile of noise, which sets the broadest fine structure \[m\].
+    pub noise_tile: f32,
     /// Displacement of the gas by fine structure \[m\].
     pub warp: f32,
     /// Maximum distance of visible gas from its particle, without its glow \[m\].
@@ -44,12 +44,12 @@ impl Kernel {
         if parameters.display_mode != DisplayMode::Fire {
             return Kernel {
                 radius,
-                grain: 0.0,
+                noise_tile: 0.0,
                 warp: 0.0,
                 margin: radius,
             };
         }
-        let (grain, warp, reach) = match parameters.model() {
+        let (noise_tile, warp, reach) = match parameters.model() {
             Model::Classic => ((0.35 * source.width).max(size), CLASSIC_WARP, CLASSIC_REACH),
             Model::Combustion => (
                 (0.3 * source.width).max(2.5 * spacing),
@@ -57,10 +57,10 @@ impl Kernel {
                 1.0,
             ),
         };
-        let warp = parameters.detail * warp * grain;
+        let warp = parameters.detail * warp * noise_tile;
         Kernel {
             radius,
-            grain,
+            noise_tile,
             warp,
             margin: reach * radius + 2.0 * warp,
         }

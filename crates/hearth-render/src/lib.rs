@@ -17,7 +17,7 @@ mod cie;
 mod constants;
 mod error;
 mod format;
-mod frame;
+mod frame_uniforms;
 mod gl;
 #[cfg(test)]
 #[path = "../build/glsl/mod.rs"]

@@ -8,11 +8,11 @@ use hearth_core::Parameters;
 use hearth_core::params::{Colour, Palette};
 
 use crate::blackbody;
-use crate::constants::{COOLEST, ENTRIES, HOTTEST};
+use crate::constants::{COLOUR_ENTRIES, COOLEST_KELVIN, HOTTEST_KELVIN};
 
 /// Temperatures of a palette's cool and hot hue \[K\].
-const COOL: f32 = 1000.0;
-const HOT: f32 = 1900.0;
+const COOL_KELVIN: f32 = 1000.0;
+const HOT_KELVIN: f32 = 1900.0;
 /// Shares of a channel and of its saturated value in the pale colour, and the channel value that
 /// saturates to one half.
 const PALE_SHARES: [f32; 2] = [0.35, 0.65];
@@ -74,10 +74,10 @@ impl Tint {
         let mut table = blackbody::table();
         if !self.is_black_body() {
             let [cool, hot] = self.hues();
-            let span = (HOTTEST - COOLEST) / (ENTRIES - 1) as f32;
+            let span = (HOTTEST_KELVIN - COOLEST_KELVIN) / (COLOUR_ENTRIES - 1) as f32;
             for (entry, texel) in table.iter_mut().enumerate() {
-                let kelvin = COOLEST + span * entry as f32;
-                let share = ((kelvin - COOL) / (HOT - COOL)).clamp(0.0, 1.0);
+                let kelvin = COOLEST_KELVIN + span * entry as f32;
+                let share = ((kelvin - COOL_KELVIN) / (HOT_KELVIN - COOL_KELVIN)).clamp(0.0, 1.0);
                 // Red is the black body's brightest channel.
                 let peak = texel[0];
                 for (channel, (cool, hot)) in texel.iter_mut().zip(cool.into_iter().zip(hot)) {
@@ -124,7 +124,7 @@ mod tests {
     fn each_palette_has_its_hue() {
         let middle = |name: &str| {
             let table = tint(name).table();
-            let [r, g, b, _] = table[ENTRIES / 2];
+            let [r, g, b, _] = table[COLOUR_ENTRIES / 2];
             [r, g, b]
         };
         let [r, g, b] = middle("gas");
@@ -148,7 +148,7 @@ mod tests {
         let set = parameters.set_all(values.map(|(id, text)| (id, Input::Text(text))));
         assert_eq!(set, Ok(()));
         let table = Tint::of(&parameters).table();
-        let [first, last] = [table[0], table[ENTRIES - 1]];
+        let [first, last] = [table[0], table[COLOUR_ENTRIES - 1]];
         assert!(first[0] == 0.0 && first[1] == 0.0 && first[2] > 0.0);
         assert_eq!(last[2], 0.0);
         // sRGB 128 is 0.216 of linear 1.

@@ -5,13 +5,13 @@
 
 use hearth_core::Instance;
 
-use crate::constants::{BLOCK, ROW, TEXELS};
+use crate::constants::{PARTICLES_PER_ROW, QUADS_PER_INSTANCE, TEXELS_PER_PARTICLE};
 use crate::error::RenderError;
 use crate::gl::Graphics;
 use crate::instance;
 use crate::target::{bind, texture};
 
-const _: () = assert!(size_of::<Instance>() == TEXELS * size_of::<[f32; 4]>());
+const _: () = assert!(size_of::<Instance>() == TEXELS_PER_PARTICLE * size_of::<[f32; 4]>());
 
 /// The particles on the graphics card.
 pub struct Particles<G: Graphics> {
@@ -46,21 +46,29 @@ impl<G: Graphics> Particles<G> {
 
     /// Replaces the particles.
     pub fn upload(&mut self, gl: &G, instances: &[Instance]) {
-        let instances = &instances[..instances.len().min(self.max_rows * ROW)];
+        let instances = &instances[..instances.len().min(self.max_rows * PARTICLES_PER_ROW)];
         self.count = instances.len();
         bind(gl, 0, &self.texture);
-        let needed = self.count.div_ceil(ROW);
+        let needed = self.count.div_ceil(PARTICLES_PER_ROW);
         if needed > self.rows {
             // Powers of two, so that a growing fire rarely reallocates.
             self.rows = needed.next_power_of_two().min(self.max_rows);
-            let size = [ROW * TEXELS, self.rows].map(|side| side as u32);
+            let size = [PARTICLES_PER_ROW * TEXELS_PER_PARTICLE, self.rows].map(|side| side as u32);
             gl.allocate_texture(glow::RGBA32F, glow::FLOAT, size);
         }
-        let (full, rest) = instances.split_at(self.count / ROW * ROW);
-        let full_rows = (full.len() / ROW) as u32;
+        let (full, rest) = instances.split_at(self.count / PARTICLES_PER_ROW * PARTICLES_PER_ROW);
+        let full_rows = (full.len() / PARTICLES_PER_ROW) as u32;
         for (part, row, size) in [
-            (full, 0, [(ROW * TEXELS) as u32, full_rows]),
-            (rest, full_rows, [(rest.len() * TEXELS) as u32, 1]),
+            (
+                full,
+                0,
+                [(PARTICLES_PER_ROW * TEXELS_PER_PARTICLE) as u32, full_rows],
+            ),
+            (
+                rest,
+                full_rows,
+                [(rest.len() * TEXELS_PER_PARTICLE) as u32, 1],
+            ),
         ] {
             if !part.is_empty() {
                 gl.replace_floats([0, row], size, instance::floats(part));
@@ -75,8 +83,8 @@ impl<G: Graphics> Particles<G> {
 
     /// Draws a quad for each particle with the current program.
     pub fn draw(&self, gl: &G) {
-        let blocks = self.count.div_ceil(BLOCK);
-        gl.draw_instances(6 * BLOCK as i32, blocks as i32);
+        let blocks = self.count.div_ceil(QUADS_PER_INSTANCE);
+        gl.draw_instances(6 * QUADS_PER_INSTANCE as i32, blocks as i32);
     }
 
     /// Frees the texture.

@@ -1,13 +1,11 @@
 //! A pass: a pair of shaders, their uniforms, a target and its state.
 
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::shaders::{FLOATS, Shader, Uniforms};
 
 /// A pass of a frame.
 pub trait Pass {
-    /// Key in `stats.passes`, a public name. Consecutive passes with one key are reported as one.
-    const KEY: &'static str;
     /// Target.
     const TARGET: Image;
     /// Content of the target before the pass.
@@ -22,10 +20,10 @@ pub trait Pass {
     type Uniforms: Uniforms;
 
     /// Whether a frame includes this pass.
-    fn applies(frame: &Frame) -> bool;
+    fn applies(frame: &FrameUniforms) -> bool;
 
     /// Values of the uniforms at a level of the bloom.
-    fn uniforms(frame: &Frame, level: usize) -> Self::Uniforms;
+    fn uniforms(frame: &FrameUniforms, level: usize) -> Self::Uniforms;
 }
 
 /// Content of a target before a pass.
@@ -108,22 +106,20 @@ impl Levels {
 
 /// A row of the table of passes.
 pub struct Row {
-    pub key: &'static str,
     pub shader: Shader,
     pub target: Image,
     pub load: Load,
     pub blend: Blend,
     pub draw: Draw,
     pub levels: Levels,
-    pub applies: fn(&Frame) -> bool,
-    pub uniforms: fn(&Frame, usize, &mut [f32; FLOATS]),
+    pub applies: fn(&FrameUniforms) -> bool,
+    pub uniforms: fn(&FrameUniforms, usize, &mut [f32; FLOATS]),
 }
 
 impl Row {
     /// The row of a pass.
     pub const fn of<P: Pass>() -> Row {
         Row {
-            key: P::KEY,
             shader: P::Uniforms::SHADER,
             target: P::TARGET,
             load: P::LOAD,

@@ -13,9 +13,10 @@ use crate::bounds::ParticleBounds;
 use crate::camera::Camera;
 use crate::error::RenderError;
 use crate::format::TargetFormat;
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::gl::Graphics;
 use crate::image::{NOISE_OFFSETS, SCENERY};
+use crate::kernel::Kernel;
 use crate::motion::{CarriedNoise, Motion};
 use crate::palette::Tint;
 use crate::particles::Particles;
@@ -217,15 +218,25 @@ impl<G: Graphics> Renderer<G> {
         let (mode, model) = (parameters.display_mode, parameters.model());
         self.fit_colours(gl, Tint::of(parameters))?;
         self.motion.scale.add(mode, model, self.measured);
-        let counts = [&self.particles, &self.embers, &self.solids.texture].map(Particles::count);
-        let mut frame = Frame::new(
+        let source = self.source.unwrap_or_else(|| Source::of(parameters));
+        let mut frame = FrameUniforms {
             parameters,
-            self.source.unwrap_or_else(|| Source::of(parameters)),
-            (layout, self.shared.format),
-            (viewport, before, view.time),
-            (counts, &self.bounds),
-            self.motion,
-        );
+            source,
+            layout,
+            format: self.shared.format,
+            viewport,
+            before,
+            time: view.time,
+            particles: self.particles.count(),
+            embers: self.embers.count(),
+            solids: self.solids.texture.count(),
+            motion: self.motion,
+            kernel: Kernel::of(parameters, &source),
+            used: layout.field,
+            reach: [0.0; 4],
+            scenery_is_stale: true,
+        };
+        frame.fit(&self.bounds);
         self.fit_targets(gl, &frame)?;
         if mode == DisplayMode::Fire {
             self.motion.rise.advance(&self.bounds, view.time, model);

@@ -8,24 +8,24 @@
 pub const MAX_BLURS: usize = 4;
 /// Lines of the widest blurred copy, independent of quality and picture size, so that the glow
 /// has the same width in all of them. Each sharper copy has twice as many.
-const WIDEST_BLUR: u32 = 32;
+const WIDEST_BLUR_LINES: u32 = 32;
 
 /// Lines of the field per line of its blurred copy.
-const SPREAD: u32 = 6;
+const FIELD_LINES_PER_WIDE: u32 = 6;
 /// Lines of the field per line of the flow, and of the noise advection.
-const FLOW: u32 = 3;
-const NOISE_OFFSETS: u32 = 2;
+const FIELD_LINES_PER_FLOW: u32 = 3;
+const FIELD_LINES_PER_NOISE_OFFSETS: u32 = 2;
 
 /// Maximum number of lines of the backdrop, which is far away.
-const SCENERY: u32 = 1080;
+const MAX_SCENERY_LINES: u32 = 1080;
 /// Lines and maximum number of columns of the irradiance on the backdrop. Each texel reads the
 /// whole fire.
-const IRRADIANCE: [u32; 2] = [16, 64];
+const IRRADIANCE_LINES_AND_COLUMNS: [u32; 2] = [16, 64];
 
 /// Maximum number of texels that all kernels of a frame cover.
-const SPLAT_BUDGET: f32 = 4.0e6;
+const MAX_SPLAT_TEXELS: f32 = 4.0e6;
 /// Minimum number of used lines of the field.
-const MIN_FIELD: f32 = 32.0;
+const MIN_FIELD_LINES: f32 = 32.0;
 
 /// Limits of the resolution at a level of quality.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -116,7 +116,7 @@ impl Layout {
                 .map(|side| (side as u32).clamp(1, max))
         };
         let light = lines(height.min((height / 2).max(limits.full).min(limits.light)));
-        let mut sharpest = WIDEST_BLUR << limits.sharper_shares.len();
+        let mut sharpest = WIDEST_BLUR_LINES << limits.sharper_shares.len();
         let blurs = [(); MAX_BLURS].map(|()| {
             let size = lines(sharpest.min(light[1].div_ceil(2)));
             sharpest /= 2;
@@ -132,12 +132,15 @@ impl Layout {
             limits,
             picture,
             field,
-            wide: field.map(|side| side.div_ceil(SPREAD)),
-            flow: field.map(|side| side.div_ceil(FLOW)),
-            noise_offsets: field.map(|side| side.div_ceil(NOISE_OFFSETS)),
+            wide: field.map(|side| side.div_ceil(FIELD_LINES_PER_WIDE)),
+            flow: field.map(|side| side.div_ceil(FIELD_LINES_PER_FLOW)),
+            noise_offsets: field.map(|side| side.div_ceil(FIELD_LINES_PER_NOISE_OFFSETS)),
             light,
-            scenery: backdrop(SCENERY, max),
-            irradiance: backdrop(IRRADIANCE[0], IRRADIANCE[1]),
+            scenery: backdrop(MAX_SCENERY_LINES, max),
+            irradiance: backdrop(
+                IRRADIANCE_LINES_AND_COLUMNS[0],
+                IRRADIANCE_LINES_AND_COLUMNS[1],
+            ),
             blurs,
         })
     }
@@ -151,8 +154,8 @@ impl Layout {
     /// `radius` \[m\] need in a picture of `height` \[m\], within the budget of texels.
     pub fn used_field(&self, count: usize, radius: f32, height: f32) -> [u32; 2] {
         let needed = self.limits.texels * height / radius;
-        let affordable = (SPLAT_BUDGET / count.max(1) as f32).sqrt() * height / (2.0 * radius);
-        let share = needed.min(affordable).max(MIN_FIELD) / self.field[1] as f32;
+        let affordable = (MAX_SPLAT_TEXELS / count.max(1) as f32).sqrt() * height / (2.0 * radius);
+        let share = needed.min(affordable).max(MIN_FIELD_LINES) / self.field[1] as f32;
         self.field
             .map(|side| ((side as f32 * share.min(1.0)).ceil() as u32).clamp(1, side))
     }
@@ -229,7 +232,7 @@ mod tests {
         ] {
             let layout = Layout::new([1280, 720], limits, 4096).expect("a picture with pixels");
             let widest = layout.blurs().last().expect("blurred copies");
-            assert_eq!(widest[1], WIDEST_BLUR);
+            assert_eq!(widest[1], WIDEST_BLUR_LINES);
             // Share of the widest copy in the glow.
             let share: f32 = limits
                 .sharper_shares
@@ -247,7 +250,10 @@ mod tests {
         for count in [1000, 10_000, 100_000] {
             let [_, lines] = layout.used_field(count, 0.04, 1.5);
             let side = 2.0 * 0.04 / 1.5 * lines as f32;
-            assert!(count as f32 * side * side <= 1.1 * SPLAT_BUDGET, "{count}");
+            assert!(
+                count as f32 * side * side <= 1.1 * MAX_SPLAT_TEXELS,
+                "{count}"
+            );
         }
     }
 }

@@ -6,11 +6,11 @@ use hearth_core::params::Model;
 use crate::bounds::ParticleBounds;
 
 /// Time constant of the smoothing [s of fire].
-const SMOOTHING: f32 = 0.5;
+const SMOOTHING_SECONDS: f32 = 0.5;
 /// Maximum time between two pictures of continuous motion \[s\].
-const LONGEST_FRAME: f32 = 0.1;
+const MAX_PICTURE_INTERVAL: f32 = 0.1;
 /// Height of a flame relative to the mean height of its gas, which thins out upwards.
-const TIP: f32 = 2.2;
+const TIP_PER_MEAN_HEIGHT: f32 = 2.2;
 
 /// The smoothed motion of a fire.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -34,11 +34,11 @@ impl Rise {
         self.time = Some(time);
         // The first picture counts fully. A reset of the time or a long pause is no motion.
         let first = elapsed.is_infinite();
-        let elapsed = elapsed.clamp(0.0, LONGEST_FRAME);
+        let elapsed = elapsed.clamp(0.0, MAX_PICTURE_INTERVAL);
         let share = if first {
             1.0
         } else {
-            1.0 - libm::expf(-elapsed / SMOOTHING)
+            1.0 - libm::expf(-elapsed / SMOOTHING_SECONDS)
         };
         let [height, speed] = particles.mean(model);
         for (smooth, now) in [(&mut self.height, height), (&mut self.speed, speed)] {
@@ -53,7 +53,7 @@ impl Rise {
 
     /// Height of the flame above `source` \[m\].
     pub fn flame_height(&self, source: f32) -> f32 {
-        TIP * (self.height - source)
+        TIP_PER_MEAN_HEIGHT * (self.height - source)
     }
 }
 

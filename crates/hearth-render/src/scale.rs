@@ -9,18 +9,18 @@ use hearth_core::params::{DisplayMode, Model, Quantity};
 use crate::instance::measured;
 
 /// One particle in this number may lie beyond each end.
-const OUTLIERS: u32 = 200;
+const PARTICLES_PER_OUTLIER: u32 = 200;
 /// Bins of the histogram that finds outliers.
-const BINS: usize = 256;
+const HISTOGRAM_BINS: usize = 256;
 /// Maximum number of round steps between the ends.
-const STEPS: f32 = 8.0;
+const MAX_ROUND_STEPS: f32 = 8.0;
 /// Minimum span: absolute, and relative to the largest value. Less is rounding error.
 const MIN_SPAN: f32 = 0.01;
 const MIN_RELATIVE_SPAN: f32 = 0.05;
 /// The scale shrinks after the quantity spans less than this share of it for this number of
 /// pictures.
 const SHRINKING_SHARE: f32 = 0.4;
-const PATIENCE: u32 = 60;
+const SHRINKING_PICTURES: u32 = 60;
 
 /// Minimum and maximum of the measured quantity without outliers; `None` without particles.
 pub fn extremes(instances: &[Instance]) -> Option<[f32; 2]> {
@@ -37,26 +37,26 @@ pub fn extremes(instances: &[Instance]) -> Option<[f32; 2]> {
     if min > max {
         return None;
     }
-    let width = (max - min) / BINS as f32;
+    let width = (max - min) / HISTOGRAM_BINS as f32;
     if width.is_infinite() {
         return None;
     }
-    let mut bins = [0; BINS];
+    let mut bins = [0; HISTOGRAM_BINS];
     let mut count = 0;
     for measured in measured() {
-        bins[(((measured - min) / width) as usize).min(BINS - 1)] += 1;
+        bins[(((measured - min) / width) as usize).min(HISTOGRAM_BINS - 1)] += 1;
         count += 1;
     }
     // Width of the bins that hold the outliers, from the first or the last bin on.
     let outliers = |end: usize| {
-        let (mut left, mut passed) = (count / OUTLIERS, 0);
-        while bins[(end ^ passed) % BINS] <= left {
-            left -= bins[(end ^ passed) % BINS];
+        let (mut left, mut passed) = (count / PARTICLES_PER_OUTLIER, 0);
+        while bins[(end ^ passed) % HISTOGRAM_BINS] <= left {
+            left -= bins[(end ^ passed) % HISTOGRAM_BINS];
             passed += 1;
         }
         passed as f32 * width
     };
-    Some([min + outliers(0), max - outliers(BINS - 1)])
+    Some([min + outliers(0), max - outliers(HISTOGRAM_BINS - 1)])
 }
 
 /// The scale of a fire.
@@ -107,7 +107,7 @@ impl Scale {
             }
             self.recent = [min, max];
             self.waited += 1;
-            if self.waited < PATIENCE {
+            if self.waited < SHRINKING_PICTURES {
                 return;
             }
         }
@@ -119,7 +119,7 @@ impl Scale {
 /// Round numbers that enclose `min` and `max`.
 fn rounded([min, max]: [f32; 2], are_whole: bool) -> [f32; 2] {
     let min_span = (MIN_RELATIVE_SPAN * max).max(MIN_SPAN);
-    let step = (max - min).max(min_span) / STEPS;
+    let step = (max - min).max(min_span) / MAX_ROUND_STEPS;
     // The step is 1, 2, 5, 10, 20, … or 0.5, 0.2, 0.1, …, as a fraction of whole numbers, so
     // that each end is the float nearest to its decimal.
     let (mut over, mut under, mut doubled) = (1.0, 1.0, 0);
@@ -231,7 +231,7 @@ mod tests {
             after(&mut scale, MODE, [[0.0, 1.0], [0.0, 30.0]]),
             [0.0, 30.0]
         );
-        let little = [[0.0, 0.8]; PATIENCE as usize - 1];
+        let little = [[0.0, 0.8]; SHRINKING_PICTURES as usize - 1];
         assert_eq!(after(&mut scale, MODE, little), [0.0, 30.0]);
         assert_eq!(after(&mut scale, MODE, [[0.0, 20.0]]), [0.0, 30.0]);
         assert_eq!(after(&mut scale, MODE, little), [0.0, 30.0]);

@@ -4,7 +4,7 @@
 //! fires does it once.
 
 use crate::blackbody;
-use crate::constants::ENTRIES;
+use crate::constants::COLOUR_ENTRIES;
 use crate::error::RenderError;
 use crate::format::TargetFormat;
 use crate::gl::Graphics;
@@ -91,7 +91,7 @@ impl<G: Graphics> SharedResources<G> {
 pub fn colour_table<G: Graphics>(gl: &G, table: &[[f32; 4]]) -> Result<G::Texture, RenderError> {
     gl.active_texture(0);
     let colours = texture(gl, "shade", glow::CLAMP_TO_EDGE)?;
-    let size = [ENTRIES as u32, 1];
+    let size = [COLOUR_ENTRIES as u32, 1];
     let (internal, _) = TargetFormat::Rgba16F.constants();
     gl.allocate_texture(internal, glow::FLOAT, size);
     gl.replace_floats([0, 0], size, table.as_flattened());

@@ -7,14 +7,14 @@ use hearth_core::params::{Material, Solid, Thermal};
 use hearth_core::scene::{Field, RoundedBox};
 use hearth_core::{Charred, CharredSolid, Instance, Scene};
 
-use crate::constants::{BURNING, FRONT, ROW, SURFACES};
+use crate::constants::{FRONT_OFFSET, FUEL_OFFSET, MATERIAL_FACTOR, PARTICLES_PER_ROW};
 use crate::gl::Graphics;
 use crate::particles::Particles;
 
 /// Minimum temperature of a surface that visibly glows \[K\].
-const GLOWING: f32 = 800.0;
-/// Maximum temperature of a record \[K\], which `SURFACES` exceeds.
-const HOTTEST: f32 = 2500.0;
+const MIN_GLOWING_KELVIN: f32 = 800.0;
+/// Maximum temperature of a record \[K\], which `MATERIAL_FACTOR` exceeds.
+const MAX_RECORD_KELVIN: f32 = 2500.0;
 
 /// The solids on the graphics card: records in the first row of a texture, then the fields of
 /// solids with a sampled distance, in the layout that `shaders/solid.glsl` reads.
@@ -51,15 +51,15 @@ impl<G: Graphics> Solids<G> {
         let cells = charred.map_or(&[][..], |charred| &charred.records);
         let between = cells.len();
         if between > 0 {
-            instances.resize(ROW, [0.0; 8]);
+            instances.resize(PARTICLES_PER_ROW, [0.0; 8]);
             instances.extend_from_slice(cells);
             self.texture.upload(gl, &instances);
         }
-        let same = |(one, other): (&Arc<Field>, &Arc<Field>)| Arc::ptr_eq(one, other);
+        let same = |(new, old): (&Arc<Field>, &Arc<Field>)| Arc::ptr_eq(new, old);
         let is_known =
             fields.len() == self.fields.len() && fields.iter().zip(&self.fields).all(same);
         if !is_known || between != self.between {
-            instances.resize(ROW + between, [0.0; 8]);
+            instances.resize(PARTICLES_PER_ROW + between, [0.0; 8]);
             fields
                 .iter()
                 .for_each(|field| append(&mut instances, field));
@@ -80,17 +80,17 @@ fn records(
     charred: Option<&Charred>,
     fields: &mut Vec<Arc<Field>>,
 ) -> Vec<Instance> {
-    let mut place = ROW + charred.map_or(0, |charred| charred.records.len());
+    let mut place = PARTICLES_PER_ROW + charred.map_or(0, |charred| charred.records.len());
     let charred = charred.map_or(&[][..], |charred| &charred.solids);
     let visible = scene
         .surfaces()
-        .filter(|one| one.1.material != Material::None);
+        .filter(|(_, solid, _)| solid.material != Material::None);
     let mut records = Vec::new();
     for (id, solid, surface) in visible {
-        let present = temperatures.iter().find(|one| one.0 == id);
-        let kelvin = present.map_or(solid.temperature, |one| one.1);
+        let present = temperatures.iter().find(|(solid, _)| *solid == id);
+        let kelvin = present.map_or(solid.temperature, |(_, kelvin)| *kelvin);
         // The solid comes before its parts.
-        let mut known = charred.iter().filter(|one| one.id == id);
+        let mut known = charred.iter().filter(|solid| solid.id == id);
         let mut next = known.next();
         loop {
             let part = next.and_then(|part| part.part);
@@ -127,8 +127,8 @@ fn burnt<'a>(
     }
     let place = *place as f32;
     // The first solids of so many that there is no number for the others.
-    if place < SURFACES {
-        BURNING * SURFACES + place
+    if place < MATERIAL_FACTOR {
+        FUEL_OFFSET * MATERIAL_FACTOR + place
     } else {
         0.0
     }
@@ -154,8 +154,12 @@ fn append(instances: &mut Vec<Instance>, field: &Field) {
 }
 
 fn record(solid: &Solid, kelvin: f32, shape: &RoundedBox) -> Instance {
-    let glows = solid.thermal != Thermal::Adiabatic && kelvin >= GLOWING;
-    let kelvin = if glows { kelvin.min(HOTTEST) } else { 0.0 };
+    let glows = solid.thermal != Thermal::Adiabatic && kelvin >= MIN_GLOWING_KELVIN;
+    let kelvin = if glows {
+        kelvin.min(MAX_RECORD_KELVIN)
+    } else {
+        0.0
+    };
     [
         shape.centre.x,
         shape.centre.y,
@@ -164,7 +168,8 @@ fn record(solid: &Solid, kelvin: f32, shape: &RoundedBox) -> Instance {
         shape.half.x,
         shape.half.y,
         shape.radius,
-        (f32::from(solid.material as u8) + FRONT * f32::from(solid.front)) * SURFACES + kelvin,
+        (f32::from(solid.material as u8) + FRONT_OFFSET * f32::from(solid.front)) * MATERIAL_FACTOR
+            + kelvin,
     ]
 }
 
@@ -192,14 +197,14 @@ mod tests {
     #[test]
     fn a_surface_is_its_material_and_the_temperature_at_which_it_glows() {
         for (number, name) in Material::NAMES.iter().enumerate() {
-            let material = number as f32 * SURFACES;
+            let material = number as f32 * MATERIAL_FACTOR;
             let drawn = (*name != "none").then_some(material);
             assert_eq!(surface(name, 1200.0, "adiabatic"), drawn);
             assert_eq!(surface(name, 500.0, "fixed"), drawn);
             let hot = drawn.map(|material| material + 2500.0);
             assert_eq!(surface(name, 2500.0, "fixed"), hot);
         }
-        assert!(surface("stone", 900.0, "fixed") < Some(SURFACES));
+        assert!(surface("stone", 900.0, "fixed") < Some(MATERIAL_FACTOR));
     }
 
     #[test]
@@ -248,7 +253,10 @@ mod tests {
         for (number, place) in [3.0, 7.0].into_iter().enumerate() {
             let drawn = all[2 + number];
             assert_eq!(drawn[..2], frame.centre.to_array());
-            assert_eq!(drawn[6], -((ROW + 9 + number * length) as f32));
+            assert_eq!(
+                drawn[6],
+                -((PARTICLES_PER_ROW + 9 + number * length) as f32)
+            );
             assert_eq!(drawn[7], all[1][7] + place);
         }
     }

@@ -225,18 +225,18 @@ mod tests {
             pan,
             ..Camera::default()
         };
-        let one = Viewport::new([900, 300], DOMAIN, camera(1.0, [0.5; 2]));
+        let first = Viewport::new([900, 300], DOMAIN, camera(1.0, [0.5; 2]));
         let other = Viewport::new([900, 300], DOMAIN, camera(3.0, [0.2, 0.9]));
-        let [scale, offset] = other.before(one);
+        let [scale, offset] = other.before(first);
         for at in [0.0, 0.3, 1.0] {
             for axis in [0, 1] {
                 let metres = (at - other.floor[axis]) * other.metres[axis];
                 let before = at * scale[axis] + offset[axis];
-                let then = (before - one.floor[axis]) * one.metres[axis];
+                let then = (before - first.floor[axis]) * first.metres[axis];
                 assert!((metres - then).abs() < 1e-4);
             }
         }
-        assert_eq!(one.before(one), [[1.0; 2], [0.0; 2]]);
+        assert_eq!(first.before(first), [[1.0; 2], [0.0; 2]]);
     }
 
     #[test]

@@ -1,23 +1,23 @@
-//! The warm-up of a fire, and its number of particles.
+//! The number of particles of a fire, and its warm-up.
 
 use hearth_core::Scene;
 
 use super::Fire;
 use crate::events::Events;
-use crate::quality::Level;
-use crate::requested::with_count;
+use crate::pacing::particle_count::{CountInputs, ParticleCount, Resolution};
+use crate::pacing::quality::Level;
 
 impl Fire {
     /// Sets the duration of the warm-up of new fires. The answer to `request` follows when the
     /// fire is shown or off stage.
     pub fn set_warm_up(&mut self, seconds: Option<f64>, request: u32) {
         if let Some(seconds) = seconds {
-            self.warm.set(seconds);
+            self.warm_up.set(seconds);
         }
-        self.pending.add(0, 0.0, request);
+        self.step_requests.add(0, 0.0, request);
     }
 
-    /// Starts a new fire with a warm-up.
+    /// Starts a new fire with a warm-up before the next step.
     pub(super) fn start(&mut self, events: &Events) {
         self.starts = true;
         self.stale = true;
@@ -27,83 +27,77 @@ impl Fire {
         }
     }
 
+    /// Starts the warm-up of a new fire, or resumes the saved one.
+    pub(super) fn begin_warm_up(&mut self, events: &Events) {
+        self.starts = false;
+        let scene = self.scene_with(self.count_at(self.quality.level(), false));
+        if let Some(message) = self.warm_up.begin(&mut self.simulation, scene) {
+            events.warn(self.id, message);
+        }
+        if self.warm_up.is_on() {
+            self.simulation = hearth_core::Simulation::new(self.scene());
+        }
+        self.send_seen_domain();
+        // A saved fire is drawn before its first step.
+        self.stale = true;
+    }
+
     /// Whether the fire is warming up.
     pub(super) fn is_warming(&self) -> bool {
-        self.starts || self.warm.is_on()
+        self.starts || self.warm_up.is_on()
     }
 
-    /// The scene at the current level and size.
+    /// The scene with the present number of particles.
     pub(super) fn scene(&self) -> Scene {
-        let scene = self.requested.at(self.particles(self.quality.level()));
-        if self.is_limited(scene.settings().frame_particles()) {
-            with_count(&scene, self.capacity.limit())
-        } else {
-            scene
-        }
+        self.scene_with(self.particle_count())
     }
 
-    /// Whether the speed of the machine limits that number of particles. The levels have limits
-    /// of their own.
-    fn is_limited(&self, particles: u32) -> bool {
-        particles > self.capacity.limit() && !self.requested.follows_level()
+    fn scene_with(&self, count: ParticleCount) -> Scene {
+        self.requested.at(count.number)
     }
 
-    /// Follows the time of a step \[ms\] with the number of particles.
+    /// The present number of particles, and what limits it.
+    pub(crate) fn particle_count(&self) -> ParticleCount {
+        self.count_at(self.quality.level(), self.warm_up.is_coarse())
+    }
+
+    /// The number of particles at a level.
+    fn count_at(&self, level: Level, is_coarse: bool) -> ParticleCount {
+        ParticleCount::of(&CountInputs {
+            settings: self.requested.resolution(),
+            level,
+            is_level_requested: self.quality.requested().is_some(),
+            size: self.size_limit,
+            machine: self.machine_limit.particles(),
+            is_coarse,
+        })
+    }
+
+    /// The number of particles at each level, if the level decides it.
+    pub(super) fn counts_of_levels(&self) -> Option<[u32; 3]> {
+        let follows = self.requested.resolution() == Resolution::Level;
+        follows.then(|| Level::ALL.map(|level| self.count_at(level, false).number))
+    }
+
+    /// Adapts the number of particles to the time of a step \[ms\].
     pub(super) fn measure(&mut self, step: f64, events: &Events) {
-        if self.requested.follows_level() {
+        let resolution = self.requested.resolution();
+        if resolution == Resolution::Level {
             return;
         }
-        let wanted = self.requested.number();
-        // Open air holds fewer particles than would fill its frame, and the limit is one of those.
+        let requested = resolution.number();
+        // Open air has fewer particles than would fill its domain, and the limit is one of those.
         let values = self.simulation.parameters();
         let count = match values.has_open_edges() {
             true => values.frame_particles() as usize,
             false => self.simulation.count(),
         };
-        if let Some(step) = self.capacity.measure(step, count, wanted) {
-            let now = wanted.min(self.capacity.limit());
+        if let Some(step) = self.machine_limit.measure(step, count, requested) {
+            let now = requested.min(self.machine_limit.particles());
             self.quality
-                .explain(step, self.capacity.max_step(), now, wanted);
+                .explain(step, self.machine_limit.max_step(), now, requested);
             events.quality(self.id, &self.quality);
             self.adapt();
-        }
-    }
-
-    /// Number of particles at a level, unless a page set the number.
-    pub(super) fn particles(&self, level: Level) -> u32 {
-        let exact = self.quality.requested().is_some();
-        if self.requested.follows_scene() {
-            let number = self.requested.number();
-            if exact {
-                number
-            } else {
-                self.grain.of_scene(number)
-            }
-        } else if exact {
-            level.particles()
-        } else {
-            self.grain.particles(level)
-        }
-    }
-
-    /// What limits the number of particles, as in `stats`; empty if a page set the number.
-    pub(crate) fn limited_by(&self) -> &'static str {
-        let level = self.quality.level();
-        let number = self.requested.number();
-        if self.is_limited(number) {
-            "speed"
-        } else if self.requested.follows_scene() {
-            if self.particles(level) < number {
-                "size"
-            } else {
-                ""
-            }
-        } else if !self.requested.follows_level() {
-            ""
-        } else if self.particles(level) < level.particles() {
-            "size"
-        } else {
-            ["quality low", "quality medium", "quality high"][level as usize]
         }
     }
 }

@@ -8,11 +8,12 @@ use hearth_core::{Simulation, Stage};
 use hearth_render::ResolutionLimits;
 
 use super::{Fire, SincePicture};
-use crate::average::{StageTimes, smooth};
-use crate::budget::make_steps;
 use crate::events::{ErrorKind, Events};
+use crate::fire_renderer::FrameInput;
+use crate::pacing::averages::{StageTimes, smooth};
+use crate::pacing::quality::FrameCost;
+use crate::pacing::thread_budget::make_steps;
 use crate::pointer::PointerForce;
-use crate::quality::{Frame, Level};
 use crate::shared_canvas::SharedCanvas;
 use crate::stats;
 use crate::wall_clock::WallClock;
@@ -20,9 +21,22 @@ use crate::wall_clock::WallClock;
 /// Interval between two posts of statistics \[ms\].
 const STATS_INTERVAL_MS: f64 = 250.0;
 
+/// The time of a frame.
+#[derive(Clone, Copy, Debug)]
+pub struct FrameTime {
+    /// Time of the frame \[ms\].
+    pub now: f64,
+    /// Time after which no step begins \[ms\].
+    pub deadline: f64,
+    /// Number of fires that share it.
+    pub fires: usize,
+    /// Share of the thread that the engine takes.
+    pub share: f64,
+}
+
 /// The steps of a frame.
 #[derive(Default)]
-struct Made {
+struct StepsMade {
     /// Number of steps.
     steps: u32,
     /// Total length [s of fire].
@@ -36,30 +50,21 @@ struct Made {
 }
 
 impl Fire {
-    /// Makes the due steps until `deadline` \[ms\] and draws the picture. `now` is the time of
-    /// the frame \[ms\], in which so many `fires` have that `share` of the thread. Returns the time
-    /// of drawing \[ms\].
+    /// Makes the due steps of a frame and draws the picture. Returns the time of drawing \[ms\].
     pub fn frame(
         &mut self,
-        now: f64,
-        deadline: f64,
-        (fires, share): (usize, f64),
+        time: FrameTime,
         canvas: &SharedCanvas,
         clock: &WallClock,
         events: &Events,
     ) -> f64 {
+        let now = time.now;
         let scale = f64::from(self.requested.parameters().time_scale);
         // The warm-up comes before requested steps.
-        let warms = self.is_warming() && (self.is_on_stage() || self.pending.next_open().is_some());
+        let warms =
+            self.is_warming() && (self.is_on_stage() || self.step_requests.next_open().is_some());
         if warms && self.starts {
-            self.starts = false;
-            let scene = self.scene();
-            if let Some(message) = self.warm.begin(&mut self.simulation, &scene) {
-                events.warn(self.id, message);
-            }
-            self.see();
-            // A saved fire is drawn before its first step.
-            self.stale = true;
+            self.begin_warm_up(events);
         }
         let passed = if self.playing && self.is_on_stage() && !self.is_warming() {
             Some(self.clock.advance(now / 1000.0, scale))
@@ -67,7 +72,7 @@ impl Fire {
             None
         };
 
-        let made = self.make_steps(passed.is_some(), warms, deadline, clock);
+        let made = self.make_steps(passed.is_some(), warms, time.deadline, clock);
         if made.steps > 0 {
             let steps = f64::from(made.steps);
             for (average, stage) in self.averages.step_stages.iter_mut().zip(made.stages) {
@@ -89,21 +94,21 @@ impl Fire {
                 .frame(passed, scale, made.played_seconds, dropped);
             smooth(&mut self.averages.steps_per_frame, f64::from(made.played));
         }
-        self.pending.close();
+        self.step_requests.close();
 
         // Pictures between requested steps are not shown.
         let (paused, warming) = (!self.playing, self.is_warming());
         let drawn =
-            self.needs_picture() && self.pending.is_empty() && self.is_on_stage() && !warming;
+            self.needs_picture() && self.step_requests.is_empty() && self.is_on_stage() && !warming;
         self.drawn |= drawn;
-        let scale_before = self.fire_frame.scale();
+        let scale_before = self.renderer.scale();
         let draw_ms = if drawn {
             self.draw(paused, canvas, clock, events)
         } else {
             0.0
         };
         // A new scale of the colours is posted with its picture.
-        let rescaled = self.fire_frame.scale() != scale_before;
+        let rescaled = self.renderer.scale() != scale_before;
         self.since_picture.steps_ms += made.stages.iter().sum::<f64>();
         self.since_picture.simulated += made.played_seconds;
         if passed.is_some() && made.steps != made.played {
@@ -113,11 +118,8 @@ impl Fire {
         } else if passed.is_some() && drawn {
             self.fps.frame(now / 1000.0);
             let since = std::mem::take(&mut self.since_picture);
-            let gpu_ms = self
-                .fire_frame
-                .passes()
-                .map_or(0.0, |passes| passes.gpu_ms());
-            let frame = Frame {
+            let gpu_ms = self.renderer.passes().map_or(0.0, |passes| passes.gpu_ms());
+            let cost = FrameCost {
                 now,
                 min_interval: self.limits.min_interval(),
                 steps_ms: since.steps_ms,
@@ -129,14 +131,11 @@ impl Fire {
                 },
                 time_scale: scale,
                 slowed: self.real_time.slowed(),
-                particles: self
-                    .requested
-                    .follows_level()
-                    .then(|| Level::ALL.map(|level| self.particles(level))),
-                fires,
-                share,
+                particles: self.counts_of_levels(),
+                fires: time.fires,
+                share: time.share,
             };
-            if self.quality.frame(&frame) {
+            if self.quality.frame(&cost) {
                 events.quality(self.id, &self.quality);
                 // Another level has other costs.
                 self.real_time.forget_losses();
@@ -148,8 +147,8 @@ impl Fire {
             events.stats(self.id, &stats::of(self, canvas));
         }
         // The answer to a step request follows its picture and statistics.
-        if !self.is_on_stage() || (!warming && (!self.stale || !self.pending.is_empty())) {
-            for request in self.pending.answers() {
+        if !self.is_on_stage() || (!warming && (!self.stale || !self.step_requests.is_empty())) {
+            for request in self.step_requests.answers() {
                 events.done(self.id, request);
             }
         }
@@ -158,19 +157,21 @@ impl Fire {
 
     /// Makes the steps of the warm-up, the requested steps and, if it `plays`, the steps due by
     /// the clock, until `deadline`.
-    fn make_steps(&mut self, plays: bool, warms: bool, deadline: f64, clock: &WallClock) -> Made {
-        let mut made = Made::default();
-        let scene = warms.then(|| self.scene());
+    fn make_steps(
+        &mut self,
+        plays: bool,
+        warms: bool,
+        deadline: f64,
+        clock: &WallClock,
+    ) -> StepsMade {
+        let mut made = StepsMade::default();
         let last = Cell::new(clock.now());
         let steps = make_steps(
             || last.get() < deadline,
             || {
-                let warms = scene.as_ref().filter(|_| self.warm.is_on());
-                let requested = self.pending.next_open();
-                if warms.is_none()
-                    && requested.is_none()
-                    && !(plays && self.clock.due(self.last_step))
-                {
+                let warms = warms && self.warm_up.is_on();
+                let requested = self.step_requests.next_open();
+                if !warms && requested.is_none() && !(plays && self.clock.due(self.last_step)) {
                     return false;
                 }
                 let length = step(&mut self.simulation, self.pointer, &mut |stage| {
@@ -186,8 +187,12 @@ impl Fire {
                 }
                 self.last_step = length;
                 made.seconds += length;
-                if let Some(scene) = warms {
-                    if self.warm.advance(length, &mut self.simulation, scene) {
+                if warms {
+                    if self.warm_up.advance(length) {
+                        let scene = self.scene();
+                        self.simulation.set_scene(scene);
+                    }
+                    if !self.warm_up.is_on() {
                         self.restart_clock();
                     }
                     return true;
@@ -203,7 +208,7 @@ impl Fire {
                 true
             },
         );
-        Made { steps, ..made }
+        StepsMade { steps, ..made }
     }
 
     /// Draws the picture. Returns the time of drawing \[ms\].
@@ -229,20 +234,21 @@ impl Fire {
             ResolutionLimits::MEDIUM,
             ResolutionLimits::HIGH,
         ];
-        let drawn = self.fire_frame.draw(
-            self.id,
+        let drawn = self.renderer.draw(
             canvas,
-            self.limits.fit(self.size, self.quality.pixels()),
-            limits[level as usize],
-            (&self.instances, &self.embers),
-            (
-                self.simulation.time(),
-                self.simulation.scene(),
-                &temperatures,
-                self.simulation.charred(),
-            ),
-            self.camera,
-            paused,
+            &FrameInput {
+                fire: self.id,
+                size: self.limits.fit(self.size, self.quality.pixels()),
+                limits: limits[level as usize],
+                camera: self.camera,
+                time: self.simulation.time(),
+                scene: self.simulation.scene(),
+                particles: &self.instances,
+                embers: &self.embers,
+                temperatures: &temperatures,
+                charred: self.simulation.charred(),
+                paused,
+            },
             clock,
         );
         match drawn {

@@ -1,13 +1,13 @@
 //! Moving averages over frames, slow enough to read.
 
 /// Weight of the newest frame.
-const SMOOTHING: f64 = 0.1;
+const NEWEST_WEIGHT: f64 = 0.1;
 
 /// The stages of a step, in the order of the core's `Stage`.
-const STAGES: [&str; 4] = ["sort", "density", "forces", "integrate"];
+const STAGE_NAMES: [&str; 4] = ["sort", "density", "forces", "integrate"];
 
 /// Time of each stage of a step \[ms\].
-pub type StageTimes = [f64; STAGES.len()];
+pub type StageTimes = [f64; STAGE_NAMES.len()];
 
 /// Averages of a fire.
 #[derive(Default)]
@@ -40,9 +40,9 @@ impl Averages {
     }
 
     /// Time per frame of each stage of its steps, and of the upload \[ms\].
-    pub fn stages(&self) -> [(&'static str, f64); STAGES.len() + 1] {
-        let mut stages = [("upload", self.upload_ms); STAGES.len() + 1];
-        for (at, name) in STAGES.into_iter().enumerate() {
+    pub fn stages(&self) -> [(&'static str, f64); STAGE_NAMES.len() + 1] {
+        let mut stages = [("upload", self.upload_ms); STAGE_NAMES.len() + 1];
+        for (at, name) in STAGE_NAMES.into_iter().enumerate() {
             stages[at] = (name, self.step_stages[at] * self.steps_per_frame);
         }
         stages
@@ -54,6 +54,6 @@ pub fn smooth(average: &mut f64, newest: f64) {
     *average += if *average == 0.0 {
         newest
     } else {
-        SMOOTHING * (newest - *average)
+        NEWEST_WEIGHT * (newest - *average)
     };
 }

@@ -1,4 +1,4 @@
-//! Limits of frame rate and picture size that a page sets.
+//! PictureLimits of frame rate and picture size that a page sets.
 
 use hearth_bindings::Within;
 
@@ -10,18 +10,18 @@ pub type Fps = Within<10, 240>;
 pub type Pixels = Within<1024, 16_777_216>;
 
 /// How early a frame may come \[ms\]: displays jitter.
-const JITTER: f64 = 2.0;
+const TOLERATED_JITTER_MS: f64 = 2.0;
 
-/// The limits of a fire.
+/// The limits of the pictures of a fire.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Limits {
+pub struct PictureLimits {
     /// Maximum number of pictures per second.
     pub fps: Option<f64>,
     /// Maximum number of pixels in a picture.
     pub pixels: Option<f64>,
 }
 
-impl Limits {
+impl PictureLimits {
     /// The size of the picture for an element of that size \[device pixels\]. `default` is the
     /// maximum number of pixels if the page sets no limit.
     pub fn fit(&self, (width, height): (u32, u32), default: f64) -> (u32, u32) {
@@ -46,7 +46,7 @@ impl Limits {
         if self.fps.is_none() {
             return true;
         }
-        if now < *next - JITTER {
+        if now < *next - TOLERATED_JITTER_MS {
             return false;
         }
         let interval = self.min_interval();

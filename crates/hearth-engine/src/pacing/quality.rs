@@ -14,29 +14,29 @@ mod window;
 
 use level::Detail;
 pub use level::Level;
-use load::{Load, USUAL_INTERVAL};
-pub use window::Frame;
+use load::{Load, USUAL_INTERVAL_MS};
+pub use window::FrameCost;
 use window::Window;
 
-use crate::budget::STEPS_BUDGET_MS;
+use super::thread_budget::STEPS_BUDGET_MS;
 
 /// Time between two decisions, and before the first \[ms\].
-const DECISION_INTERVAL: f64 = 1000.0;
-const TRIAL: f64 = 500.0;
+const DECISION_INTERVAL_MS: f64 = 1000.0;
+const TRIAL_MS: f64 = 500.0;
 /// Interval of frames above which the surplus does not count \[ms\]: the page was busy.
-const MAX_INTERVAL: f64 = 250.0;
+const MAX_COUNTED_INTERVAL_MS: f64 = 250.0;
 /// Interval below which two frames are the same one \[ms\].
-const SAME_FRAME: f64 = 1.0;
+const SAME_FRAME_MS: f64 = 1.0;
 /// Interval of the fastest display for which a fire lowers its level \[ms\].
-const MIN_DISPLAY_INTERVAL: f64 = 4.0;
+const MIN_DISPLAY_INTERVAL_MS: f64 = 4.0;
 /// Share of the budget above which a fire exceeds it.
-const EXCEEDED: f64 = 0.9;
+const EXCEEDED_SHARE: f64 = 0.9;
 /// The same of drawing alone, for fires whose number of particles is fixed.
-const DRAWING_EXCEEDED: f64 = 0.5;
+const EXCEEDED_SHARE_OF_DRAWING: f64 = 0.5;
 /// Share of the budget for steps above which a slowed fire is slow because of its steps.
-const STEPS_EXCEEDED: f64 = 0.9;
+const EXCEEDED_SHARE_OF_STEPS: f64 = 0.9;
 /// Mean interval in intervals of the display above which frames are late.
-const LATE: f64 = 1.3;
+const LATE_INTERVALS: f64 = 1.3;
 /// Consecutive windows that exceed the budget, or are late, before the level falls.
 const EXCEEDED_WINDOWS: u32 = 2;
 const LATE_WINDOWS: u32 = 3;
@@ -47,7 +47,7 @@ const PATIENCE_FACTOR: u32 = 4;
 /// Maximum number of rises.
 const MAX_RISES: u32 = 4;
 /// Share of a longer interval that the assumed interval of the display takes over per window.
-const SLOWER_DISPLAY: f64 = 0.05;
+const SLOWER_DISPLAY_SHARE: f64 = 0.05;
 
 /// The level of a fire, and its reason.
 #[derive(Clone, Debug)]
@@ -79,7 +79,7 @@ impl Quality {
             detail: Detail::of(guess),
             reason: "a guess for this device".into(),
             last: None,
-            display: USUAL_INTERVAL,
+            display: USUAL_INTERVAL_MS,
             window: Window::default(),
             tried: false,
             exceeded: 0,
@@ -129,10 +129,10 @@ impl Quality {
         &self.reason
     }
 
-    /// The speed of the machine allows `now` particles of the `wanted` ones, because a step takes
+    /// The speed of the machine allows `now` particles of the `requested` ones, because a step takes
     /// that time of at most `max` \[ms\].
-    pub fn explain(&mut self, step: f64, max: f64, now: u32, wanted: u32) {
-        self.reason = reason::of_capacity(step, max, now, wanted);
+    pub fn explain(&mut self, step: f64, max: f64, now: u32, requested: u32) {
+        self.reason = reason::of_capacity(step, max, now, requested);
     }
 
     /// Starts after a pause: the interval before the next frame does not count.
@@ -151,9 +151,9 @@ impl Quality {
     }
 
     /// Adds a frame. Returns whether the level changed.
-    pub fn frame(&mut self, frame: &Frame) -> bool {
+    pub fn frame(&mut self, frame: &FrameCost) -> bool {
         let interval = self.last.map(|last| frame.now - last);
-        if interval.is_some_and(|interval| interval < SAME_FRAME) {
+        if interval.is_some_and(|interval| interval < SAME_FRAME_MS) {
             return false;
         }
         self.last = Some(frame.now);
@@ -161,13 +161,17 @@ impl Quality {
             return false;
         };
         let age = self.window.age(frame.now);
-        let counted = if interval < MAX_INTERVAL {
+        let counted = if interval < MAX_COUNTED_INTERVAL_MS {
             interval
         } else {
-            MAX_INTERVAL
+            MAX_COUNTED_INTERVAL_MS
         };
         self.window.add(frame, counted);
-        let length = if self.tried { DECISION_INTERVAL } else { TRIAL };
+        let length = if self.tried {
+            DECISION_INTERVAL_MS
+        } else {
+            TRIAL_MS
+        };
         if age < length {
             return false;
         }
@@ -199,27 +203,27 @@ impl Quality {
     /// display or a saver of power, but only if the lowest level does not shorten them; the
     /// assumption follows them slowly.
     fn measure_display(&mut self, interval: f64) {
-        let known = if self.display > USUAL_INTERVAL {
+        let known = if self.display > USUAL_INTERVAL_MS {
             self.display
         } else {
-            USUAL_INTERVAL
+            USUAL_INTERVAL_MS
         };
         self.display = if interval <= known {
-            if interval > MIN_DISPLAY_INTERVAL {
+            if interval > MIN_DISPLAY_INTERVAL_MS {
                 interval
             } else {
-                MIN_DISPLAY_INTERVAL
+                MIN_DISPLAY_INTERVAL_MS
             }
         } else if self.level() == Level::Low {
-            known + SLOWER_DISPLAY * (interval - known)
+            known + SLOWER_DISPLAY_SHARE * (interval - known)
         } else {
             known
         };
     }
 
-    /// The load of a window. During the trial the browser still compiles: the best frames say
-    /// more than the mean, and the time of drawing has no meaning.
-    fn load(&self, window: &Window, frame: &Frame, trial: bool) -> Load {
+    /// The load of a window. During the trial the browser still compiles: the best frames predict
+    /// better than the mean, and the time of drawing has no meaning.
+    fn load(&self, window: &Window, frame: &FrameCost, trial: bool) -> Load {
         let rate = window.steps_ms / window.simulated;
         let (rate, draw) = if trial {
             (window.best_rate.unwrap_or(rate), 0.0)
@@ -243,15 +247,15 @@ impl Quality {
         load.exceeds = if frame.particles.is_some() {
             // Rare frames slow a fire, too, independent of its steps.
             let time = STEPS_BUDGET_MS.min(frame.share * self.display);
-            let budget = STEPS_EXCEEDED * time / frame.fires.max(1) as f64;
+            let budget = EXCEEDED_SHARE_OF_STEPS * time / frame.fires.max(1) as f64;
             let slowed = frame.slowed && !trial && load.steps > budget;
-            load.expected(self.detail) > EXCEEDED * load.budget || slowed
+            load.expected(self.detail) > EXCEEDED_SHARE * load.budget || slowed
         } else {
-            draw > DRAWING_EXCEEDED * load.budget
+            draw > EXCEEDED_SHARE_OF_DRAWING * load.budget
         };
         // Frames within the budget come late because of the graphics card or the page. A fixed
         // number of particles leaves nothing to change if the steps cause it.
-        let rare = load.interval > LATE * self.display;
+        let rare = load.interval > LATE_INTERVALS * self.display;
         let busy = (window.steps_ms / frame.share + window.draw_ms) / window.frames;
         let helps = frame.particles.is_some() || busy + self.display < load.interval;
         load.late = rare && helps && !load.exceeds;

@@ -1,43 +1,19 @@
-//! The time budget of a frame, and the real-time factor.
+//! The real-time factor: how much of the due fire time is simulated.
 //!
-//! A fire that needs more time than the machine has slows down instead of the page. Each
-//! frame has a budget of wall time, which its fires share. Steps that do not fit are dropped,
-//! and the statistics report it.
+//! A fire that needs more time than the machine has slows down instead of the page. Steps that do
+//! not fit into the budget of a frame are dropped, and the statistics report it.
 
 use hearth_core::clock::LONGEST_FRAME;
 
-/// Maximum wall time of the steps of all fires in one frame \[ms\]. A frame at 60 Hz lasts
-/// 16.7 ms; drawing and the page need the rest.
-pub const STEPS_BUDGET_MS: f64 = 12.0;
-
-/// Calls `step` until it has no step to make or `in_time` is false. Returns the number of
-/// steps. The time is read after each step, so even the slowest machine makes one.
-pub fn make_steps(mut in_time: impl FnMut() -> bool, mut step: impl FnMut() -> bool) -> u32 {
-    let mut made = 0;
-    while step() {
-        made += 1;
-        if !in_time() {
-            break;
-        }
-    }
-    made
-}
-
-/// The deadline of one of the `fires` that still share the time until `end`: each gets an
-/// equal part.
-pub fn share(now: f64, end: f64, fires: usize) -> f64 {
-    now + (end - now).max(0.0) / fires.max(1) as f64
-}
-
 /// Seconds of the clock over which the real-time factor is averaged.
-const AVERAGING_TIME: f64 = 1.0;
+const AVERAGING_SECONDS: f64 = 1.0;
 
 /// Longest frame that counts as slow \[s\]. A longer one is rarely the fire's fault.
-const LONGEST_SLOW_FRAME: f64 = 0.25;
+const MAX_COUNTED_FRAME: f64 = 0.25;
 
 /// Share of the due fire time that a fire drops before it counts as slowed: one late frame
 /// stays below it.
-const TOLERATED_LOSS: f64 = 0.05;
+const TOLERATED_LOSS_SHARE: f64 = 0.05;
 
 /// The real-time factor of a fire: sums over frames, in which older frames fade out.
 #[derive(Clone, Debug, Default)]
@@ -56,8 +32,8 @@ impl RealTime {
     /// Adds a frame of `passed` seconds of the clock at a requested `time_scale`, with its
     /// simulated and dropped seconds of fire.
     pub fn frame(&mut self, passed: f64, time_scale: f64, simulated: f64, dropped: f64) {
-        let kept = 1.0 / (1.0 + passed / AVERAGING_TIME);
-        let counted = passed.min(LONGEST_SLOW_FRAME);
+        let kept = 1.0 / (1.0 + passed / AVERAGING_SECONDS);
+        let counted = passed.min(MAX_COUNTED_FRAME);
         let beyond = (counted - LONGEST_FRAME).max(0.0) * time_scale;
         self.clock = self.clock * kept + passed;
         self.simulated = self.simulated * kept + simulated;
@@ -81,55 +57,13 @@ impl RealTime {
 
     /// Whether the fire dropped more than a twentieth of the time that was due.
     pub fn slowed(&self) -> bool {
-        self.dropped > TOLERATED_LOSS * self.due
+        self.dropped > TOLERATED_LOSS_SHARE * self.due
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::cell::Cell;
-
-    /// Number of steps of 5 ms that are made of `due` ones within a budget.
-    fn made(due: u32, budget_ms: f64) -> u32 {
-        let (mut left, time) = (due, Cell::new(0.0));
-        let step = || {
-            let due = left > 0;
-            left -= u32::from(due);
-            time.set(time.get() + 5.0);
-            due
-        };
-        make_steps(|| time.get() < budget_ms, step)
-    }
-
-    #[test]
-    fn all_due_steps_are_made_within_the_budget() {
-        assert_eq!(made(7, 1000.0), 7);
-    }
-
-    #[test]
-    fn no_step_is_made_if_none_is_due() {
-        assert_eq!(made(0, 1000.0), 0);
-    }
-
-    #[test]
-    fn a_slow_machine_makes_one_step() {
-        assert_eq!(made(24, 0.0), 1);
-    }
-
-    #[test]
-    fn steps_end_with_the_budget() {
-        assert_eq!(made(24, STEPS_BUDGET_MS), 3);
-    }
-
-    #[test]
-    fn fires_share_the_remaining_time() {
-        assert_eq!(share(0.0, 12.0, 3), 4.0);
-        // The first fire took less than its share: the other two get more.
-        assert_eq!(share(2.0, 12.0, 2), 7.0);
-        // After the end there is no time left, and no negative time.
-        assert_eq!(share(14.0, 12.0, 1), 14.0);
-    }
 
     /// A second of frames at 60 Hz, each of which simulates that part of the due time.
     fn second(real_time: &mut RealTime, scale: f64, part: f64) {

@@ -1,4 +1,4 @@
-//! How many particles a fire has in an element of its size.
+//! How many particles a fire has at most in an element of its size.
 //!
 //! A fire fits the height of its element, so a small element shows small particles and needs
 //! fewer of them. An icon of 64 CSS pixels gets 300, a card of 240 × 300 gets 400, and from a
@@ -6,52 +6,54 @@
 //! particle appears suddenly. The number changes only with a side that is a tenth longer or
 //! shorter, so that dragging a window does not change it back and forth.
 
-use crate::quality::Level;
+use super::quality::Level;
 
 /// Sides of small elements [CSS pixels] and their particles.
-const ICON: (f64, f64) = (64.0, 300.0);
-const CARD: (f64, f64) = (268.0, 400.0);
+const ICON_SIDE_AND_PARTICLES: (f64, f64) = (64.0, 300.0);
+const CARD_SIDE_AND_PARTICLES: (f64, f64) = (268.0, 400.0);
 /// Side from which a level has its full number.
-const LEVEL_SIDE: f64 = 560.0;
+const FULL_LEVEL_SIDE: f64 = 560.0;
 /// Side from which a scene has its own number, which shapes its look.
-const SCENE_SIDE: f64 = 320.0;
+const FULL_SCENE_SIDE: f64 = 320.0;
 /// Minimum ratio of two sides that count as different.
-const MIN_RATIO: f64 = 1.1;
+const MIN_RATIO_OF_SIDES: f64 = 1.1;
 
-/// The size of an element, rounded to what matters here.
+/// The limit of the particles in an element: its size, rounded to what matters here.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Grain {
+pub struct SizeLimit {
     side: f64,
 }
 
-impl Default for Grain {
-    /// The grain of a large element, until the size is known.
-    fn default() -> Grain {
-        Grain { side: LEVEL_SIDE }
+impl Default for SizeLimit {
+    /// The limit of a large element, until the size is known.
+    fn default() -> SizeLimit {
+        SizeLimit {
+            side: FULL_LEVEL_SIDE,
+        }
     }
 }
 
-impl Grain {
-    /// The grain of an element. `side` is its height or, if that is less, the side of a square
+impl SizeLimit {
+    /// The limit of an element. `side` is its height or, if that is less, the side of a square
     /// of the same area [CSS pixels].
-    pub fn of(side: f64) -> Grain {
+    pub fn of(side: f64) -> SizeLimit {
         if side > 0.0 {
-            Grain {
-                side: side.clamp(ICON.0, LEVEL_SIDE),
+            SizeLimit {
+                side: side.clamp(ICON_SIDE_AND_PARTICLES.0, FULL_LEVEL_SIDE),
             }
         } else {
-            Grain::default()
+            SizeLimit::default()
         }
     }
 
     /// Follows the size of the element; returns whether the change matters. An element without
-    /// a size keeps its grain.
+    /// a size keeps its limit.
     pub fn resize(&mut self, side: f64) -> bool {
-        let new = Grain::of(side).side;
+        let new = SizeLimit::of(side).side;
         let ratio = new / self.side;
         // The ends are reached exactly.
-        let end = new == LEVEL_SIDE || new == ICON.0;
-        let differs = end || !(1.0 / MIN_RATIO..=MIN_RATIO).contains(&ratio);
+        let end = new == FULL_LEVEL_SIDE || new == ICON_SIDE_AND_PARTICLES.0;
+        let differs = end || !(1.0 / MIN_RATIO_OF_SIDES..=MIN_RATIO_OF_SIDES).contains(&ratio);
         let matters = side > 0.0 && new != self.side && differs;
         if matters {
             self.side = new;
@@ -60,13 +62,13 @@ impl Grain {
     }
 
     /// Number of particles at a level.
-    pub fn particles(&self, level: Level) -> u32 {
-        self.limit(level.particles(), LEVEL_SIDE)
+    pub fn of_level(&self, level: Level) -> u32 {
+        self.limit(level.particles(), FULL_LEVEL_SIDE)
     }
 
     /// Number of particles of a scene that sets `number`.
     pub fn of_scene(&self, number: u32) -> u32 {
-        self.limit(number, SCENE_SIDE)
+        self.limit(number, FULL_SCENE_SIDE)
     }
 
     /// Number of particles if elements with a side of at least `full_side` have `max`.
@@ -78,12 +80,13 @@ impl Grain {
             let part = (self.side - low) / (high - low);
             few + (many - few) * part
         };
-        let number = if self.side < CARD.0 {
-            between(ICON, CARD)
+        let number = if self.side < CARD_SIDE_AND_PARTICLES.0 {
+            between(ICON_SIDE_AND_PARTICLES, CARD_SIDE_AND_PARTICLES)
         } else {
             // Proportional to the area, so that particles keep their size in the picture.
-            let part = (self.side - CARD.0) / (full_side - CARD.0);
-            CARD.1 + (f64::from(max) - CARD.1) * part * part
+            let part =
+                (self.side - CARD_SIDE_AND_PARTICLES.0) / (full_side - CARD_SIDE_AND_PARTICLES.0);
+            CARD_SIDE_AND_PARTICLES.1 + (f64::from(max) - CARD_SIDE_AND_PARTICLES.1) * part * part
         };
         // Round numbers are easier to read in the statistics.
         let tens = (number / 10.0).round() as u32 * 10;

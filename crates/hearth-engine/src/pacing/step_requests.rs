@@ -21,13 +21,13 @@ impl StepRequest {
 
 /// The step requests of a fire, oldest first.
 #[derive(Default)]
-pub struct Pending {
+pub struct StepRequests {
     open: Vec<StepRequest>,
     /// Numbers of the requests whose steps are made and not drawn yet.
     made: Vec<u32>,
 }
 
-impl Pending {
+impl StepRequests {
     /// Adds a request, which is answered when its steps are made and drawn.
     pub fn add(&mut self, steps: u32, seconds: f64, request: u32) {
         self.open.push(StepRequest {

@@ -1,36 +1,38 @@
-//! The share of its thread that an engine takes.
+//! The time that an engine takes of its thread: a token bucket.
 //!
-//! The engine earns time while the clock runs and spends it with its work, a token bucket. An
-//! engine in debt, after a long step or call, idles until it has paid. So its work in any
-//! second is at most its share, one budget of a frame and the last task.
+//! The budget grows with the clock, by the engine's share of the thread, and shrinks by the time of
+//! its work. After a long step or call it is negative, and no step is made until it is positive
+//! again. So the work in any second is at most the share, one budget of a frame and the last task.
 
-use crate::budget::STEPS_BUDGET_MS;
+/// Maximum wall time of the steps of all fires in one frame \[ms\]. A frame at 60 Hz lasts
+/// 16.7 ms; drawing and the page need the rest.
+pub const STEPS_BUDGET_MS: f64 = 12.0;
 
 /// Share of a page's own thread: under half in any second, whose last task may take 38 ms.
 pub const SHARE_OF_PAGE: f64 = 0.45;
 /// Share of a worker: the budget for steps in a frame of 60 Hz.
 pub const SHARE_OF_WORKER: f64 = 0.72;
 
-/// Largest debt \[ms\]. A laptop that slept during a step does not pay for the night.
-const MAX_DEBT: f64 = 2000.0;
+/// Largest debt \[ms\]: a laptop that was suspended during a step goes on within seconds.
+const MAX_DEBT_MS: f64 = 2000.0;
 
-/// The account of an engine.
+/// The time that an engine may take of its thread.
 #[derive(Clone, Debug)]
-pub struct Duty {
+pub struct ThreadBudget {
     share: f64,
-    /// Earned time \[ms\]; negative: debt.
-    credit: f64,
-    /// Time of the last income \[ms\].
-    last: f64,
+    /// Available time \[ms\]; negative: debt.
+    available: f64,
+    /// Time of the last refill \[ms\].
+    refilled_at: f64,
 }
 
-impl Duty {
-    /// The account of an engine with that share of its thread.
-    pub fn new(share: f64) -> Duty {
-        Duty {
+impl ThreadBudget {
+    /// The budget of an engine with that share of its thread.
+    pub fn new(share: f64) -> ThreadBudget {
+        ThreadBudget {
             share,
-            credit: 0.0,
-            last: 0.0,
+            available: 0.0,
+            refilled_at: 0.0,
         }
     }
 
@@ -39,17 +41,35 @@ impl Duty {
         self.share
     }
 
-    /// Time for steps at `now`, at most [`STEPS_BUDGET_MS`] \[ms\]. Without a positive time, the
-    /// engine idles.
-    pub fn budget(&mut self, now: f64) -> f64 {
-        let income = self.share * (now - self.last).max(0.0);
-        self.last = now;
-        self.credit = (self.credit + income).min(STEPS_BUDGET_MS);
-        self.credit
+    /// Refills the budget. Returns the time for steps at `now`, at most [`STEPS_BUDGET_MS`] \[ms\];
+    /// without a positive time, the engine makes no steps.
+    pub fn refill(&mut self, now: f64) -> f64 {
+        let refill = self.share * (now - self.refilled_at).max(0.0);
+        self.refilled_at = now;
+        self.available = (self.available + refill).min(STEPS_BUDGET_MS);
+        self.available
     }
 
-    /// Pays for work \[ms\].
+    /// Subtracts the time of work \[ms\].
     pub fn spend(&mut self, work: f64) {
-        self.credit = (self.credit - work).max(-MAX_DEBT);
+        self.available = (self.available - work).max(-MAX_DEBT_MS);
     }
+}
+
+/// The deadline of the next of `fires` that share the time until `end`: each gets an equal part.
+pub fn deadline(now: f64, end: f64, fires: usize) -> f64 {
+    now + (end - now).max(0.0) / fires.max(1) as f64
+}
+
+/// Calls `step` until it has no step to make or `in_time` is false. Returns the number of
+/// steps. The time is read after each step, so even the slowest machine makes one.
+pub fn make_steps(mut in_time: impl FnMut() -> bool, mut step: impl FnMut() -> bool) -> u32 {
+    let mut made = 0;
+    while step() {
+        made += 1;
+        if !in_time() {
+            break;
+        }
+    }
+    made
 }

@@ -3,23 +3,17 @@
 //! A fire that was just lit looks like a mushroom cloud. A warm fire first burns for some
 //! seconds, or resumes a saved fire. The cost of a step grows as the particle count to the
 //! power of 1.5, so most of the warm-up uses few particles. The full number replaces them
-//! for the last part.
+//! for the last part ([`ParticleCount`](super::particle_count)).
 
 use hearth_core::burning::BurningError;
-use hearth_core::params::Model;
 use hearth_core::{Scene, Simulation};
 
-use crate::requested::with_count;
-
 /// Duration of the last part, with all particles [s of fire].
-const FINE_DURATION: f64 = 0.9;
-/// Divisor of the particle count before, and its minimum.
-const COARSENING: u32 = 4;
-const MIN_COARSE: u32 = 600;
+const FINE_SECONDS: f64 = 0.9;
 
 /// The warm-up of a fire.
 #[derive(Debug, Default)]
-pub struct Warm {
+pub struct WarmUp {
     duration: f64,
     /// Remaining duration [s of fire].
     left: f64,
@@ -27,10 +21,10 @@ pub struct Warm {
     saved: Vec<u8>,
 }
 
-impl Warm {
+impl WarmUp {
     /// A warm-up of that duration [s of fire], or a saved fire if its settings match.
-    pub fn new(duration: f64, saved: Vec<u8>) -> Warm {
-        Warm {
+    pub fn new(duration: f64, saved: Vec<u8>) -> WarmUp {
+        WarmUp {
             duration,
             left: 0.0,
             saved,
@@ -52,10 +46,16 @@ impl Warm {
         self.left > 0.0
     }
 
-    /// Starts a new fire of a scene. Returns what is wrong with the saved one, as text.
-    pub fn begin(&mut self, simulation: &mut Simulation, scene: &Scene) -> Option<&'static str> {
+    /// Whether the fire is in the first part, with few particles.
+    pub fn is_coarse(&self) -> bool {
+        self.left > FINE_SECONDS
+    }
+
+    /// Starts a new fire of a scene with all its particles. If it [is on](WarmUp::is_on) after that, the caller
+    /// replaces the fire by a coarse one. Returns what is wrong with the saved fire, as text.
+    pub fn begin(&mut self, simulation: &mut Simulation, scene: Scene) -> Option<&'static str> {
         self.left = 0.0;
-        *simulation = Simulation::new(scene.clone());
+        *simulation = Simulation::new(scene);
         if !self.is_enabled() {
             return None;
         }
@@ -71,30 +71,13 @@ impl Warm {
             }
         }
         self.left = self.duration;
-        *simulation = Simulation::new(self.coarse(scene));
         wrong
     }
 
-    /// Counts a step of that length [s of fire]. Returns whether the warm-up is over.
-    pub fn advance(&mut self, length: f64, simulation: &mut Simulation, scene: &Scene) -> bool {
-        let was_coarse = self.left > FINE_DURATION;
+    /// Counts a step of that length [s of fire]. Returns whether the number of particles changes.
+    pub fn advance(&mut self, length: f64) -> bool {
+        let was_coarse = self.is_coarse();
         self.left -= length;
-        if was_coarse && self.left <= FINE_DURATION {
-            simulation.set_scene(scene.clone());
-        }
-        self.left <= 0.0
-    }
-
-    /// The scene to simulate now for a requested scene: with fewer particles in the first part.
-    pub fn coarse(&self, requested: &Scene) -> Scene {
-        let settings = requested.settings();
-        let full = settings.frame_particles();
-        let few = (full / COARSENING).max(MIN_COARSE);
-        let fewer = settings.model() == Model::Combustion && few < full;
-        if self.left > FINE_DURATION && fewer {
-            with_count(requested, few)
-        } else {
-            requested.clone()
-        }
+        was_coarse && !self.is_coarse()
     }
 }

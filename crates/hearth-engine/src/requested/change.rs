@@ -26,7 +26,7 @@ impl Requested {
         for values in [start.kept, start.values] {
             settings::set_valid(&mut requested.scene, values, &mut errors);
         }
-        requested.follow_frame();
+        requested.follow_domain();
         (requested, errors)
     }
 
@@ -74,7 +74,7 @@ impl Requested {
                 spacing_overridden: spacing.unwrap_or(self.spacing_overridden),
                 preset: self.preset,
             };
-            requested.follow_frame();
+            requested.follow_domain();
             requested
         }))
     }

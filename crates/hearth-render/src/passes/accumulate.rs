@@ -1,6 +1,6 @@
 //! Accumulates a measured quantity in the field.
 
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::kernel::peak;
 use crate::pass::{Blend, Draw, Load, Pass};
@@ -13,18 +13,17 @@ pub const MAX_WEIGHT: f32 = 1.5;
 pub struct Accumulate;
 
 impl Pass for Accumulate {
-    const KEY: &'static str = "gather";
     const TARGET: Image = Image::Field;
     const LOAD: Load = Load::Clear;
     const BLEND: Blend = Blend::Add;
     const DRAW: Draw = Draw::Particles;
     type Uniforms = uniforms::Accumulate;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.shows_quantity()
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Accumulate {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Accumulate {
         let [clip_scale, clip_offset] = frame.viewport.to_clip();
         let radius = frame.kernel.radius;
         let [span_from, per_span] = frame.span();

@@ -1,6 +1,6 @@
 //! Advects the noise with the flow.
 
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::pass::{Draw, Pass};
 use crate::shaders::uniforms;
@@ -10,16 +10,15 @@ use crate::shaders::uniforms;
 pub struct AdvectNoise;
 
 impl Pass for AdvectNoise {
-    const KEY: &'static str = "drift";
     const TARGET: Image = Image::NoiseOffsets;
     const DRAW: Draw = Draw::All;
     type Uniforms = uniforms::AdvectNoise;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.advects_noise()
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::AdvectNoise {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::AdvectNoise {
         let advection = &frame.motion.advection;
         let [before_scale, before_offset] = frame.viewport.before(frame.before);
         uniforms::AdvectNoise {

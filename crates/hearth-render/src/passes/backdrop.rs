@@ -1,32 +1,31 @@
 //! Draws the displayed colours in front of the backdrop.
 
-use crate::frame::{Frame, background, wrapped};
+use crate::frame_uniforms::{FrameUniforms, background, wrapped};
 use crate::image::Image;
 use crate::noise;
 use crate::pass::{Draw, Pass};
 use crate::shaders::uniforms;
 
 /// Displacement of the view through hot gas, in heights of the domain.
-const BEND: f32 = 0.035;
+const BEND_HEIGHT: f32 = 0.035;
 /// Waves of the haze per height of the domain.
-const WAVES: f32 = 3.5;
+const WAVES_PER_HEIGHT: f32 = 3.5;
 
 /// The last pass of a fire with a backdrop, which the fire illuminates and makes shimmer.
 pub struct Backdrop;
 
 impl Pass for Backdrop {
-    const KEY: &'static str = "backdrop";
     const TARGET: Image = Image::Picture;
     const DRAW: Draw = Draw::All;
     type Uniforms = uniforms::Backdrop;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.has_backdrop()
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Backdrop {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Backdrop {
         let viewport = &frame.viewport;
-        let tiles = WAVES * viewport.zoom / noise::CELLS as f32;
+        let tiles = WAVES_PER_HEIGHT * viewport.zoom / noise::CELLS as f32;
         let risen = frame.motion.rise.distance / f64::from(viewport.metres[1]);
         let [weight, heat, ..] = frame.field_range();
         uniforms::Backdrop {
@@ -35,7 +34,7 @@ impl Pass for Backdrop {
             weight_range: [weight, heat],
             haze_tiles: [tiles * viewport.aspect, tiles],
             haze_risen: wrapped(risen * f64::from(tiles)),
-            haze_bend: frame.wall() * frame.parameters.heat_haze * BEND / viewport.zoom,
+            haze_bend: frame.wall() * frame.parameters.heat_haze * BEND_HEIGHT / viewport.zoom,
             light_range: frame.format.light_range(),
             wall: frame.wall(),
             sky: frame.sky(),

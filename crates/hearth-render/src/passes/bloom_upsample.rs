@@ -1,6 +1,6 @@
 //! Upsamples the blurred copies and blends them to a glow.
 
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::pass::{Draw, Levels, Pass};
 use crate::shaders::uniforms;
@@ -9,17 +9,16 @@ use crate::shaders::uniforms;
 pub struct BloomUpsample;
 
 impl Pass for BloomUpsample {
-    const KEY: &'static str = "bloom";
     const TARGET: Image = Image::Glow;
     const DRAW: Draw = Draw::All;
     const LEVELS: Levels = Levels::Up;
     type Uniforms = uniforms::BloomUpsample;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.blooms()
     }
 
-    fn uniforms(frame: &Frame, level: usize) -> uniforms::BloomUpsample {
+    fn uniforms(frame: &FrameUniforms, level: usize) -> uniforms::BloomUpsample {
         let shares = frame.layout.limits.sharper_shares;
         uniforms::BloomUpsample {
             texel: frame.layout.blurs()[level + 1].map(|side| 1.0 / side as f32),

@@ -3,7 +3,7 @@
 use hearth_core::params::{DisplayMode, Model};
 
 use super::accumulate::MAX_WEIGHT;
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::pass::{Blend, Draw, Load, Pass};
 use crate::shaders::uniforms;
@@ -16,24 +16,23 @@ const OPAQUE_CLOSED: f32 = 0.45;
 const OPAQUE_OPEN: f32 = 0.9;
 
 /// Half the width of open air, in pictures.
-const OPEN: f32 = 1e3;
+const OPEN_AIR_HALF_WIDTH: f32 = 1e3;
 
 /// Colours of the mean quantity.
 pub struct ColourMap;
 
 impl Pass for ColourMap {
-    const KEY: &'static str = "chart";
     const TARGET: Image = Image::Picture;
     const LOAD: Load = Load::Clear;
     const BLEND: Blend = Blend::Over;
     const DRAW: Draw = Draw::All;
     type Uniforms = uniforms::ColourMap;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.shows_quantity()
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::ColourMap {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::ColourMap {
         let width = frame.viewport.metres[0];
         let opaque = match frame.parameters.model() {
             Model::Classic => OPAQUE_CLASSIC,
@@ -47,7 +46,7 @@ impl Pass for ColourMap {
             half_width: if frame.is_closed() {
                 0.5 * frame.parameters.domain_width / width
             } else {
-                OPEN
+                OPEN_AIR_HALF_WIDTH
             },
             per_fade: width / frame.kernel.radius,
             per_cover: MAX_WEIGHT / opaque,
@@ -58,7 +57,7 @@ impl Pass for ColourMap {
 }
 
 /// The displayed quantity of far air, as a share of the span; −1 in a closed domain.
-fn far_air(frame: &Frame) -> f32 {
+fn far_air(frame: &FrameUniforms) -> f32 {
     if frame.is_closed() {
         return -1.0;
     }

@@ -2,7 +2,7 @@
 
 use hearth_core::params::DisplayMode;
 
-use crate::frame::{Frame, background};
+use crate::frame_uniforms::{FrameUniforms, background};
 use crate::image::Image;
 use crate::pass::{Draw, Load, Pass};
 use crate::shaders::uniforms;
@@ -11,18 +11,17 @@ use crate::shaders::uniforms;
 pub struct Composite;
 
 impl Pass for Composite {
-    const KEY: &'static str = "present";
     const TARGET: Image = Image::Picture;
     const LOAD: Load = Load::Clear;
     const DRAW: Draw = Draw::Halo;
     type Uniforms = uniforms::Composite;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         let fire = frame.shows(DisplayMode::Fire) && !frame.has_backdrop();
         fire || frame.shows(DisplayMode::Sprites)
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Composite {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Composite {
         uniforms::Composite {
             background: background(frame.parameters.background),
         }

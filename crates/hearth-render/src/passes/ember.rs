@@ -2,39 +2,38 @@
 
 use hearth_core::params::{Layers, Model};
 
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::pass::{Blend, Draw, Pass};
 use crate::shaders::uniforms;
 
 /// Brightness of an ember relative to gas of the same temperature: an ember is solid.
-const BRIGHTNESS: f32 = 12.0;
+const RELATIVE_BRIGHTNESS: f32 = 12.0;
 /// Minimum radius of a spark in texels of the light.
-const SMALLEST: f32 = 1.2;
+const MIN_RADIUS_TEXELS: f32 = 1.2;
 
 /// Sparks behind the flame. In front of it they would look like dots.
 pub struct Ember;
 
 impl Pass for Ember {
-    const KEY: &'static str = "ember";
     const TARGET: Image = Image::Light;
     const BLEND: Blend = Blend::Under;
     const DRAW: Draw = Draw::Embers;
     type Uniforms = uniforms::Ember;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.burns_as(Model::Combustion) && frame.parameters.layers != Layers::Smoke
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Ember {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Ember {
         let [clip_scale, clip_offset] = frame.viewport.to_clip();
         let texel = frame.viewport.metres[1] / frame.layout.light[1] as f32;
         uniforms::Ember {
             clip_scale,
             clip_offset,
             count: frame.embers as f32,
-            smallest: SMALLEST * texel,
-            gain: BRIGHTNESS * frame.gain(),
+            smallest: MIN_RADIUS_TEXELS * texel,
+            gain: RELATIVE_BRIGHTNESS * frame.gain(),
             luminance_exponent: frame.parameters.luminance_exponent,
             light_scale: 1.0 / frame.format.light_range(),
         }

@@ -2,38 +2,37 @@
 
 use hearth_core::params::Model;
 
-use crate::frame::{Frame, wrapped};
+use crate::frame_uniforms::{FrameUniforms, wrapped};
 use crate::image::Image;
 use crate::noise;
 use crate::pass::{Draw, Load, Pass};
 use crate::shaders::uniforms;
 
 /// Brightness relative to the classic model, whose gas is cooler.
-const BRIGHTNESS: f32 = 0.34;
+const RELATIVE_BRIGHTNESS: f32 = 0.34;
 /// Optical depth of cold gas with a soot of 1 at a smoke opacity of 1.
-const SMOKE: f32 = 14.0;
-/// Noise tiles per tile of the grain, across and up: tongues of a flame are taller than wide.
-const TONGUES: [f32; 2] = [1.15, 0.75];
+const SMOKE_DEPTH: f32 = 14.0;
+/// Noise tiles per tile of fine structure, across and up: tongues of a flame are taller than wide.
+const TILES_OF_TONGUES: [f32; 2] = [1.15, 0.75];
 /// Maximum height above a visible floor over which gas fades, in heights of the domain.
-const FLOOR_FADE: f32 = 0.04;
+const FLOOR_FADE_HEIGHT: f32 = 0.04;
 
 /// Light and coverage of the gas.
 pub struct Flame;
 
 impl Pass for Flame {
-    const KEY: &'static str = "flame";
     const TARGET: Image = Image::Light;
     const LOAD: Load = Load::Clear;
     const DRAW: Draw = Draw::Reach;
     type Uniforms = uniforms::Flame;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.burns_as(Model::Combustion)
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Flame {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Flame {
         let (source, kernel, motion) = (frame.source, frame.kernel, &frame.motion);
-        let tiles = TONGUES.map(|share| share / (noise::CELLS as f32 * kernel.grain));
+        let tiles = TILES_OF_TONGUES.map(|share| share / (noise::CELLS as f32 * kernel.noise_tile));
         let risen = if frame.advects_noise() {
             0.0
         } else {
@@ -41,7 +40,7 @@ impl Pass for Flame {
         };
         // At a visible floor, gas below the source fades.
         let [_, below] = frame.viewport.shows_beyond();
-        let soft = (source.base.y / frame.parameters.domain_height).clamp(1e-3, FLOOR_FADE);
+        let soft = (source.base.y / frame.parameters.domain_height).clamp(1e-3, FLOOR_FADE_HEIGHT);
         uniforms::Flame {
             field_used: frame.field_used(),
             field_edge: frame.field_edge(),
@@ -63,9 +62,9 @@ impl Pass for Flame {
             warp: kernel.warp,
             detail: frame.parameters.detail,
             air: frame.parameters.ambient_temperature * 1e-3,
-            smoke: SMOKE * frame.smoke_opacity(),
+            smoke: SMOKE_DEPTH * frame.smoke_opacity(),
             luminance_exponent: frame.parameters.luminance_exponent,
-            gain: BRIGHTNESS * frame.gain(),
+            gain: RELATIVE_BRIGHTNESS * frame.gain(),
             light_scale: 1.0 / frame.format.light_range(),
             fire_share: frame.fire_share(),
             // A fade of no visible height where the floor is not visible.

@@ -2,7 +2,7 @@
 
 use hearth_core::params::Model;
 
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::kernel::peak;
 use crate::pass::{Blend, Draw, Load, Pass};
@@ -12,25 +12,29 @@ use crate::shaders::uniforms;
 pub struct Gas;
 
 impl Pass for Gas {
-    const KEY: &'static str = "gas";
     const TARGET: Image = Image::Field;
     const LOAD: Load = Load::Clear;
     const BLEND: Blend = Blend::Add;
     const DRAW: Draw = Draw::Particles;
     type Uniforms = uniforms::Gas;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.burns_as(Model::Combustion)
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Gas {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Gas {
         let scale = frame.field_range().map(|range| 1.0 / range);
         of_gas(frame, frame.kernel.radius, 0.0, scale)
     }
 }
 
 /// Uniforms for kernels of a radius \[m\]. `velocities`: 1 for the velocity pass, else 0.
-pub fn of_gas(frame: &Frame, radius: f32, velocities: f32, field_scale: [f32; 4]) -> uniforms::Gas {
+pub fn of_gas(
+    frame: &FrameUniforms,
+    radius: f32,
+    velocities: f32,
+    field_scale: [f32; 4],
+) -> uniforms::Gas {
     let [clip_scale, clip_offset] = frame.viewport.to_clip();
     uniforms::Gas {
         clip_scale,

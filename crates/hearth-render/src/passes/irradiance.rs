@@ -1,6 +1,6 @@
 //! Computes the irradiance on the backdrop.
 
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::pass::{Draw, Pass};
 use crate::shaders::uniforms;
@@ -9,16 +9,15 @@ use crate::shaders::uniforms;
 pub struct Irradiance;
 
 impl Pass for Irradiance {
-    const KEY: &'static str = "backdrop";
     const TARGET: Image = Image::Irradiance;
     const DRAW: Draw = Draw::All;
     type Uniforms = uniforms::Irradiance;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.has_backdrop() || frame.lights_solids()
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Irradiance {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Irradiance {
         uniforms::Irradiance {
             size: frame.viewport.heights(),
         }

@@ -2,7 +2,7 @@
 
 use hearth_core::params::{DisplayMode, Model};
 
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::palette::Tint;
 use crate::pass::{Blend, Draw, Load, Pass};
@@ -12,18 +12,17 @@ use crate::shaders::uniforms;
 pub struct Paper;
 
 impl Pass for Paper {
-    const KEY: &'static str = "paper";
     const TARGET: Image = Image::Picture;
     const LOAD: Load = Load::Clear;
     const BLEND: Blend = Blend::Over;
     const DRAW: Draw = Draw::Particles;
     type Uniforms = uniforms::Paper;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.shows(DisplayMode::Paper)
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Paper {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Paper {
         let parameters = frame.parameters;
         // The classic model's discs have one size and one colour, as in the paper. Those of the
         // combustion model show the spacing and the temperature of the gas.

@@ -1,6 +1,6 @@
 //! Draws the backdrop in white light.
 
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::pass::{Draw, Pass};
 use crate::shaders::uniforms;
@@ -9,16 +9,15 @@ use crate::shaders::uniforms;
 pub struct Scenery;
 
 impl Pass for Scenery {
-    const KEY: &'static str = "backdrop";
     const TARGET: Image = Image::Scenery;
     const DRAW: Draw = Draw::All;
     type Uniforms = uniforms::Scenery;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.has_backdrop() && frame.scenery_is_stale
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Scenery {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Scenery {
         uniforms::Scenery {
             floor_middle: frame.viewport.floor,
             size: frame.viewport.heights(),

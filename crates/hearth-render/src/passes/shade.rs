@@ -2,33 +2,34 @@
 
 use hearth_core::params::Model;
 
-use crate::frame::{Frame, wrapped};
+use crate::frame_uniforms::{FrameUniforms, wrapped};
 use crate::image::Image;
 use crate::noise;
 use crate::pass::{Draw, Load, Pass};
 use crate::shaders::uniforms;
 
 /// Optical depth of the smoke in the middle of one kernel at a smoke opacity of 1.
-const SMOKE: f32 = 2.2;
+const SMOKE_DEPTH: f32 = 2.2;
 
 /// Light and coverage of the gas.
 pub struct Shade;
 
 impl Pass for Shade {
-    const KEY: &'static str = "shade";
     const TARGET: Image = Image::Light;
     const LOAD: Load = Load::Clear;
     const DRAW: Draw = Draw::Reach;
     type Uniforms = uniforms::Shade;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.burns_as(Model::Classic)
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Shade {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Shade {
         let (source, kernel, rise) = (frame.source, frame.kernel, &frame.motion.rise);
-        let flame = rise.flame_height(source.base.y).max(2.0 * kernel.grain);
-        let tiles = 1.0 / (noise::CELLS as f32 * kernel.grain);
+        let flame = rise
+            .flame_height(source.base.y)
+            .max(2.0 * kernel.noise_tile);
+        let tiles = 1.0 / (noise::CELLS as f32 * kernel.noise_tile);
         // Gas leaves the domain at its top and fades there if the top is visible.
         let [above, _] = frame.viewport.shows_beyond();
         uniforms::Shade {
@@ -47,7 +48,7 @@ impl Pass for Shade {
             warp: kernel.warp,
             detail: frame.parameters.detail,
             air: frame.parameters.ambient_temperature * 1e-3,
-            smoke: SMOKE * frame.smoke_opacity(),
+            smoke: SMOKE_DEPTH * frame.smoke_opacity(),
             luminance_exponent: frame.parameters.luminance_exponent,
             gain: frame.gain(),
             light_scale: 1.0 / frame.format.light_range(),

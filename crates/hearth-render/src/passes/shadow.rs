@@ -1,6 +1,6 @@
 //! Draws the shadows of solids on the ground.
 
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::pass::{Blend, Draw, Pass};
 use crate::shaders::uniforms;
@@ -9,17 +9,16 @@ use crate::shaders::uniforms;
 pub struct Shadow;
 
 impl Pass for Shadow {
-    const KEY: &'static str = "solids";
     const TARGET: Image = Image::Picture;
     const BLEND: Blend = Blend::Over;
     const DRAW: Draw = Draw::Solids;
     type Uniforms = uniforms::Shadow;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.has_backdrop() && frame.solids > 0
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Shadow {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Shadow {
         let viewport = &frame.viewport;
         let [clip_scale, clip_offset] = viewport.to_clip();
         uniforms::Shadow {

@@ -1,31 +1,30 @@
 //! Draws solids in the light of the fire.
 
-use crate::frame::{Frame, wrapped};
+use crate::frame_uniforms::{FrameUniforms, wrapped};
 use crate::image::Image;
 use crate::palette::Tint;
 use crate::pass::{Blend, Draw, Pass};
 use crate::shaders::uniforms;
 
 /// Brightness of a surface relative to gas of the same temperature, which is thin.
-const BRIGHTNESS: f32 = 1.0;
+const RELATIVE_BRIGHTNESS: f32 = 1.0;
 /// Speed at which the noise of embers moves [tiles/s].
-const BREATH: f64 = 0.015;
+const EMBER_NOISE_SPEED: f64 = 0.015;
 
 /// The solids behind the displayed fire: the pass puts the fire on them again.
 pub struct Solid;
 
 impl Pass for Solid {
-    const KEY: &'static str = "solids";
     const TARGET: Image = Image::Picture;
     const BLEND: Blend = Blend::Over;
     const DRAW: Draw = Draw::Solids;
     type Uniforms = uniforms::Solid;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.lights_solids()
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Solid {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Solid {
         let viewport = &frame.viewport;
         let [clip_scale, clip_offset] = viewport.to_clip();
         let (pale, yellow) = Tint::of(frame.parameters).pale();
@@ -41,9 +40,9 @@ impl Pass for Solid {
             per_height: viewport.heights().map(|side| 1.0 / side),
             light_range: frame.format.light_range(),
             luminance_exponent: frame.parameters.luminance_exponent,
-            gain: BRIGHTNESS * frame.gain(),
+            gain: RELATIVE_BRIGHTNESS * frame.gain(),
             sky: frame.sky(),
-            breath: wrapped(frame.time * BREATH),
+            breath: wrapped(frame.time * EMBER_NOISE_SPEED),
             pale,
             yellow,
         }

@@ -3,30 +3,29 @@
 use hearth_core::Parameters;
 use hearth_core::params::Model;
 
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::pass::{Blend, Draw, Load, Pass};
 use crate::shaders::uniforms;
 
 /// Number of overlapping kernels in undisturbed gas at which a kernel weighs 1.
-const OVERLAP: f32 = 3.6;
+const OVERLAP_OF_UNIT_WEIGHT: f32 = 3.6;
 
 /// Sums the particles' kernels.
 pub struct Splat;
 
 impl Pass for Splat {
-    const KEY: &'static str = "splat";
     const TARGET: Image = Image::Field;
     const LOAD: Load = Load::Clear;
     const BLEND: Blend = Blend::Add;
     const DRAW: Draw = Draw::Particles;
     type Uniforms = uniforms::Splat;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.burns_as(Model::Classic)
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Splat {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Splat {
         let [clip_scale, clip_offset] = frame.viewport.to_clip();
         let radius = frame.kernel.radius;
         uniforms::Splat {
@@ -46,7 +45,7 @@ fn kernel_weight(radius: f32, parameters: &Parameters) -> f32 {
     let per_area = parameters.rest_density / parameters.particle_mass;
     // The kernel (1 − q²)² covers a third of its circle.
     let overlap = per_area * std::f32::consts::PI / 3.0 * radius * radius;
-    (OVERLAP / overlap).sqrt().clamp(0.1, 4.0)
+    (OVERLAP_OF_UNIT_WEIGHT / overlap).sqrt().clamp(0.1, 4.0)
 }
 
 #[cfg(test)]

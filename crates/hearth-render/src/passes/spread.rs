@@ -2,7 +2,7 @@
 
 use hearth_core::params::Model;
 
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::pass::{Draw, Pass};
 use crate::shaders::uniforms;
@@ -11,16 +11,15 @@ use crate::shaders::uniforms;
 pub struct Spread;
 
 impl Pass for Spread {
-    const KEY: &'static str = "spread";
     const TARGET: Image = Image::Wide;
     const DRAW: Draw = Draw::All;
     type Uniforms = uniforms::Spread;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.burns_as(Model::Classic)
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Spread {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Spread {
         // Five reads in each direction, one radius apart, span six radii of a kernel.
         let radius = frame.kernel.radius / frame.viewport.metres[1] * frame.used[1] as f32;
         uniforms::Spread {

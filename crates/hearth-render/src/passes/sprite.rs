@@ -2,7 +2,7 @@
 
 use hearth_core::params::{DisplayMode, Model};
 
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::palette::Tint;
 use crate::pass::{Blend, Draw, Load, Pass};
@@ -12,33 +12,32 @@ use crate::shaders::uniforms;
 const OF_LIFE: [f32; 2] = [0.45, 0.25];
 const OF_SOOT: [f32; 2] = [0.9, 0.3];
 /// Brightness of a sprite relative to gas: many sprites overlap.
-const BRIGHTNESS: f32 = 0.16;
+const RELATIVE_BRIGHTNESS: f32 = 0.16;
 /// Mean time of one turn of a sprite \[s\].
-const TURN: f64 = 9.0;
+const TURN_SECONDS: f64 = 9.0;
 
 /// Flakes of noise.
 pub struct Sprite;
 
 impl Pass for Sprite {
-    const KEY: &'static str = "sprites";
     const TARGET: Image = Image::Shown;
     const LOAD: Load = Load::Clear;
     const BLEND: Blend = Blend::Screen;
     const DRAW: Draw = Draw::Particles;
     type Uniforms = uniforms::Sprite;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.shows(DisplayMode::Sprites)
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Sprite {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Sprite {
         let parameters = frame.parameters;
         let [opacity, full] = match parameters.model() {
             Model::Classic => OF_LIFE,
             Model::Combustion => OF_SOOT,
         };
         // Speeds are odd multiples of one half, so two turns of speed 1 are a common period.
-        let turns = frame.time / (2.0 * TURN);
+        let turns = frame.time / (2.0 * TURN_SECONDS);
         let [clip_scale, clip_offset] = frame.viewport.to_clip();
         let (pale, yellow) = Tint::of(parameters).pale();
         uniforms::Sprite {
@@ -50,7 +49,7 @@ impl Pass for Sprite {
             opacity,
             full,
             luminance_exponent: parameters.luminance_exponent,
-            gain: BRIGHTNESS * frame.gain(),
+            gain: RELATIVE_BRIGHTNESS * frame.gain(),
             pale,
             yellow,
         }

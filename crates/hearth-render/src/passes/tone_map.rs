@@ -2,38 +2,37 @@
 
 use hearth_core::params::{DisplayMode, Layers, Model};
 
-use crate::frame::{Frame, exp2};
+use crate::frame_uniforms::{FrameUniforms, exp2};
 use crate::image::Image;
 use crate::palette::Tint;
 use crate::pass::{Draw, Load, Pass};
 use crate::shaders::uniforms;
 
 /// Factor on the light on smoke that is shown without fire.
-const SMOKE_ALONE: f32 = 1.6;
+const SMOKE_ALONE_LIGHT: f32 = 1.6;
 /// Additional share of the glow that opaque smoke scatters.
-const SCATTERED: f32 = 4.0;
+const SCATTERED_GLOW: f32 = 4.0;
 
 /// The tone map.
 pub struct ToneMap;
 
 impl Pass for ToneMap {
-    const KEY: &'static str = "develop";
     const TARGET: Image = Image::Shown;
     const LOAD: Load = Load::Clear;
     const DRAW: Draw = Draw::Halo;
     type Uniforms = uniforms::ToneMap;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.shows(DisplayMode::Fire)
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::ToneMap {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::ToneMap {
         let parameters = frame.parameters;
         let light_range = frame.format.light_range();
         // The square root approximates the encoding of the screen.
         let mut soot = exp2(parameters.exposure.min(0.0)).sqrt();
         if parameters.layers == Layers::Smoke {
-            soot *= SMOKE_ALONE;
+            soot *= SMOKE_ALONE_LIGHT;
         }
         let (pale, yellow) = Tint::of(parameters).pale();
         uniforms::ToneMap {
@@ -42,7 +41,7 @@ impl Pass for ToneMap {
             soot,
             scattered: match parameters.model() {
                 Model::Classic => 0.0,
-                Model::Combustion => SCATTERED,
+                Model::Combustion => SCATTERED_GLOW,
             },
             pale,
             yellow,

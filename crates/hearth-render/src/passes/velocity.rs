@@ -1,7 +1,7 @@
 //! Splats the velocities of the combustion model into the flow, with the shaders of the gas.
 
 use super::gas::of_gas;
-use crate::frame::Frame;
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::pass::{Blend, Draw, Load, Pass};
 use crate::shaders::uniforms;
@@ -10,18 +10,17 @@ use crate::shaders::uniforms;
 pub struct Velocity;
 
 impl Pass for Velocity {
-    const KEY: &'static str = "gas";
     const TARGET: Image = Image::Flow;
     const LOAD: Load = Load::Clear;
     const BLEND: Blend = Blend::Add;
     const DRAW: Draw = Draw::Particles;
     type Uniforms = uniforms::Gas;
 
-    fn applies(frame: &Frame) -> bool {
+    fn applies(frame: &FrameUniforms) -> bool {
         frame.advects_noise()
     }
 
-    fn uniforms(frame: &Frame, _: usize) -> uniforms::Gas {
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Gas {
         let radius = frame.resolved(frame.kernel.radius, frame.layout.flow[1]);
         of_gas(frame, radius, 1.0, [1.0; 4])
     }

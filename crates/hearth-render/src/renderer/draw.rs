@@ -1,7 +1,7 @@
 //! Draws the passes of a frame.
 
 use super::Renderer;
-use crate::frame::{Frame, background};
+use crate::frame_uniforms::{FrameUniforms, background};
 use crate::gl::Graphics;
 use crate::image::Image;
 use crate::pass::{Draw, Load, Row};
@@ -13,23 +13,22 @@ use crate::target::{Target, bind};
 const TRANSPARENT: [f32; 4] = [0.0; 4];
 
 impl<G: Graphics> Renderer<G> {
-    /// Draws the passes of a frame. Calls `on_pass` with each key after its passes are submitted.
-    pub(super) fn draw(&self, gl: &G, frame: &Frame, on_pass: &mut dyn FnMut(&'static str)) {
-        let mut last = None;
+    /// Draws the passes of a frame. Calls `on_pass` with the name of each pass after it is submitted.
+    pub(super) fn draw(
+        &self,
+        gl: &G,
+        frame: &FrameUniforms,
+        on_pass: &mut dyn FnMut(&'static str),
+    ) {
         for row in PASSES.iter().filter(|row| (row.applies)(frame)) {
-            if let Some(key) = last.replace(row.key).filter(|key| *key != row.key) {
-                on_pass(key);
-            }
             for level in row.levels.of(frame.widest_blur()) {
                 self.draw_pass(gl, frame, row, level);
             }
-        }
-        if let Some(key) = last {
-            on_pass(key);
+            on_pass(SOURCES[row.shader as usize].name);
         }
     }
 
-    fn draw_pass(&self, gl: &G, frame: &Frame, row: &Row, level: usize) {
+    fn draw_pass(&self, gl: &G, frame: &FrameUniforms, row: &Row, level: usize) {
         let size = match self.target(frame, row.target, level) {
             Some(target) => {
                 let part = if row.target == Image::Field {
@@ -82,7 +81,7 @@ impl<G: Graphics> Renderer<G> {
     }
 
     /// The target of an image; `None` for the picture and for images that no pass draws.
-    fn target(&self, frame: &Frame, image: Image, level: usize) -> Option<&Target<G>> {
+    fn target(&self, frame: &FrameUniforms, image: Image, level: usize) -> Option<&Target<G>> {
         let target = image.target(level, frame.widest_blur(), self.newest)?;
         self.targets.get(target).map(|(_, target)| target)
     }
@@ -90,7 +89,7 @@ impl<G: Graphics> Renderer<G> {
     /// The texture of an image in a pass with that geometry.
     fn texture(
         &self,
-        frame: &Frame,
+        frame: &FrameUniforms,
         draw: Draw,
         image: Image,
         level: usize,
@@ -111,7 +110,7 @@ impl<G: Graphics> Renderer<G> {
 }
 
 /// Draws the part of a target that `bounds` \[m\] touch.
-fn draw_part<G: Graphics>(gl: &G, frame: &Frame, bounds: [f32; 4], size: [u32; 2]) {
+fn draw_part<G: Graphics>(gl: &G, frame: &FrameUniforms, bounds: [f32; 4], size: [u32; 2]) {
     let part = frame.viewport.rectangle(bounds, size);
     if part.width == 0 || part.height == 0 {
         return;

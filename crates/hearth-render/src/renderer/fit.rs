@@ -2,7 +2,7 @@
 
 use super::{NOISE_OFFSETS, Renderer, SCENERY};
 use crate::error::RenderError;
-use crate::frame::{Frame, has_backdrop};
+use crate::frame_uniforms::{FrameUniforms, has_backdrop};
 use crate::gl::Graphics;
 use crate::palette::Tint;
 use crate::passes::PASSES;
@@ -29,7 +29,7 @@ impl<G: Graphics> Renderer<G> {
     }
 
     /// Creates every program and target that a pass of the frame needs.
-    pub(super) fn fit_targets(&mut self, gl: &G, frame: &Frame) -> Result<(), RenderError> {
+    pub(super) fn fit_targets(&mut self, gl: &G, frame: &FrameUniforms) -> Result<(), RenderError> {
         self.targets.fit(gl, frame.layout);
         if !has_backdrop(frame.parameters) {
             self.targets.free(gl, SCENERY);
@@ -60,7 +60,7 @@ impl<G: Graphics> Renderer<G> {
     }
 
     /// Creates the targets of the noise advection, with the offsets of a paused fire or empty.
-    fn fit_noise_offsets(&mut self, gl: &G, frame: &Frame) -> Result<(), RenderError> {
+    fn fit_noise_offsets(&mut self, gl: &G, frame: &FrameUniforms) -> Result<(), RenderError> {
         self.targets
             .need(gl, "advect_noise", frame.format, NOISE_OFFSETS + 1)?;
         match self.carried.take() {

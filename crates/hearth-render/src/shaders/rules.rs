@@ -235,12 +235,12 @@ fn structs_and_shaders_have_the_same_uniforms() {
 
 #[test]
 fn the_ends_of_the_colour_table_are_its_outer_texels() {
-    use crate::constants::{COOLEST, ENTRIES, HOTTEST};
+    use crate::constants::{COLOUR_ENTRIES, COOLEST_KELVIN, HOTTEST_KELVIN};
     let [scale, offset] = values::table_coordinate();
-    let half = 0.5 / ENTRIES as f32;
+    let half = 0.5 / COLOUR_ENTRIES as f32;
     let at = |kelvin: f32| kelvin * 1e-3 * scale + offset;
-    assert!((at(COOLEST) - half).abs() < 1e-5);
-    assert!((at(HOTTEST) - (1.0 - half)).abs() < 1e-5);
+    assert!((at(COOLEST_KELVIN) - half).abs() < 1e-5);
+    assert!((at(HOTTEST_KELVIN) - (1.0 - half)).abs() < 1e-5);
 }
 
 /// A pair that follows every rule.

@@ -3,12 +3,12 @@
 use super::level::Detail;
 
 /// Interval of the displays that every fire should keep up with \[ms\]: 60 Hz.
-pub const USUAL_INTERVAL: f64 = 1000.0 / 60.0;
+pub const USUAL_INTERVAL_MS: f64 = 1000.0 / 60.0;
 /// Maximum share of a frame that another level may be expected to take.
-const FITS: f64 = 0.6;
+const FITTING_SHARE: f64 = 0.6;
 /// Share of a frame from which drawing counts as long, so that fewer pixels than those of the lowest level
 /// may help.
-const LONG_DRAWING: f64 = 0.25;
+const LONG_SHARE_OF_DRAWING: f64 = 0.25;
 
 /// Mean cost of the frames of a window.
 pub struct Load {
@@ -53,7 +53,7 @@ impl Load {
 
     /// Whether a detail is expected to fit with room to spare.
     pub fn fits(&self, detail: Detail) -> bool {
-        self.expected(detail) <= FITS.min(self.share) * self.budget
+        self.expected(detail) <= FITTING_SHARE.min(self.share) * self.budget
     }
 
     /// The finest detail from `finest` down to `coarsest` that fits.
@@ -72,7 +72,7 @@ impl Load {
 
     /// The finest detail below this one that fits, or the coarsest that helps; `None` without one.
     pub fn lower(&self) -> Option<Detail> {
-        let long = self.shrinks && self.draw > LONG_DRAWING * self.budget;
+        let long = self.shrinks && self.draw > LONG_SHARE_OF_DRAWING * self.budget;
         let coarsest = if long && self.detail <= Detail::LOW {
             Detail::COARSEST
         } else {

@@ -26,20 +26,20 @@ pub fn of_change(what: &str, ms: f64, load: &Load, detail: Detail) -> String {
     reason + ": " + &change
 }
 
-/// The reason of a number of particles `now`, instead of the `wanted` one: a step takes that time
+/// The reason of `now` particles instead of the `requested` number: a step takes that time
 /// of at most `max` \[ms\].
-pub fn of_capacity(step: f64, max: f64, now: u32, wanted: u32) -> String {
+pub fn of_capacity(step: f64, max: f64, now: u32, requested: u32) -> String {
     let reason = of_times([("a step takes ", step), (" of at most ", max)]);
-    let [now, wanted] = [now, wanted].map(with_separator);
-    reason + ": " + &now + " of " + &wanted + " particles"
+    let [now, requested] = [now, requested].map(with_separator);
+    reason + ": " + &now + " of " + &requested + " particles"
 }
 
-/// Two times with the words before each \[ms\].
+/// Two times with the label before each \[ms\].
 fn of_times(times: [(&str, f64); 2]) -> String {
     let mut text = String::new();
-    for (words, ms) in times {
+    for (label, ms) in times {
         let tenths = (ms * 10.0).round() as u32;
-        text.push_str(&format!("{words}{}.{} ms", tenths / 10, tenths % 10));
+        text.push_str(&format!("{label}{}.{} ms", tenths / 10, tenths % 10));
     }
     text
 }

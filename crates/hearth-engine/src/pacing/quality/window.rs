@@ -1,16 +1,16 @@
 //! What the frames between two decisions took.
 
-use super::load::USUAL_INTERVAL;
+use super::load::USUAL_INTERVAL_MS;
 
 /// Frames whose step times a trial sums before it compares them: the clocks of browsers are
 /// too coarse for a single frame.
-const GROUP: f64 = 8.0;
-/// Intervals between frames that a window remembers.
-const INTERVALS: usize = 32;
+const FRAMES_OF_A_GROUP: f64 = 8.0;
+/// Intervals between frames that a window stores.
+const STORED_INTERVALS: usize = 32;
 
 /// One frame and its cost. All costs count from the previous frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame {
+pub struct FrameCost {
     /// Time of the frame \[ms\].
     pub now: f64,
     /// Minimum interval that a page requested \[ms\]; 0 without a request.
@@ -54,7 +54,7 @@ pub struct Window {
     /// `steps_ms` and `simulated` before the current group.
     before: [f64; 2],
     /// The last intervals, in a ring \[ms\].
-    last: [f64; INTERVALS],
+    last: [f64; STORED_INTERVALS],
 }
 
 impl Window {
@@ -64,14 +64,14 @@ impl Window {
     }
 
     /// Adds a frame, an interval after the previous one \[ms\].
-    pub fn add(&mut self, frame: &Frame, interval: f64) {
-        self.last[self.frames as usize % INTERVALS] = interval;
+    pub fn add(&mut self, frame: &FrameCost, interval: f64) {
+        self.last[self.frames as usize % STORED_INTERVALS] = interval;
         self.frames += 1.0;
         self.intervals += interval;
         self.steps_ms += frame.steps_ms;
         self.simulated += frame.simulated;
         self.draw_ms += frame.draw_ms;
-        if self.frames % GROUP == 0.0 {
+        if self.frames % FRAMES_OF_A_GROUP == 0.0 {
             let [steps_ms, simulated] = [
                 self.steps_ms - self.before[0],
                 self.simulated - self.before[1],
@@ -87,7 +87,7 @@ impl Window {
     /// Lower quartile of the last intervals \[ms\]: neither late frames nor a few early ones
     /// change it.
     pub fn lower_quartile(&self) -> f64 {
-        let intervals = &self.last[..INTERVALS.min(self.frames as usize)];
+        let intervals = &self.last[..STORED_INTERVALS.min(self.frames as usize)];
         let quarter = intervals.len() / 4;
         let is_quartile = |interval: &f64| {
             let shorter = intervals.iter().filter(|other| *other < interval).count();
@@ -95,6 +95,6 @@ impl Window {
             shorter <= quarter && quarter < not_longer
         };
         let found = intervals.iter().copied().find(is_quartile);
-        found.unwrap_or(USUAL_INTERVAL)
+        found.unwrap_or(USUAL_INTERVAL_MS)
     }
 }

@@ -1,14 +1,12 @@
 //! Parsing of calls: their form, and the errors of invalid ones.
 
-mod harness;
-
-use harness::{number, object, sent, text};
+use crate::harness::{number, object, sent, text};
 use hearth_bindings::Argument;
 use hearth_bindings::{Check, Form, Positive, Untrusted, ValidationError, Whole, Within};
 use hearth_engine::commands::{
     COMMANDS, Command, MAX_SECONDS, MAX_SIDE, MAX_STEPS, NamedFit, RequestedLevel, Start,
 };
-use hearth_engine::quality::Level;
+use hearth_engine::pacing::quality::Level;
 use hearth_render::Fit;
 
 #[track_caller]
@@ -21,8 +19,8 @@ fn refused(name: &str, arguments: &[Untrusted]) -> ValidationError {
 
 #[test]
 fn every_command_is_parsed() {
-    let one = sent([("viscosity", number(0.01))]);
-    let values = Untrusted::Object(one.clone());
+    let viscosity = sent([("viscosity", number(0.01))]);
+    let values = Untrusted::Object(viscosity.clone());
     let seed = [text("seed")];
     let list = Untrusted::List(seed.to_vec());
     let source = "test";
@@ -32,11 +30,15 @@ fn every_command_is_parsed() {
             "set",
             vec![values.clone(), text(source)],
             Command::Set {
-                values: &one,
+                values: &viscosity,
                 source,
             },
         ),
-        ("check", vec![values], Command::CheckValues { values: &one }),
+        (
+            "check",
+            vec![values],
+            Command::CheckValues { values: &viscosity },
+        ),
         (
             "restore",
             vec![list, text(source)],

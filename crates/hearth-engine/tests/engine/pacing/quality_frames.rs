@@ -1,7 +1,7 @@
 //! Adaptive quality with irregular frames: other displays, busy pages, coarse clocks.
 
-use hearth_engine::duty::SHARE_OF_WORKER;
-use hearth_engine::quality::{Frame, Level, Quality};
+use hearth_engine::pacing::quality::{FrameCost, Level, Quality};
+use hearth_engine::pacing::thread_budget::SHARE_OF_WORKER;
 
 /// Interval of a display of 60 Hz \[ms\].
 const DISPLAY: f64 = 1000.0 / 60.0;
@@ -11,7 +11,7 @@ fn slow_steps_of_a_fixed_number_of_particles_leave_the_picture() {
     // Each frame makes one step, which is longer than the frame.
     let mut quality = Quality::new(None, Level::Medium);
     for frame in 1..1800 {
-        quality.frame(&Frame {
+        quality.frame(&FrameCost {
             now: 33.4 * f64::from(frame),
             steps_ms: 30.0,
             simulated: 0.002,
@@ -24,8 +24,8 @@ fn slow_steps_of_a_fixed_number_of_particles_leave_the_picture() {
 }
 
 /// A frame of a cheap fire.
-fn idle() -> Frame {
-    Frame {
+fn idle() -> FrameCost {
+    FrameCost {
         now: 0.0,
         min_interval: 0.0,
         steps_ms: 2.0,
@@ -45,7 +45,7 @@ fn frames(quality: &mut Quality, now: &mut f64, gaps: impl IntoIterator<Item = f
     for gap in gaps {
         *now += gap;
         let (made, steps_ms) = (gap * 1e-3, 0.2 * gap);
-        quality.frame(&Frame {
+        quality.frame(&FrameCost {
             now: *now,
             simulated: made,
             steps_ms,
@@ -81,14 +81,14 @@ fn a_few_short_intervals_are_no_faster_display() {
 }
 
 #[test]
-fn the_reason_tells_rare_frames_from_long_steps() {
+fn the_reason_distinguishes_rare_frames_from_long_steps() {
     let mut quality = Quality::new(None, Level::Medium);
     let mut now = 0.0;
     frames(&mut quality, &mut now, [1000.0 / 60.0; 30]);
     for _ in 0..60 {
         now += 150.0;
         // The clock makes up for at most a tenth of a second.
-        quality.frame(&Frame {
+        quality.frame(&FrameCost {
             now,
             simulated: 0.1,
             slowed: true,
@@ -111,7 +111,7 @@ fn a_page_that_was_busy_for_a_second_keeps_the_level() {
     let mut burn = |gap: f64, times: u32| {
         for _ in 0..times {
             now += gap;
-            quality.frame(&Frame {
+            quality.frame(&FrameCost {
                 now,
                 simulated: gap * 1e-3,
                 slowed: true,
@@ -138,7 +138,7 @@ fn coarse_clocks_are_sufficient() {
             busy += DISPLAY;
             let read = |time: f64| (time / tick).floor() * tick;
             let steps_ms = read(started + rate * made) - read(started);
-            quality.frame(&Frame {
+            quality.frame(&FrameCost {
                 now,
                 steps_ms,
                 simulated: made,
@@ -166,7 +166,7 @@ fn several_fires_share_the_frame() {
     let mut now = 0.0;
     for _ in 0..600 {
         now += DISPLAY;
-        quality.frame(&Frame {
+        quality.frame(&FrameCost {
             now,
             min_interval: 0.0,
             steps_ms: 6.0,
@@ -187,7 +187,7 @@ fn several_fires_share_the_frame() {
 fn a_fire_with_a_limited_frame_rate_is_not_late() {
     let mut quality = Quality::new(None, Level::Medium);
     for frame in 0..300 {
-        quality.frame(&Frame {
+        quality.frame(&FrameCost {
             now: 100.0 * f64::from(frame),
             min_interval: 100.0,
             simulated: 0.1,

@@ -1,10 +1,10 @@
 //! The number of particles by the size of an element.
 
-use hearth_engine::grain::Grain;
-use hearth_engine::quality::Level;
+use hearth_engine::pacing::quality::Level;
+use hearth_engine::pacing::size_limit::SizeLimit;
 
 fn at(side: f64, level: Level) -> u32 {
-    Grain::of(side).particles(level)
+    SizeLimit::of(side).of_level(level)
 }
 
 #[test]
@@ -19,7 +19,7 @@ fn an_icon_has_300_a_card_about_400_and_a_large_element_all_particles() {
         }
         // Without a size, before the first layout or while hidden.
         assert_eq!(at(0.0, level), level.particles());
-        assert_eq!(Grain::default().particles(level), level.particles());
+        assert_eq!(SizeLimit::default().of_level(level), level.particles());
     }
 }
 
@@ -37,43 +37,43 @@ fn the_number_grows_with_size_and_level() {
 #[test]
 fn small_changes_of_size_do_not_change_the_number() {
     for start in [64.0, 90.0, 200.0, 268.0, 300.0, 500.0, 559.0, 800.0] {
-        let mut grain = Grain::of(start);
+        let mut limit = SizeLimit::of(start);
         for side in [1.04, 0.96, 1.08, 1.0, 0.93, 1.0] {
-            let before = grain;
-            let matters = grain.resize(side * start);
+            let before = limit;
+            let matters = limit.resize(side * start);
             // Only the ends are followed exactly.
             assert!(!matters || [64.0, 560.0].contains(&(side * start).clamp(64.0, 560.0)));
-            assert_eq!(matters, grain != before);
+            assert_eq!(matters, limit != before);
         }
-        let settled = grain;
+        let settled = limit;
         for side in [1.02, 0.99, 1.0] {
-            grain.resize(side * start);
+            limit.resize(side * start);
         }
-        assert_eq!(grain, settled);
+        assert_eq!(limit, settled);
     }
 }
 
 #[test]
 fn a_growing_element_reaches_all_particles_in_few_changes() {
-    let mut grain = Grain::of(240.0);
+    let mut limit = SizeLimit::of(240.0);
     let changes = (240..1000)
-        .filter(|&side| grain.resize(side.into()))
+        .filter(|&side| limit.resize(side.into()))
         .count();
-    assert_eq!(grain.particles(Level::High), Level::High.particles());
+    assert_eq!(limit.of_level(Level::High), Level::High.particles());
     assert!((2..=12).contains(&changes), "{changes}");
-    assert!(!grain.resize(0.0), "a hidden element keeps its particles");
-    assert!(grain.resize(64.0));
-    assert_eq!(grain.particles(Level::High), 300);
+    assert!(!limit.resize(0.0), "a hidden element keeps its particles");
+    assert!(limit.resize(64.0));
+    assert_eq!(limit.of_level(Level::High), 300);
 }
 
 #[test]
 fn a_scene_has_its_own_number_except_in_small_elements() {
     for number in [2000, 4000] {
         for side in [320.0, 426.0, 2000.0] {
-            assert_eq!(Grain::of(side).of_scene(number), number);
+            assert_eq!(SizeLimit::of(side).of_scene(number), number);
         }
-        assert_eq!(Grain::of(64.0).of_scene(number), 300);
-        assert!(Grain::of(72_000_f64.sqrt()).of_scene(number) <= 700);
+        assert_eq!(SizeLimit::of(64.0).of_scene(number), 300);
+        assert!(SizeLimit::of(72_000_f64.sqrt()).of_scene(number) <= 700);
     }
-    assert_eq!(Grain::of(100.0).of_scene(250), 250);
+    assert_eq!(SizeLimit::of(100.0).of_scene(250), 250);
 }

@@ -1,8 +1,8 @@
 //! Adaptive quality on machines of every speed.
 
 use hearth_core::params::{IN_FRAME, Parameters};
-use hearth_engine::duty::SHARE_OF_WORKER;
-use hearth_engine::quality::{Frame, Level, Quality};
+use hearth_engine::pacing::quality::{FrameCost, Level, Quality};
+use hearth_engine::pacing::thread_budget::SHARE_OF_WORKER;
 
 /// A machine and its display.
 #[derive(Clone, Copy)]
@@ -60,7 +60,7 @@ impl Burning {
             let busy = (steps_ms + draw_ms).max(machine.hidden * picture);
             gap = (busy / machine.display).ceil().max(1.0) * machine.display;
             self.now += gap;
-            let changed = self.quality.frame(&Frame {
+            let changed = self.quality.frame(&FrameCost {
                 now: self.now,
                 min_interval: 0.0,
                 steps_ms,

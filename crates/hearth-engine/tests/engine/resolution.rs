@@ -1,14 +1,16 @@
 //! Settings, links and attributes from before open air, opened with open edges: the frame is their
 //! domain, and the resolution is that of their number of particles.
 
+use crate::harness::at_level;
 use hearth_bindings::{Untrusted, settings};
 use hearth_core::Simulation;
 use hearth_core::params::{IN_FRAME, Parameters};
 use hearth_core::preset::PRESETS;
 use hearth_engine::commands::Command;
 use hearth_engine::config::{Config, export};
-use hearth_engine::grain::Grain;
-use hearth_engine::quality::Level;
+use hearth_engine::pacing::particle_count::Resolution;
+use hearth_engine::pacing::quality::Level;
+use hearth_engine::pacing::size_limit::SizeLimit;
 use hearth_engine::requested::Requested;
 
 /// Width and height of the domain \[m\], and the number of particles at medium quality.
@@ -101,7 +103,7 @@ fn named(id: &str, value: Untrusted) -> (String, Untrusted) {
 fn read(link: &str) -> (String, Vec<(String, Untrusted)>) {
     let mut preset = "default".to_owned();
     let mut values = vec![named("edges", text("open"))];
-    for (name, value) in link.split('&').filter_map(|one| one.split_once('=')) {
+    for (name, value) in link.split('&').filter_map(|pair| pair.split_once('=')) {
         match name {
             "scene" | "preset" => preset = value.to_owned(),
             _ => values.push(named(&name.replace('-', "_"), text(value))),
@@ -124,8 +126,8 @@ fn opened(link: &str) -> [Requested; 3] {
     ]);
     let attributes = |values: &mut dyn Iterator<Item = &(String, Untrusted)>| {
         let first = Requested::of_preset(&preset).unwrap_or_else(|errors| panic!("{errors:?}"));
-        values.fold(first, |requested, one| {
-            let values = std::slice::from_ref(one);
+        values.fold(first, |requested, value| {
+            let values = std::slice::from_ref(value);
             let source = "attribute";
             match requested.after(&Command::Set { values, source }) {
                 Some(Ok(after)) => after,
@@ -198,7 +200,7 @@ fn every_scene_and_link_of_the_closed_domain_keeps_its_frame_and_resolution() {
 fn periodic_edges_and_the_classic_model_keep_their_box() {
     for (link, (width, height, number)) in LINKS {
         let [file, ..] = opened(&format!("{link}&edges=periodic"));
-        let values = file.at(file.number()).settings().clone();
+        let values = file.completed();
         assert_eq!((values.domain_width, values.domain_height), (width, height));
         assert_eq!(values.max_particles, number, "{link}");
     }
@@ -211,9 +213,9 @@ fn periodic_edges_and_the_classic_model_keep_their_box() {
 #[test]
 fn the_levels_set_the_spacing_of_open_air() {
     let [requested, ..] = opened("domain-width=2.4");
-    assert!(requested.follows_level());
+    assert_eq!(requested.resolution(), Resolution::Level);
     for level in Level::ALL {
-        let scene = requested.at(level.particles());
+        let scene = at_level(&requested, level);
         let values = scene.settings();
         let number = f64::from(values.frame_particles());
         assert!((number / f64::from(level.particles()) - 1.0).abs() < 0.003);
@@ -222,9 +224,9 @@ fn the_levels_set_the_spacing_of_open_air() {
     // A page that names the resolution fixes it.
     for link in ["spacing=0.02", "max-particles=5000", "max-particles=3000"] {
         for requested in opened(link) {
-            let at = |level: Level| requested.at(level.particles());
-            assert!(!requested.follows_level() && !requested.follows_scene());
-            assert_eq!(at(Level::Low), at(Level::High), "{link}");
+            assert!(matches!(requested.resolution(), Resolution::Page(_)));
+            let [low, high] = [Level::Low, Level::High].map(|level| at_level(&requested, level));
+            assert_eq!(low, high, "{link}");
         }
     }
 }
@@ -264,7 +266,7 @@ fn without_a_spacing_the_resolution_follows_the_frame_again() {
     assert_eq!(wide.completed().spacing, 0.02);
     let ids = &[text("spacing")];
     let free = change(&wide, &Command::Restore { ids, source });
-    assert!(free.follows_level());
+    assert_eq!(free.resolution(), Resolution::Level);
     assert_opens_as(&free, (2.4, 1.8, IN_FRAME), "restored");
     let ids = &[text("domain_width")];
     let back = change(&free, &Command::Restore { ids, source });
@@ -306,7 +308,7 @@ fn an_icon_burns_with_a_few_hundred_particles() {
         "scene=torch",
     ] {
         let [requested, ..] = opened(link);
-        let number = Grain::of(64.0).particles(Level::Medium);
+        let number = SizeLimit::of(64.0).of_level(Level::Medium);
         let mut fire = Simulation::new(requested.at(number));
         let mut most = 0;
         while fire.time() < 2.0 {

@@ -1,8 +1,6 @@
 //! Values of parameters: how commands change them, and what a new fire starts with.
 
-mod harness;
-
-use harness::{Sent, number, object, sent, text};
+use crate::harness::{Sent, number, object, sent, text};
 use hearth_bindings::{Argument, Untrusted, ValidationError, settings};
 use hearth_core::Parameters;
 use hearth_core::params::{Input, Model};

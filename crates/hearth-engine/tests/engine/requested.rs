@@ -1,10 +1,11 @@
 //! Requested settings and the level's number of particles.
 
+use crate::harness::at_level;
 use hearth_bindings::{Argument, Untrusted};
 use hearth_core::Simulation;
 use hearth_core::params::Model;
 use hearth_engine::commands::{Command, Start};
-use hearth_engine::quality::Level;
+use hearth_engine::pacing::quality::Level;
 use hearth_engine::requested::{Requested, adapt};
 
 type Sent = Vec<(String, Untrusted)>;
@@ -65,7 +66,7 @@ fn after<const N: usize>(changes: [Change; N]) -> Requested {
 
 /// Number of particles at each level.
 fn particles(requested: &Requested) -> [u32; 3] {
-    Level::ALL.map(|level| requested.at(level.particles()).settings().frame_particles())
+    Level::ALL.map(|level| at_level(requested, level).settings().frame_particles())
 }
 
 /// The default spacing, of three digits, gives 3007 particles instead of 3000.
@@ -166,8 +167,8 @@ fn the_start_does_not_depend_on_the_guess_for_the_machine() {
     ];
     for (changed, level) in cases {
         let burnt = |guess: Level| {
-            let mut fire = Simulation::new(requested.at(guess.particles()));
-            adapt(&mut fire, changed.at(level.particles()));
+            let mut fire = Simulation::new(at_level(&requested, guess));
+            adapt(&mut fire, at_level(&changed, level));
             for _ in 0..20 {
                 fire.step();
             }
@@ -176,9 +177,9 @@ fn the_start_does_not_depend_on_the_guess_for_the_machine() {
         let (low, high) = (burnt(Level::Low), burnt(Level::High));
         assert_eq!(low, high);
         // A reset fire is the same.
-        let mut again = Simulation::new(requested.at(Level::High.particles()));
+        let mut again = Simulation::new(at_level(&requested, Level::High));
         again.step();
-        adapt(&mut again, changed.at(level.particles()));
+        adapt(&mut again, at_level(&changed, level));
         again.reset();
         for _ in 0..20 {
             again.step();
@@ -191,12 +192,12 @@ fn the_start_does_not_depend_on_the_guess_for_the_machine() {
 fn a_burning_fire_is_resampled() {
     let requested = Requested::default();
     assert_eq!(requested.parameters().model(), Model::Combustion);
-    let mut fire = Simulation::new(requested.at(Level::Medium.particles()));
+    let mut fire = Simulation::new(at_level(&requested, Level::Medium));
     for _ in 0..20 {
         fire.step();
     }
     let time = fire.time();
-    adapt(&mut fire, requested.at(Level::Low.particles()));
+    adapt(&mut fire, at_level(&requested, Level::Low));
     assert_eq!(fire.time(), time);
     assert!(fire.count() < 1500);
 }

@@ -1,25 +1,25 @@
-//! Limits of frame rate and picture size, and the force of a pointer.
+//! PictureLimits of frame rate and picture size, and the force of a pointer.
 
 use hearth_bindings::{Untrusted, Within};
 use hearth_engine::commands::Command;
-use hearth_engine::limits::Limits;
+use hearth_engine::pacing::picture_limits::PictureLimits;
+use hearth_engine::pacing::quality::Level;
 use hearth_engine::pointer::PointerForce;
-use hearth_engine::quality::Level;
 
 const PIXELS: (f64, f64) = (1024.0, 16_777_216.0);
 
-fn fps(fps: f64) -> Limits {
+fn fps(fps: f64) -> PictureLimits {
     let (fps, pixels) = (Some(fps), None);
-    Limits { fps, pixels }
+    PictureLimits { fps, pixels }
 }
 
-fn pixels(pixels: f64) -> Limits {
+fn pixels(pixels: f64) -> PictureLimits {
     let (fps, pixels) = (None, Some(pixels));
-    Limits { fps, pixels }
+    PictureLimits { fps, pixels }
 }
 
 /// Number of pictures in ten seconds on a display with that rate \[Hz\].
-fn drawn(limits: Limits, display: f64) -> u32 {
+fn drawn(limits: PictureLimits, display: f64) -> u32 {
     let mut next = 0.0;
     let frames = (10.0 * display) as u32;
     let due = |&frame: &u32| limits.is_due(1000.0 * f64::from(frame) / display, &mut next);
@@ -29,7 +29,10 @@ fn drawn(limits: Limits, display: f64) -> u32 {
 #[test]
 fn a_limited_fire_draws_nearly_at_its_limit() {
     for display in [50.0, 60.0, 120.0, 144.0] {
-        assert_eq!(drawn(Limits::default(), display), (10.0 * display) as u32);
+        assert_eq!(
+            drawn(PictureLimits::default(), display),
+            (10.0 * display) as u32
+        );
         for fps in [10.0, 24.0, 30.0] {
             let limits = self::fps(fps);
             let max = 10.0 * fps + 1.0;
@@ -77,7 +80,7 @@ fn a_limited_picture_keeps_its_shape() {
 fn the_quality_limits_pixels_by_default() {
     let screen = (3840, 2160);
     let pixels = Level::ALL.map(|level| {
-        let (width, height) = Limits::default().fit(screen, level.pixels());
+        let (width, height) = PictureLimits::default().fit(screen, level.pixels());
         width * height
     });
     assert!(pixels.is_sorted_by(|a, b| a < b), "{pixels:?}");

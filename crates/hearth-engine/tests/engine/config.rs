@@ -40,7 +40,7 @@ fn imported(config: &Untrusted) -> Requested {
 
 fn errors(config: &Untrusted) -> Vec<String> {
     let refused = Config::requested_by(config).err().unwrap_or_default();
-    refused.into_iter().map(|one| one.message).collect()
+    refused.into_iter().map(|error| error.message).collect()
 }
 
 fn set(requested: &Requested, id: &str, value: Untrusted) -> Requested {
@@ -177,10 +177,10 @@ fn errors_name_the_invalid_field() {
             "__proto__",
         ),
     ] {
-        let said = errors(&wrong);
+        let messages = errors(&wrong);
         assert!(
-            said.iter().any(|words| words.contains(named)),
-            "{wrong:?}: {said:?}"
+            messages.iter().any(|message| message.contains(named)),
+            "{wrong:?}: {messages:?}"
         );
     }
     let two = values(vec![
@@ -305,9 +305,12 @@ fn import_restores_objects_with_their_ids() {
 
 #[test]
 fn the_later_of_two_values_of_a_property_wins() {
-    let one = ("fuel_power".to_owned(), Untrusted::Number(100.0));
+    let first = ("fuel_power".to_owned(), Untrusted::Number(100.0));
     let other = ("objects".to_owned(), sources(&[&[("power", 50.0)]]));
-    for (values, power) in [([one.clone(), other.clone()], 50.0), ([other, one], 100.0)] {
+    for (values, power) in [
+        ([first.clone(), other.clone()], 50.0),
+        ([other, first], 100.0),
+    ] {
         let set = Requested::default().after(&Command::Set {
             values: &values,
             source: "test",
@@ -353,8 +356,11 @@ fn errors_name_the_invalid_object_and_no_object_changes() {
             "must be one of name, enabled, shape, solid, x, y, angle, width, power",
         ),
     ] {
-        let said = errors(&object(vec![("objects", objects.clone())]));
-        assert!(said.len() == 1 && said[0].contains(named), "{said:?}");
+        let messages = errors(&object(vec![("objects", objects.clone())]));
+        assert!(
+            messages.len() == 1 && messages[0].contains(named),
+            "{messages:?}"
+        );
         let values = &[
             ("wind".to_owned(), Untrusted::Number(1.0)),
             ("objects".to_owned(), objects),

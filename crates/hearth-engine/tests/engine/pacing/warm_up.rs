@@ -2,7 +2,10 @@
 
 use hearth_core::params::{IN_FRAME, Input, Model, Parameters};
 use hearth_core::{Burner, Simulation};
-use hearth_engine::warm::Warm;
+use hearth_engine::pacing::particle_count::{CountInputs, ParticleCount, Resolution};
+use hearth_engine::pacing::quality::Level;
+use hearth_engine::pacing::size_limit::SizeLimit;
+use hearth_engine::pacing::warm_up::WarmUp;
 
 fn with(values: &[(&str, f64)]) -> Parameters {
     let mut parameters = Parameters::new(Model::Combustion);
@@ -14,17 +17,43 @@ fn with(values: &[(&str, f64)]) -> Parameters {
     parameters
 }
 
+/// The settings at the present part of a warm-up.
+fn at(warm: &WarmUp, values: &Parameters) -> Parameters {
+    let number = values.frame_particles();
+    let settings = match values.model() {
+        Model::Classic => Resolution::Classic(number),
+        Model::Combustion => Resolution::Page(number),
+    };
+    let count = ParticleCount::of(&CountInputs {
+        settings,
+        level: Level::Medium,
+        is_level_requested: false,
+        size: SizeLimit::default(),
+        machine: u32::MAX,
+        is_coarse: warm.is_coarse(),
+    });
+    let mut values = values.clone();
+    if count.number != number {
+        values.set_frame_particles(count.number);
+    }
+    values
+}
+
 /// Warms a fire up. Returns it with the number of particles of each step.
-fn warmed(warm: &mut Warm, values: &Parameters) -> (Simulation, Vec<usize>) {
+fn warmed(warm: &mut WarmUp, values: &Parameters) -> (Simulation, Vec<usize>) {
     let mut fire = Simulation::new(values.clone());
-    assert_eq!(warm.begin(&mut fire, &values.clone().into()), None);
+    assert_eq!(warm.begin(&mut fire, values.clone().into()), None);
+    if warm.is_on() {
+        fire = Simulation::new(at(warm, values));
+    }
     let mut counts = Vec::new();
     while warm.is_on() {
         let before = fire.time();
         fire.step();
         counts.push(fire.count());
-        let done = warm.advance(fire.time() - before, &mut fire, &values.clone().into());
-        assert_eq!(done, !warm.is_on());
+        if warm.advance(fire.time() - before) {
+            fire.set_scene(at(warm, values).into());
+        }
     }
     (fire, counts)
 }
@@ -41,7 +70,7 @@ fn flame(fire: &Simulation) -> f32 {
 fn a_warm_fire_has_a_tall_flame() {
     for seed in 1..=5 {
         let values = with(&[("seed", f64::from(seed)), ("max_particles", 1200.0)]);
-        let (fire, _) = warmed(&mut Warm::new(3.0, Vec::new()), &values);
+        let (fire, _) = warmed(&mut WarmUp::new(3.0, Vec::new()), &values);
         assert!(fire.time() >= 3.0);
         assert!(flame(&fire) > 0.3, "seed {seed}: {} m", flame(&fire));
     }
@@ -50,7 +79,7 @@ fn a_warm_fire_has_a_tall_flame() {
 #[test]
 fn the_warm_up_uses_few_particles_until_its_last_part() {
     let values = with(&[("max_particles", 3000.0)]);
-    let (fire, counts) = warmed(&mut Warm::new(2.0, Vec::new()), &values);
+    let (fire, counts) = warmed(&mut WarmUp::new(2.0, Vec::new()), &values);
     assert!(
         4 * counts[0] < fire.count(),
         "{} of {}",
@@ -60,12 +89,12 @@ fn the_warm_up_uses_few_particles_until_its_last_part() {
     // Small fires and short warm-ups use all particles.
     for (seconds, particles) in [(2.0, 500.0), (0.5, 1200.0)] {
         let values = with(&[("max_particles", particles)]);
-        let (_, counts) = warmed(&mut Warm::new(seconds, Vec::new()), &values);
+        let (_, counts) = warmed(&mut WarmUp::new(seconds, Vec::new()), &values);
         let grows = |pair: &[usize]| pair[1] as f64 > 1.2 * pair[0] as f64;
         assert!(!counts.windows(2).any(grows), "{particles}: {counts:?}");
     }
     let (_, counts) = warmed(
-        &mut Warm::new(0.2, Vec::new()),
+        &mut WarmUp::new(0.2, Vec::new()),
         &Parameters::new(Model::Classic),
     );
     assert!(!counts.is_empty());
@@ -74,16 +103,17 @@ fn the_warm_up_uses_few_particles_until_its_last_part() {
 #[test]
 fn the_warm_up_is_deterministic() {
     let values = with(&[("max_particles", 1200.0)]);
-    let [(one, _), (other, _)] = [(); 2].map(|()| warmed(&mut Warm::new(1.5, Vec::new()), &values));
-    assert_eq!(one.particles(), other.particles());
+    let [(first, _), (second, _)] =
+        [(); 2].map(|()| warmed(&mut WarmUp::new(1.5, Vec::new()), &values));
+    assert_eq!(first.particles(), second.particles());
 }
 
 #[test]
 fn a_saved_fire_with_the_same_settings_replaces_the_warm_up() {
     let values = with(&[("max_particles", 1000.0)]);
-    let (fire, _) = warmed(&mut Warm::new(1.0, Vec::new()), &values);
+    let (fire, _) = warmed(&mut WarmUp::new(1.0, Vec::new()), &values);
     let saved = fire.burning().unwrap_or_default();
-    let mut warm = Warm::new(3.0, saved.clone());
+    let mut warm = WarmUp::new(3.0, saved.clone());
     for particles in [1000.0, 500.0] {
         let values = with(&[("max_particles", particles), ("exposure", 1.0)]);
         let (taken_up, counts) = warmed(&mut warm, &values);
@@ -98,18 +128,18 @@ fn a_saved_fire_with_the_same_settings_replaces_the_warm_up() {
 #[test]
 fn a_damaged_saved_fire_is_reported_once_and_the_fire_warms_up() {
     let values = with(&[("max_particles", 500.0)]);
-    let mut warm = Warm::new(0.1, vec![1, 2, 3]);
+    let mut warm = WarmUp::new(0.1, vec![1, 2, 3]);
     let mut fire = Simulation::new(values.clone());
-    let words = warm.begin(&mut fire, &values.clone().into());
-    assert!(words.is_some_and(|words| !words.is_empty()));
+    let message = warm.begin(&mut fire, values.clone().into());
+    assert!(message.is_some_and(|message| !message.is_empty()));
     assert!(warm.is_on());
-    assert_eq!(warm.begin(&mut fire, &values.clone().into()), None);
+    assert_eq!(warm.begin(&mut fire, values.clone().into()), None);
 }
 
 #[test]
 fn without_a_duration_there_is_no_warm_up() {
     let values = with(&[("max_particles", 1000.0)]);
-    let mut warm = Warm::default();
+    let mut warm = WarmUp::default();
     assert!(!warm.is_enabled());
     let (fire, counts) = warmed(&mut warm, &values);
     assert_eq!((fire.time(), counts.len()), (0.0, 0));
@@ -122,7 +152,7 @@ fn open_air_warms_up_with_a_coarse_spacing() {
     let mut values = with(&[]);
     assert_eq!(values.set("edges", Input::Text("open")), Ok(()));
     values.set_frame_particles(3000);
-    let (fire, counts) = warmed(&mut Warm::new(2.0, Vec::new()), &values);
+    let (fire, counts) = warmed(&mut WarmUp::new(2.0, Vec::new()), &values);
     let most = |counts: &[usize]| counts.iter().copied().max();
     assert!(most(&counts[..20]) < Some(1000), "{counts:?}");
     assert!((2000..=6000).contains(&fire.count()), "{}", fire.count());
@@ -133,9 +163,9 @@ fn open_air_warms_up_with_a_coarse_spacing() {
     for particles in [1200, 3000, 6700] {
         let mut other = values.clone();
         other.set_frame_particles(particles);
-        let mut warm = Warm::new(2.0, bytes.clone());
+        let mut warm = WarmUp::new(2.0, bytes.clone());
         let mut resumed = Simulation::new(other.clone());
-        assert_eq!(warm.begin(&mut resumed, &other.clone().into()), None);
+        assert_eq!(warm.begin(&mut resumed, other.clone().into()), None);
         assert!(!warm.is_on() && resumed.time() >= 2.0);
         assert_eq!(resumed.parameters().spacing(), other.spacing());
     }

@@ -1,0 +1,15 @@
+//! How much work a fire does: the time of its steps, the number of its particles, the detail of its
+//! picture.
+
+#[cfg(target_arch = "wasm32")]
+pub mod averages;
+pub mod machine_limit;
+pub mod particle_count;
+pub mod picture_limits;
+pub mod quality;
+pub mod real_time;
+pub mod size_limit;
+#[cfg(target_arch = "wasm32")]
+pub mod step_requests;
+pub mod thread_budget;
+pub mod warm_up;

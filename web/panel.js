@@ -161,13 +161,10 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
     panel.repaint();
   };
   const painted = () => {
-    const start = performance.now();
     queueMicrotask(() => {
       sharpen();
       update();
     });
-    // The browser takes the picture of the canvas over before the next task.
-    setTimeout(() => controller.painted(performance.now() - start));
   };
   const lost = (/** @type {Event} */ event) => {
     event.preventDefault();

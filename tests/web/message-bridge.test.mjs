@@ -58,14 +58,14 @@ function bridge(origins = [HERE]) {
 test('exact origins are allowed, and nothing else', () => {
   const exact = ['https://a.example', 'http://localhost:8080', 'https://[::1]:90'];
   assert.deepEqual(allowedOrigins([` ${exact[0]} ,${exact[1]},`, exact[2]]), { origins: exact, refused: [] });
-  for (const one of [
+  for (const name of [
     '*', 'null', 'a.example', '//a.example', 'https://*.example', 'https://a.example/', 'https://a.example/path',
     'https://a.example?x', 'https://a.example#x', 'https://u:p@a.example', 'https://A.example', 'https://a.example:443',
     'file:///', 'about:blank', 'data:text/html', 'blob:https://a.example', 'javascript:alert(1)', 'https://', 'x y', '%',
   ]) {
-    const { origins, refused } = allowedOrigins([one]);
-    assert.deepEqual([origins, refused.length], [[], 1], one);
-    assert.ok(refused[0].includes(`“${one}”`), refused[0]);
+    const { origins, refused } = allowedOrigins([name]);
+    assert.deepEqual([origins, refused.length], [[], 1], name);
+    assert.ok(refused[0].includes(`“${name}”`), refused[0]);
   }
   const many = Array.from({ length: 40 }, (_, at) => `https://a${at}.example`);
   const { origins, refused } = allowedOrigins([many.join(',')]);
@@ -137,8 +137,6 @@ test('reading a value needs the id of a parameter', async () => {
 
 test('a message of a wrong form is refused with the reason', async () => {
   const { received, send } = bridge();
-  let nested = {};
-  for (let depth = 0; depth < 50; depth += 1) nested = { nested };
   /** @type {[unknown, unknown, RegExp][]} */
   const wrong = [
     [{ hearth: 1, id: 'a' }, 'a', /no method “undefined”/],
@@ -146,10 +144,6 @@ test('a message of a wrong form is refused with the reason', async () => {
     [{ hearth: 1, id: 'c', method: ['play'] }, 'c', /no method/],
     [{ hearth: 1, id: 'd', method: 'play', args: 'now' }, 'd', /“args”/],
     [{ hearth: 2, id: 'e', method: 'play' }, 'e', /version 1, not “2”/],
-    [{ hearth: 1, id: 'f', method: 'set', args: ['alt', 'x'.repeat(70_000)] }, 'f', /65536/],
-    [{ hearth: 1, id: 'g', method: 'set', args: [nested] }, 'g', /8 deep/],
-    [{ hearth: 1, id: 'h', method: 'set', args: [{ ['k'.repeat(70_000)]: 1 }] }, 'h', /65536/],
-    [{ hearth: 1, id: 'i', method: 'set', args: Array(10_000).fill(0) }, 'i', /65536/],
     [{ hearth: 1, id: { a: 1 }, method: 'play' }, null, /“id”/],
     [{ hearth: 1, id: 'x'.repeat(101), method: 'play' }, null, /“id”/],
   ];
@@ -158,16 +152,6 @@ test('a message of a wrong form is refused with the reason', async () => {
     await send(message);
     assert.deepEqual([received.length, received[0].ok, received[0].id], [1, false, id]);
     assert.match(received[0].error.message, reason);
-  }
-});
-
-test('values that JSON cannot hold and endless calls are rejected', async () => {
-  const { ask } = bridge();
-  /** @type {{self?: unknown}} */
-  const circle = {};
-  circle.self = circle;
-  for (const odd of [circle, new Map([[1, 2]]), new ArrayBuffer(8), 10n, new Array(4e9), new Blob(['a'])]) {
-    assert.equal((await ask('set', odd))?.ok, false);
   }
 });
 
@@ -181,18 +165,13 @@ test('a message that is not a request is left alone', async () => {
   assert.deepEqual([received, fire.paused], [[], false]);
 });
 
-test('requests beyond a bound are refused while others wait, which are answered all the same', async () => {
+test('requests wait side by side, and every one is answered', async () => {
   const { fire, received, ask } = bridge();
   received.length = 0;
   for (let at = 0; at < 300; at += 1) await ask('set', 'exposure', at);
-  assert.equal(received.length, 300 - 256);
-  for (const { ok, error } of received) {
-    assert.deepEqual([ok, error.name], [false, 'BusyError']);
-    assert.match(error.message, /too many requests.*256/);
-  }
+  assert.equal((await ask('pause'))?.ok, true);
+  assert.equal(received.length, 1);
   fire.settle();
   await new Promise((resolve) => setImmediate(resolve));
-  await ask('pause');
-  assert.equal(received.length, 301);
-  assert.equal(received.filter(({ ok }) => ok).length, 257);
+  assert.deepEqual([received.length, received.filter(({ ok }) => ok).length], [301, 301]);
 });

@@ -20,12 +20,6 @@ import { OPTIONS } from '../pages/url-parameters.js';
 /** The version of these messages. */
 const VERSION = 1;
 
-/** The maximum size of a message: the characters of its strings, and 8 for each other value. */
-const MAX_SIZE = 64 * 1024;
-/** The maximum nesting; a set of values needs four levels. */
-const MAX_DEPTH = 8;
-/** The maximum number of requests in progress. */
-const MAX_OPEN = 256;
 /** The maximum number of allowed origins. */
 const MAX_ORIGINS = 16;
 
@@ -41,13 +35,13 @@ const BRIDGE_METHODS = ['hello', 'subscribe', 'unsubscribe'];
  * @returns {{origins: string[], refused: string[]}}
  */
 export function allowedOrigins(lists) {
-  const named = lists.flatMap((list) => list.split(',')).map((one) => one.trim()).filter(Boolean);
+  const named = lists.flatMap((list) => list.split(',')).map((name) => name.trim()).filter(Boolean);
   const refused = [];
   const origins = new Set();
-  for (const one of named.slice(0, MAX_ORIGINS)) {
-    const origin = originOf(one);
-    if (origin === one) origins.add(one);
-    else refused.push(`“allow” must list exact origins, such as https://example.org; ${whyNot(one, origin)}`);
+  for (const name of named.slice(0, MAX_ORIGINS)) {
+    const origin = originOf(name);
+    if (origin === name) origins.add(name);
+    else refused.push(`“allow” must list exact origins, such as https://example.org; ${whyNot(name, origin)}`);
   }
   if (named.length > MAX_ORIGINS) {
     refused.push(`“allow” may list at most ${MAX_ORIGINS} origins; the others are ignored.`);
@@ -66,9 +60,9 @@ function originOf(text) {
   }
 }
 
-/** @type {(one: string, origin: string | undefined) => string} */
-function whyNot(one, origin) {
-  const shown = `“${one.slice(0, 80)}”`;
+/** @type {(name: string, origin: string | undefined) => string} */
+function whyNot(name, origin) {
+  const shown = `“${name.slice(0, 80)}”`;
   return origin ? `use ${origin} instead of ${shown}.` : `${shown} is not an origin.`;
 }
 
@@ -88,17 +82,11 @@ export function answer(fire, origins, host = window.parent) {
   bridge.announce();
 }
 
-/** Too many requests are in progress. */
-class BusyError extends Error {
-  name = 'BusyError';
-}
-
 /** The bridge to the embedding page. */
 class MessageBridge {
   #fire;
   #origins;
   #host;
-  #open = 0;
   #subscribed = new Set(['ready']);
   #warned = false;
   /** The origins that receive events: all allowed ones, until one of them sends a message. */
@@ -147,15 +135,10 @@ class MessageBridge {
   /** @type {(message: Request, post: (answer: object) => void) => Promise<void>} */
   async #answer(message, post) {
     const id = isId(message.id) ? message.id : null;
-    const counts = this.#open < MAX_OPEN;
-    this.#open += Number(counts);
     try {
-      if (!counts) throw new BusyError(`too many requests: ${MAX_OPEN} are in progress`);
       post({ id, ok: true, value: await this.#execute(message) });
     } catch (error) {
       post({ id, ok: false, error: posted(error) });
-    } finally {
-      this.#open -= Number(counts);
     }
   }
 
@@ -211,10 +194,6 @@ function isId(id) {
  * @returns {asserts message is Request & {args?: any[]}}
  */
 function check(message) {
-  const left = remaining(message, MAX_SIZE, MAX_DEPTH);
-  if (left < 0) {
-    throw new RangeError(`a message must be plain data of at most ${MAX_SIZE} characters, nested at most ${MAX_DEPTH} deep`);
-  }
   if (message.hearth !== VERSION) {
     throw new TypeError(`“hearth” must be version ${VERSION}, not ${quoted(message.hearth)}`);
   }
@@ -224,29 +203,6 @@ function check(message) {
   if (message.args !== undefined && !Array.isArray(message.args)) {
     throw new TypeError('“args” must be an array');
   }
-}
-
-/**
- * The part of a size that a value leaves; negative if the value is too large, too deep, or no plain data.
- * The check stops as soon as that is known.
- * @param {unknown} value
- * @param {number} room
- * @param {number} depth
- * @returns {number}
- */
-function remaining(value, room, depth) {
-  if (typeof value === 'string') return room - value.length;
-  if (typeof value !== 'object' || value === null) return typeof value === 'bigint' ? -1 : room - 8;
-  const isArray = Array.isArray(value);
-  if (depth === 0 || !(isArray || Object.getPrototypeOf(value) === Object.prototype)) return -1;
-  // A long list is refused without a loop.
-  if (isArray && value.length > room) return -1;
-  let left = room - 8;
-  for (const [key, field] of Object.entries(value)) {
-    left = remaining(field, left - key.length, depth - 1);
-    if (left < 0) break;
-  }
-  return left;
 }
 
 /** @param {unknown} names */
@@ -264,7 +220,7 @@ function eventsOf(names) {
  * @type {(fire: HearthFire, method: unknown, args: unknown[]) => unknown}
  */
 function execute(fire, method, args) {
-  const name = POSTED_MEMBERS.find((one) => one === method);
+  const name = POSTED_MEMBERS.find((member) => member === method);
   if (!name) throw new TypeError(`there is no method ${quoted(method)}; the methods are: ${allMethods().join(', ')}`);
   const member = /** @type {any} */ (fire)[name];
   return typeof member === 'function' ? member.apply(fire, args) : member;

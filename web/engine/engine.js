@@ -97,7 +97,7 @@ class EnginePort {
   /** @param {'worker' | 'main'} place where the engine runs */
   constructor(place) {
     this.place = place;
-    this.#rest();
+    this.#startIdleTimer();
   }
 
   /**
@@ -118,11 +118,11 @@ class EnginePort {
    */
   close(fire) {
     this.#listeners.delete(fire);
-    if (this.#listeners.size === 0) this.#rest();
+    if (this.#listeners.size === 0) this.#startIdleTimer();
   }
 
   /** Frees the engine unless a fire connects. */
-  #rest() {
+  #startIdleTimer() {
     clearTimeout(this.#idle);
     this.#idle = setTimeout(() => this.#retire(), IDLE_MS);
   }

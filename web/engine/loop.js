@@ -22,9 +22,8 @@ const PARTS = {
  * @param {HTMLCanvasElement | OffscreenCanvas} canvas the canvas to draw on
  * @param {object} callbacks
  * @param {(message: object) => void} callbacks.post delivers a message
- * @param {(fire: number, alone: boolean) => boolean} callbacks.show takes the picture of a fire from the canvas, the
- *   only one of this frame if it is `alone`, and returns whether it is already shown. It never throws
- * @param {() => boolean | undefined} [callbacks.held] whether the canvas holds a picture, so that nothing may be drawn
+ * @param {(fire: number) => boolean} callbacks.show takes the picture of a fire from the canvas and returns whether
+ *   it is already shown. It never throws
  * @param {WebAssembly.Module} callbacks.module the wasm
  * @param {(part: WebAssembly.Module) => void} callbacks.extend adds a part to the wasm
  * @param {(reason: {why: string, at?: string}) => void} callbacks.fail called when the engine has
@@ -32,7 +31,7 @@ const PARTS = {
  * @param {boolean} [onPage] whether the thread is the page's own, which the engine leaves most of
  * @throws if the browser cannot draw
  */
-export function runEngine(Engine, canvas, { post, show, held, module, extend, fail }, onPage = false) {
+export function runEngine(Engine, canvas, { post, show, module, extend, fail }, onPage = false) {
   let engine = new Engine(post, canvas, contextOf(canvas), show, onPage);
   let frame = 0;
   /** Calls of fires that wait for a part, which the first of each needs. @type {Map<number, Waiting>} */
@@ -58,7 +57,6 @@ export function runEngine(Engine, canvas, { post, show, held, module, extend, fa
   // A frame creates no object and no function.
   const draw = (/** @type {number} */ now) => {
     frame = 0;
-    if (held?.()) return;
     try {
       if (engine) requestFrame(engine.frame(now));
     } catch (error) {
@@ -132,11 +130,6 @@ export function runEngine(Engine, canvas, { post, show, held, module, extend, fa
       } catch (error) {
         failed(error);
       }
-    },
-    /** Draws a frame that waited for a picture on the canvas. */
-    resume() {
-      cancelAnimationFrame(frame);
-      draw(performance.now());
     },
     /** Frees the engine and its context. */
     end() {

@@ -8,31 +8,17 @@ import { VERSION } from '../generated/version.js';
 import { contextOf, pictureCanvas, runEngine } from './loop.js';
 import init, { Engine } from '../wasm/hearth-engine.js';
 
-/** Time of taking a picture from which the worker is blocked for long [ms]. */
-const LONG_MS = 8;
-
-/** Number of such pictures, one after another, from which they are held. */
-const LONG_PICTURES = 8;
-
 /** @type {ReturnType<typeof runEngine> | undefined} */
 let engine;
-/** What holds pictures. @type {ReturnType<typeof import('./held-pictures.js').holder> | undefined} */
-let holder;
-/** Number of pictures, one after another, that took long. */
-let long = 0;
 
 const canvas = pictureCanvas();
 // Creating the first context of a page takes long, so it starts while the wasm loads.
 if (canvas) contextOf(canvas);
 
-/** @param {object} message */
-const send = (message) => postMessage(message);
-
-/** Takes a picture that was submitted at `start` [ms]. Returns whether it is lost. @type {(fire: number, start: number) => boolean} */
-function take(fire, start) {
+/** Posts the picture on the canvas. Returns whether it is lost. @param {number} fire */
+function postPicture(fire) {
   try {
     const bitmap = /** @type {OffscreenCanvas} */ (canvas).transferToImageBitmap();
-    long = performance.now() - start > LONG_MS ? long + 1 : 0;
     postMessage({ type: 'picture', fire, bitmap }, { transfer: [bitmap] });
     return false;
   } catch {
@@ -47,20 +33,8 @@ async function start(module) {
   if (!canvas || typeof requestAnimationFrame !== 'function') throw new Error();
   await init({ module_or_path: module });
   engine = runEngine(Engine, canvas, {
-    post: (message) => (holder ? holder.post(message) : send(message)),
-    show(fire, alone) {
-      if (holder && alone && long > 0) {
-        holder.hold(fire);
-        return false;
-      }
-      if (long === LONG_PICTURES) {
-        import('./held-pictures.js').then((held) => {
-          holder ??= held.holder(/** @type {WebGL2RenderingContext} */ (contextOf(canvas)), send, take, () => engine);
-        }, () => {});
-      }
-      return take(fire, performance.now());
-    },
-    held: () => holder?.held,
+    post: (message) => postMessage(message),
+    show: postPicture,
     module,
     extend: (part) => init(/** @type {any} */ ({ part })),
     fail: (reason) => postMessage({ type: 'stopped', ...reason }),

@@ -23,11 +23,6 @@ import { pageLink } from '../share.js';
 /** How long a button confirms its action [ms]. */
 const DONE_MS = 2000;
 
-/** For new measurements alone, the panel is painted again after so many times what painting has held up the page. */
-const REST_SHARE = 9;
-/** The longest such rest [ms]. */
-const MOST_REST_MS = 1500;
-
 /** The events after which the scene may have changed. */
 const CHANGES = ['ready', 'params-change', 'objects-change'];
 
@@ -76,7 +71,6 @@ export class PanelController extends EventTarget {
   #card;
   #scene = '';
   #preset = '';
-  #rested = 0;
 
   /** The value under the pointer and its label; undefined without one. @type {() => string[] | undefined} */
   hovered = () => undefined;
@@ -106,16 +100,6 @@ export class PanelController extends EventTarget {
     this.#editing.watch(this.#changed, this.#ended.signal);
     for (const name of CHANGES) fire.addEventListener(name, this.#update);
     this.#update();
-  }
-
-  /** The time until the panel may be painted for new measurements [ms]: without a graphics card, painting holds up the page. */
-  get rest() {
-    return Math.max(0, this.#rested - performance.now());
-  }
-
-  /** Takes how long the page was held up by painting the panel [ms]. @param {number} time */
-  painted(time) {
-    this.#rested = performance.now() + Math.min(REST_SHARE * time, MOST_REST_MS);
   }
 
   /** @returns {State} */

@@ -171,10 +171,13 @@ test('with quality auto, a fire that does not fit its frames gets a lower qualit
   assert.deepEqual(params, DEFAULTS);
 });
 
+/** The passes from light to the picture. */
+const LIGHT_TO_PICTURE = ['bloom_downsample', 'bloom_upsample', 'tone_map', 'composite'];
+
 test('the stages of a step add up, and every pass is reported', async () => {
   for (const [model, passes] of [
-    ['combustion', ['gas', 'drift', 'flame', 'ember', 'bloom', 'develop', 'present']],
-    ['classic', ['splat', 'spread', 'shade', 'bloom', 'develop', 'present']],
+    ['combustion', ['gas', 'velocity', 'advect_noise', 'flame', 'ember', ...LIGHT_TO_PICTURE]],
+    ['classic', ['splat', 'spread', 'shade', ...LIGHT_TO_PICTURE]],
   ]) {
     const tab = await browser.open(`<hearth-fire quality="low" model="${model}"></hearth-fire>`, small);
     await tab.plays(0.5);

@@ -20,6 +20,9 @@ use crate::state::{Command, MODEL, Subject};
 use crate::web::listener::Listener;
 use crate::web::read::{objects, property, stats, text, to_js, value_of};
 
+/// Time between two repaints for new measurements alone. Without a graphics card, painting blocks the page.
+const STATS_INTERVAL: Duration = Duration::from_secs(1);
+
 /// The fire and the panel controller, as objects of JavaScript.
 pub struct Element {
     fire: JsValue,
@@ -53,17 +56,16 @@ impl Element {
         ];
         for name in names {
             let (fire, panel, ctx) = (fire.clone(), Rc::downgrade(&panel), ctx.clone());
-            let controller = controller.clone();
             let on_event = move |event: Event| {
                 if let Some(panel) = panel.upgrade()
                     && let Ok(mut panel) = panel.try_borrow_mut()
                 {
                     receive(&mut panel, &fire, name, &event);
-                    let rest = match name {
-                        "stats" => property(&controller, "rest").as_f64(),
-                        _ => None,
-                    };
-                    paint_after(&ctx, rest.unwrap_or(0.0));
+                    if name == "stats" {
+                        ctx.request_repaint_after(STATS_INTERVAL);
+                    } else {
+                        paint_soon(&ctx);
+                    }
                 }
             };
             listeners.push(Listener::new(target, name, false, on_event).map_err(words)?);
@@ -352,12 +354,7 @@ fn receive_entry(panel: &mut Panel, id: &str, value: &JsValue) {
     }
 }
 
-/// Repaints once.
+/// Repaints once: `request_repaint` paints two frames.
 pub(super) fn paint_soon(ctx: &egui::Context) {
-    paint_after(ctx, 0.0);
-}
-
-/// Repaints once after a time \[ms\]: `request_repaint` paints two frames.
-fn paint_after(ctx: &egui::Context, wait: f64) {
-    ctx.request_repaint_after(Duration::from_millis(1 + wait as u64));
+    ctx.request_repaint_after(Duration::from_millis(1));
 }

@@ -49,7 +49,7 @@ fn a_click_on_the_frame_rate_shows_the_times_of_a_frame() {
     };
     harness.panel.state.fire.measure(Stats {
         stages: times(&["sort", "density", "forces", "integrate", "upload"]),
-        passes: times(&["gas", "flame", "present"]),
+        passes: times(&["gas", "flame", "composite"]),
         quality: "low".to_owned(),
         reason: "as asked for".to_owned(),
         ..Stats::default()

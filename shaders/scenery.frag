@@ -5,7 +5,7 @@ in vec2 uv;
 
 uniform vec2 floor_middle; // middle of the world's floor, 0–1 over the picture
 uniform vec2 size;         // of the picture, in heights of the domain
-uniform float wall_foot;   // where the wall meets the ground, in heights of the domain
+uniform float wall_foot;   // foot of the wall on the ground, in heights of the domain
 uniform float wall;        // 1 if there is a wall, or 0
 uniform float ground;      // 1 stone, then EARTH, SAND, SNOW of build/values.rs
 
@@ -91,7 +91,7 @@ vec3 ground_at(vec2 place, float near) {
 void main() {
     vec2 place = (uv - floor_middle) * size;
     float depth = wall_foot - place.y; // below the foot of the wall
-    // Wall and ground are dark where they meet.
+    // Wall and ground are dark along the foot of the wall.
     vec3 colour = depth > 0.0 ? ground_at(place, 1.0 + depth / PERSPECTIVE) : bricks(place, WALL_BRICK);
     float joint = smoothstep(0.0, depth > 0.0 ? FLOOR_SHADE : WALL_SHADE, abs(depth) + FOOT);
     float share = wall > 0.5 ? step(0.0, depth) : smoothstep(0.0, HORIZON, depth);

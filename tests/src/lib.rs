@@ -358,7 +358,7 @@ fn kept(name: &str, particles: Option<u32>) -> u64 {
     let mut scene = Preset::find(name).map_or_else(Scene::default, Preset::scene);
     if let Some(number) = particles {
         let mut settings = scene.settings().clone();
-        settings.set_frame_particles(number);
+        settings.set_domain_particles(number);
         scene.set_settings(settings);
     }
     let mut fire = Simulation::new(scene);

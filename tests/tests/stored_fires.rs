@@ -56,7 +56,7 @@ fn a_stored_fire_is_tall_at_every_quality() {
     for name in STORED {
         let bytes = stored(name);
         for particles in [500, 1200, 3000, 6700] {
-            let scene = changed(name, |settings| settings.set_frame_particles(particles));
+            let scene = changed(name, |settings| settings.set_domain_particles(particles));
             let floor = hearth_core::Burner::of(scene.settings()).bottom;
             let height = scene.settings().domain_height;
             let mut fire = Simulation::new(scene);

@@ -38,8 +38,8 @@ const IDLE_MS = 5000;
 /** Maximum time of starting a worker; then the main thread is used [s]. */
 const WORKER_S = 15;
 
-/** Time from an answer of a worker to the next question [ms]. */
-const QUESTION_MS = 2000;
+/** Time from an answer of a worker to the next ping [ms]. */
+const PING_MS = 2000;
 
 /** Maximum time without an answer of a worker [s]. */
 const ANSWER_S = 10;
@@ -89,7 +89,7 @@ class EnginePort {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #idle;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #question;
+  #nextPing;
   #unanswered = () => {};
   /** Ends the wait for a lost context. @type {(() => void) | undefined} */
   #contextless;
@@ -132,8 +132,8 @@ class EnginePort {
     if (this.place === 'worker') this.send(fire);
   }
 
-  /** Asks a worker whether it still runs; 0 is the number of no fire. */
-  ask() {
+  /** Requests an answer of a worker, which shows that it runs; 0 is the number of no fire. */
+  ping() {
     this.send(0);
     this.#unanswered = countdown(ANSWER_S, () => this.fail(`it has not answered for ${ANSWER_S} seconds`));
   }
@@ -141,8 +141,8 @@ class EnginePort {
   /** The worker answers. */
   answered() {
     this.#unanswered();
-    clearTimeout(this.#question);
-    this.#question = setTimeout(() => this.ask(), QUESTION_MS);
+    clearTimeout(this.#nextPing);
+    this.#nextPing = setTimeout(() => this.ping(), PING_MS);
   }
 
   /** @param {Message} message */
@@ -190,7 +190,7 @@ class EnginePort {
 
   #retire() {
     clearTimeout(this.#idle);
-    clearTimeout(this.#question);
+    clearTimeout(this.#nextPing);
     this.#unanswered();
     this.#contextless?.();
     if (current === this) opened = current = undefined;
@@ -303,7 +303,9 @@ async function compile(source) {
 function checked(module, warning) {
   const version = WebAssembly.Module.imports(module)[0]?.module ?? 'none';
   // A module that only cargo and Trunk linked imports from a file in place of a version.
-  if (version !== VERSION && version[0] !== '.') throw new Error(`its wasm has version ${version}, the element has version ${VERSION}`);
+  if (version !== VERSION && version[0] !== '.') {
+    throw new Error(`its wasm has version ${version}, the element has version ${VERSION}`);
+  }
   return { module, warning };
 }
 
@@ -335,7 +337,9 @@ function inWorker(compiled) {
     thread.onmessage = ({ data }) => {
       if (data.type !== 'started' || data.version !== VERSION) {
         // A cache may hold an old worker beside a new element.
-        if (data.version) console.warn(`Hearth: engine/worker.js has version ${data.version}, the element has version ${VERSION}.`);
+        if (data.version) {
+          console.warn(`Hearth: engine/worker.js has version ${data.version}, the element has version ${VERSION}.`);
+        }
         giveUp();
         return;
       }
@@ -352,7 +356,7 @@ function inWorker(compiled) {
         else if (event.type === 'stopped') port.fail(event.at ? `${event.why} (${event.at})` : event.why);
         else port.deliver(event);
       };
-      port.ask();
+      port.ping();
       resolve(port);
     };
     compiled.then(({ module }) => {
@@ -371,13 +375,15 @@ async function onMainThread(module) {
   const failed = (/** @type {unknown} */ error) => {
     throw new EngineError('load', `The fire's engine could not be loaded: ${error}`);
   };
-  const [{ default: init, Engine }, { start }] = await timely(Promise.all([glue(), import('./main-thread.js')])).catch(failed);
+  const code = Promise.all([glue(), import('./main-thread.js')]);
+  const [{ default: init, Engine }, { start }] = await timely(code).catch(failed);
   await init({ module_or_path: module, fresh: true });
   const port = new EnginePort('main');
   try {
     start(Engine, port, module, (part) => init({ part }));
   } catch (error) {
-    throw new EngineError('unsupported', `The fire cannot be drawn: ${error instanceof Error ? error.message : error}.`);
+    const reason = error instanceof Error ? error.message : error;
+    throw new EngineError('unsupported', `The fire cannot be drawn: ${reason}.`);
   }
   return port;
 }

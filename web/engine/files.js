@@ -36,7 +36,8 @@ export const PARTS = {
 export async function burning(scene) {
   if (!Object.hasOwn(BURNING, scene)) return undefined;
   try {
-    const response = await fetch(BURNING[scene](), { credentials: 'same-origin', signal: AbortSignal.timeout(BURNING_MS) });
+    const signal = AbortSignal.timeout(BURNING_MS);
+    const response = await fetch(BURNING[scene](), { credentials: 'same-origin', signal });
     return response.ok ? new Uint8Array(await response.arrayBuffer()) : undefined;
   } catch {
     return undefined;

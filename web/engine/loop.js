@@ -8,6 +8,8 @@ import { loadedParts } from '../parts.js';
 /**
  * @typedef {[fire: number, request: number, ...call: import('./engine.js').Call]} Sent
  * @typedef {{part: string, calls: Sent[]}} Waiting
+ * @typedef {WebGL2RenderingContext | null} Context
+ * @typedef {new (post: Function, canvas: any, context: Context, show: Function, onPage: boolean) => any} EngineClass
  */
 
 /** The parts of the wasm: what needs each, a parameter or the objects, and what it computes. @type {{[part: string]: [id: string, subject: string]}} */
@@ -18,7 +20,7 @@ const PARTS = {
 
 /**
  * Runs an engine.
- * @param {new (post: Function, canvas: any, context: WebGL2RenderingContext | null, show: Function, onPage: boolean) => any} Engine
+ * @param {EngineClass} Engine
  * @param {HTMLCanvasElement | OffscreenCanvas} canvas the canvas to draw on
  * @param {object} callbacks
  * @param {(message: object) => void} callbacks.post delivers a message

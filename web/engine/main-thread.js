@@ -6,7 +6,7 @@ import { pictureCanvas, runEngine } from './loop.js';
 
 /**
  * Starts the engine. Calls and events are delivered later and in order, as with a worker.
- * @param {new (post: Function, canvas: any, context: WebGL2RenderingContext | null, show: Function, onPage: boolean) => any} Engine
+ * @param {import('./loop.js').EngineClass} Engine
  * @param {import('./engine.js').Port} port the connection to it
  * @param {WebAssembly.Module} module the wasm
  * @param {(part: WebAssembly.Module) => void} extend adds a part to the wasm

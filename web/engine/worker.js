@@ -43,7 +43,7 @@ async function start(module) {
 
 addEventListener('message', ({ data }) => {
   if (Array.isArray(data)) engine?.call(/** @type {any} */ (data));
-  // A number: the picture of that fire is shown. Zero asks for an answer.
+  // A number: the picture of that fire is shown. Zero is a ping.
   else if (data === 0) postMessage({ type: 'answer' });
   else if (typeof data === 'number') engine?.shown(data);
   else if (data.part) engine?.add(data);

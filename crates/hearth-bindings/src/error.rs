@@ -10,7 +10,7 @@ use crate::{Record, Untrusted};
 pub struct ValidationError {
     /// The id of the parameter, argument or field.
     pub id: String,
-    /// The sent value; words if it is not a number, a text or a flag.
+    /// The sent value; its description if it is not a number, a text or a flag.
     pub value: Untrusted,
     /// The message, which names the id, the value and the allowed values.
     pub message: String,

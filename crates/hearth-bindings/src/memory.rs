@@ -1,7 +1,7 @@
 //! Memory for the particles of a fire, reserved before it grows.
 //!
 //! Wasm aborts where memory does not suffice, which ends every fire of a page. So a fire that
-//! grows first reserves what it will need, and is refused in words if the browser gives no more.
+//! grows first reserves what it will need, and is rejected with a message if the browser gives no more.
 
 use hearth_core::params::Parameters;
 

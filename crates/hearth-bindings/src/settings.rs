@@ -1,6 +1,6 @@
 //! Untrusted values and objects applied to a scene.
 
-use hearth_core::params::{IN_FRAME, Input, ParamError, Parameters};
+use hearth_core::params::{IN_DOMAIN, Input, ParamError, Parameters};
 use hearth_core::preset::{PRESETS, Preset};
 use hearth_core::scene::{Object, Scene};
 use js_sys::Array;
@@ -45,7 +45,7 @@ pub fn document(
     let [spacing, number] = ["spacing", "max_particles"].map(names);
     match preset {
         Some(preset) => preset.complete(&mut settings, spacing, number),
-        None => settings.complete(spacing, number, IN_FRAME),
+        None => settings.complete(spacing, number, IN_DOMAIN),
     }
     scene.set_settings(settings);
     Ok(scene)

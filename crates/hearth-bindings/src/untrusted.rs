@@ -45,7 +45,7 @@ pub enum Untrusted {
     Bytes(Vec<u8>),
     /// An object's own fields.
     Object(Vec<(String, Untrusted)>),
-    /// Any other value, as words.
+    /// Any other value, by its description.
     Other(&'static str),
 }
 
@@ -185,7 +185,7 @@ impl Untrusted {
         }
     }
 
-    /// The value for an error: a number, a text or a flag, and words for any other value.
+    /// The value for an error: a number, a text or a flag, and a description of any other value.
     pub fn summary(&self) -> Untrusted {
         match self {
             Untrusted::Missing => Untrusted::Missing,
@@ -215,7 +215,7 @@ impl Untrusted {
     }
 
     /// The value as input of a parameter. A value that is not a number, a text or a flag becomes
-    /// words, which are invalid for every parameter.
+    /// a text, which is invalid for every parameter.
     pub fn input(&self) -> Input<'_> {
         match self {
             Untrusted::Number(number) => Input::Number(*number),

@@ -32,7 +32,7 @@ pub use name::{COMMON, Name};
 pub use outline::{Mask, Points};
 pub use property::Property;
 pub use quantity::Quantity;
-pub use resolution::IN_FRAME;
+pub use resolution::IN_DOMAIN;
 pub use set::Parameters;
 pub(crate) use solid::SOLID_NAMES;
 pub use solid::{SOLID, Solid};

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `ready` | `fire`; `values`: all of them; `countOverridden`, `spacingOverridden`, `preset` |
 //! | `done` | `fire`, `request`; `value`: the result, if the command has one |
-//! | `changed` | `fire`, `source`; `values`: those that changed; `replaced`: whether the values of both models were; `countOverridden`, `spacingOverridden`, `preset` |
+//! | `changed` | as `ready`, but `values`: those that changed; `source`; `replaced`: whether the values of both models were |
 //! | `refused` | `fire`, `request`; `errors`: id, value, message and, for a number, min and max |
 //! | `stats` | `fire`; `stats`: see [`stats`](crate::stats) |
 //! | `quality` | `fire`; `requested`: auto or a level; `quality`: the level; `reason` |

@@ -77,7 +77,7 @@ impl Requested {
     /// The number of particles that the settings request.
     pub fn resolution(&self) -> Resolution {
         let (values, preset) = (self.parameters(), self.preset());
-        let number = || self.completed().frame_particles();
+        let number = || self.completed().domain_particles();
         if values.model() == Model::Classic {
             Resolution::Classic(number())
         } else if self.is_fixed() {
@@ -114,7 +114,7 @@ impl Requested {
         let resolution = self.resolution();
         if particles != resolution.number() {
             let cap = values.max_particles;
-            values.set_frame_particles(particles);
+            values.set_domain_particles(particles);
             if values.max_particles > cap && resolution != Resolution::Level {
                 let set = values.set(COUNT, Input::Number(cap.into()));
                 debug_assert_eq!(set, Ok(()));
@@ -130,7 +130,7 @@ impl Requested {
     pub fn costs_like(&self, other: &Requested) -> bool {
         let cost = |requested: &Requested| {
             let values = requested.parameters();
-            let resolution = (values.max_particles, values.frame_particles());
+            let resolution = (values.max_particles, values.domain_particles());
             (values.model(), resolution, values.time_scale)
         };
         let follows_level = |requested: &Requested| requested.resolution() == Resolution::Level;

@@ -15,7 +15,7 @@ const COSTLY: &[(&str, f64)] = &[
 ];
 
 /// Number of particles in the frame from which a `spacing` is costly.
-const COSTLY_IN_FRAME: u32 = 10_000;
+const COSTLY_IN_DOMAIN: u32 = 10_000;
 
 /// Smallest share of sleeping air that counts.
 const ASLEEP: f64 = 0.005;
@@ -80,7 +80,7 @@ pub fn note(fire: &Fire, subject: Subject, value: f64) -> Option<String> {
         ));
     }
     let costly = match subject.id {
-        "spacing" => fire.parameters.frame_particles() >= COSTLY_IN_FRAME,
+        "spacing" => fire.parameters.domain_particles() >= COSTLY_IN_DOMAIN,
         _ => costly_from(subject).is_some_and(|from| value >= from),
     };
     match (costly, speed(fire)) {

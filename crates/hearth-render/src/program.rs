@@ -51,7 +51,7 @@ impl<G: Graphics> Compiling<G> {
         let handle = handle.ok_or(RenderError::Resource { pass })?;
         let linked = gl.is_linked(&handle);
         let uniforms = gl.uniform_location(&handle, UNIFORMS);
-        // Without its uniforms a pass would draw nothing, and no error would say so.
+        // Without its uniforms a pass would draw nothing, and there would be no error.
         let usable = linked && (uniforms.is_some() || source.floats == 0);
         // Reading a log waits for the compiler, so only failed programs do.
         let log = (!usable).then(|| {
@@ -83,7 +83,7 @@ struct Program<G: Graphics> {
 }
 
 /// Pairs of shaders that are compiled when a frame first needs them: most fires have no solids.
-const LATE: [Shader; 2] = [Shader::Solid, Shader::Outline];
+const COMPILED_ON_DEMAND: [Shader; 2] = [Shader::Solid, Shader::Outline];
 
 /// The programs, in the order of [`SOURCES`].
 pub struct Programs<G: Graphics>(Vec<OnceCell<Program<G>>>);
@@ -96,7 +96,7 @@ impl<G: Graphics> Programs<G> {
             .iter()
             .enumerate()
             .map(|(at, source)| {
-                let is_late = LATE.iter().any(|late| *late as usize == at);
+                let is_late = COMPILED_ON_DEMAND.iter().any(|late| *late as usize == at);
                 (!is_late).then(|| Compiling::begin(gl, source))
             })
             .collect();

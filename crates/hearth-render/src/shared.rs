@@ -54,7 +54,7 @@ impl<G: Graphics> SharedResources<G> {
         Ok(SharedResources {
             programs: Programs::new(gl)?,
             format,
-            // A lost context answers nothing.
+            // A lost context returns nothing.
             max_side: gl.largest_texture().max(MIN_LARGEST_TEXTURE),
             noise: {
                 let noise = texture(gl, "shade", glow::REPEAT)?;

@@ -49,8 +49,8 @@ fn snapshot(preset: &Preset, most: u32, modes: &[&'static str]) -> Result<Snapsh
     let mut scene = preset.scene();
     let mut parameters = scene.settings().clone();
     let own = [parameters.display_mode.name()];
-    if parameters.model() == Model::Combustion && parameters.frame_particles() > most {
-        parameters.set_frame_particles(most);
+    if parameters.model() == Model::Combustion && parameters.domain_particles() > most {
+        parameters.set_domain_particles(most);
         scene.set_settings(parameters);
     }
     let mut fire = Simulation::new(scene);

@@ -1,6 +1,6 @@
 //! Closed, doubly periodic boxes of gas: no burner, no seam, no gravity.
 
-use hearth_core::params::{Edges, IN_FRAME, Input};
+use hearth_core::params::{Edges, IN_DOMAIN, Input};
 use hearth_core::random::Random;
 use hearth_core::{Parameters, Particle, Simulation, Vec2};
 
@@ -99,7 +99,7 @@ fn gas<'a>(edges: &str, values: impl IntoIterator<Item = (&'a str, f64)>) -> Par
     let mut parameters = fires::with(model.into_iter().chain(numbers));
     let [spacing, number] =
         ["spacing", "max_particles"].map(|id| values.iter().any(|&(name, _)| name == id));
-    parameters.complete(spacing, number, IN_FRAME);
+    parameters.complete(spacing, number, IN_DOMAIN);
     parameters
 }
 

@@ -1,7 +1,7 @@
 //! Settings of version 1, which were written for a closed domain, in open air: the same frame, and
 //! a flame as high.
 
-use hearth_core::params::{Edges, IN_FRAME, Input, Model};
+use hearth_core::params::{Edges, IN_DOMAIN, Input, Model};
 use hearth_core::{Parameters, Simulation};
 
 use super::boxes::run;
@@ -87,7 +87,7 @@ fn read(values: &str, edges: &str) -> Parameters {
         number |= id == "max_particles";
     }
     set(&mut parameters, "edges", Input::Text(edges));
-    parameters.complete(false, number, IN_FRAME);
+    parameters.complete(false, number, IN_DOMAIN);
     parameters
 }
 

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use hearth_core::Parameters;
-use hearth_core::params::{IN_FRAME, Input};
+use hearth_core::params::{IN_DOMAIN, Input};
 
 /// The help.
 pub const HELP: &str = "\
@@ -83,7 +83,7 @@ impl Options {
             let said: Vec<_> = errors.iter().map(ToString::to_string).collect();
             said.join("\n")
         })?;
-        options.parameters.complete(spacing, number, IN_FRAME);
+        options.parameters.complete(spacing, number, IN_DOMAIN);
         Ok(options)
     }
 }

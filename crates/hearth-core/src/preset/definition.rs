@@ -1,6 +1,6 @@
 //! The types of the presets.
 
-use crate::params::{IN_FRAME, Input, Parameters};
+use crate::params::{IN_DOMAIN, Input, Parameters};
 use crate::scene::{KIND, Scene};
 
 /// A named set of values that differ from the defaults.
@@ -43,7 +43,7 @@ impl Preset {
         let set = parameters.set_all(self.values());
         debug_assert!(set.is_ok(), "preset {}: {set:?}", self.name);
         let [spacing, number] = ["spacing", "max_particles"].map(|id| self.names(id));
-        parameters.complete(spacing, number, IN_FRAME);
+        parameters.complete(spacing, number, IN_DOMAIN);
         parameters
     }
 

@@ -272,7 +272,7 @@ fn write_positions(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::params::{IN_FRAME, Input, Model, Parameters};
+    use crate::params::{IN_DOMAIN, Input, Model, Parameters};
 
     /// The defaults with these values changed and room for twice the particles of the frame.
     fn with(values: &[(&str, f64)]) -> Parameters {
@@ -281,7 +281,7 @@ mod tests {
             assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
         }
         let number = values.iter().any(|&(id, _)| id == "max_particles");
-        parameters.complete(false, number, IN_FRAME);
+        parameters.complete(false, number, IN_DOMAIN);
         parameters
     }
 
@@ -363,7 +363,7 @@ mod tests {
                 fire
             });
             assert_eq!(one.particles(), other.particles());
-            let found = f64::from(one.parameters().frame_particles());
+            let found = f64::from(one.parameters().domain_particles());
             assert!((found / n - 1.0).abs() < 0.01, "{found} for {n}");
             assert!(one.temperatures().iter().any(|&kelvin| kelvin > 1000.0));
         }

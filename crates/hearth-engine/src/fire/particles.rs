@@ -89,7 +89,7 @@ impl Fire {
         // Open air has fewer particles than would fill its domain, and the limit is one of those.
         let values = self.simulation.parameters();
         let count = match values.has_open_edges() {
-            true => values.frame_particles() as usize,
+            true => values.domain_particles() as usize,
             false => self.simulation.count(),
         };
         if let Some(step) = self.machine_limit.measure(step, count, requested) {

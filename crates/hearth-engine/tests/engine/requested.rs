@@ -66,7 +66,7 @@ fn after<const N: usize>(changes: [Change; N]) -> Requested {
 
 /// Number of particles at each level.
 fn particles(requested: &Requested) -> [u32; 3] {
-    Level::ALL.map(|level| at_level(requested, level).settings().frame_particles())
+    Level::ALL.map(|level| at_level(requested, level).settings().domain_particles())
 }
 
 /// The default spacing, of three digits, gives 3007 particles instead of 3000.

@@ -4,7 +4,7 @@
 use crate::harness::at_level;
 use hearth_bindings::{Untrusted, settings};
 use hearth_core::Simulation;
-use hearth_core::params::{IN_FRAME, Parameters};
+use hearth_core::params::{IN_DOMAIN, Parameters};
 use hearth_core::preset::PRESETS;
 use hearth_engine::commands::Command;
 use hearth_engine::config::{Config, export};
@@ -217,7 +217,7 @@ fn the_levels_set_the_spacing_of_open_air() {
     for level in Level::ALL {
         let scene = at_level(&requested, level);
         let values = scene.settings();
-        let number = f64::from(values.frame_particles());
+        let number = f64::from(values.domain_particles());
         assert!((number / f64::from(level.particles()) - 1.0).abs() < 0.003);
         assert!(values.max_particles >= 2 * level.particles());
     }
@@ -267,7 +267,7 @@ fn without_a_spacing_the_resolution_follows_the_frame_again() {
     let ids = &[text("spacing")];
     let free = change(&wide, &Command::Restore { ids, source });
     assert_eq!(free.resolution(), Resolution::Level);
-    assert_opens_as(&free, (2.4, 1.8, IN_FRAME), "restored");
+    assert_opens_as(&free, (2.4, 1.8, IN_DOMAIN), "restored");
     let ids = &[text("domain_width")];
     let back = change(&free, &Command::Restore { ids, source });
     assert_eq!(back.parameters().spacing, Parameters::default().spacing);
@@ -280,7 +280,7 @@ fn the_resolution_of_a_scene_is_that_of_medium_quality_or_its_own() {
         if !values.has_open_edges() {
             continue;
         }
-        let number = f64::from(values.frame_particles());
+        let number = f64::from(values.domain_particles());
         if preset.names("max_particles") {
             assert!(
                 preset.names("spacing"),
@@ -288,7 +288,7 @@ fn the_resolution_of_a_scene_is_that_of_medium_quality_or_its_own() {
                 preset.name
             );
         } else {
-            let off = number / f64::from(IN_FRAME) - 1.0;
+            let off = number / f64::from(IN_DOMAIN) - 1.0;
             assert!(off.abs() < 0.01, "{}: {number} particles", preset.name);
         }
         assert!(

@@ -55,8 +55,8 @@ pub fn shorten(programs: &mut [Program]) {
     }
 }
 
-/// Calls `see` with each use of a name that is neither built in nor a variable of a function.
-fn each_global(program: &Program, fields: &BTreeSet<String>, mut see: impl FnMut(&str)) {
+/// Calls `visit` with each use of a name that is neither built in nor a variable of a function.
+fn each_global(program: &Program, fields: &BTreeSet<String>, mut visit: impl FnMut(&str)) {
     for stage in &program.stages {
         let structs = structs(stage.items.iter().map(Vec::as_slice));
         for item in &stage.items {
@@ -69,7 +69,7 @@ fn each_global(program: &Program, fields: &BTreeSet<String>, mut see: impl FnMut
                     !is_of_glsl(word) && word != ARRAY && !locals.contains(&word)
                 };
                 if is_global {
-                    see(word);
+                    visit(word);
                 }
             }
         }

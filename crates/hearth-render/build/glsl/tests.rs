@@ -35,7 +35,7 @@ fn complaint(old: &str, new: &str) -> String {
     assert_ne!(broken, PASS, "{old}");
     match compiled(&broken) {
         Ok(_) => format!("{old} → {new} compiles"),
-        Err(said) => said,
+        Err(message) => message,
     }
 }
 
@@ -59,7 +59,7 @@ fn includes_are_resolved_and_uniforms_packed() {
 
 #[test]
 fn errors_name_the_file_and_the_problem() {
-    for (old, new, said) in [
+    for (old, new, message) in [
         ("* size.yx", "* sise.yx", "sise is used and not declared"),
         ("size.yx", "size.zx", "size.zx: size has 2 components"),
         (
@@ -84,7 +84,7 @@ fn errors_name_the_file_and_the_problem() {
         ("uv * size", "uv @ size", "'@' has no place in GLSL"),
     ] {
         let complaint = complaint(old, new);
-        assert!(complaint.contains(said), "{complaint}");
+        assert!(complaint.contains(message), "{complaint}");
         assert!(complaint.contains("pass.frag"), "{complaint}");
     }
 }

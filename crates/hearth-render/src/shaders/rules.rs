@@ -303,8 +303,8 @@ fn validated(pair: &Pair, validator: &OsStr, folder: &Path) -> io::Result<String
     }
     // Linking compares what one stage gives with what the other takes.
     let output = Command::new(validator).arg("-l").args(&files).output()?;
-    let said = String::from_utf8_lossy(&output.stdout);
-    let violations = said.lines().filter(|line| {
+    let report = String::from_utf8_lossy(&output.stdout);
+    let violations = report.lines().filter(|line| {
         let named = files.iter().any(|file| Path::new(line) == file);
         !named && !line.is_empty()
     });
@@ -324,16 +324,16 @@ fn every_shader_is_valid_glsl() -> io::Result<()> {
         .into_iter()
         .chain(pairs(&shortened, true))
     {
-        let said = validated(&pair, &validator, &folder)?;
-        assert!(said.is_empty(), "{}: {said}", pair.name);
+        let report = validated(&pair, &validator, &folder)?;
+        assert!(report.is_empty(), "{}: {report}", pair.name);
     }
     // The validator finds errors within a stage and between stages.
     for vertex in [
         "void main() { gl_Position = vec2(0.0); }",
         "out vec3 uv;\nflat out vec4 heat;\nvoid main() { uv = vec3(0.0); heat = vec4(0.0); gl_Position = heat; }",
     ] {
-        let said = validated(&pair([vertex, GOOD[1]]), &validator, &folder)?;
-        assert!(said.contains("ERROR"), "{vertex:?}: {said:?}");
+        let report = validated(&pair([vertex, GOOD[1]]), &validator, &folder)?;
+        assert!(report.contains("ERROR"), "{vertex:?}: {report:?}");
     }
     fs::remove_dir_all(&folder)
 }

@@ -1,6 +1,6 @@
 //! Adaptive quality on machines of every speed.
 
-use hearth_core::params::{IN_FRAME, Parameters};
+use hearth_core::params::{IN_DOMAIN, Parameters};
 use hearth_engine::pacing::quality::{FrameCost, Level, Quality};
 use hearth_engine::pacing::thread_budget::SHARE_OF_WORKER;
 
@@ -93,10 +93,10 @@ fn settled(machine: Machine, guess: Level) -> Level {
 
 #[test]
 fn the_medium_level_has_the_default_number_of_particles() {
-    assert_eq!(IN_FRAME, Level::Medium.particles());
+    assert_eq!(IN_DOMAIN, Level::Medium.particles());
     // The default spacing has three digits.
-    let default = f64::from(Parameters::default().frame_particles());
-    assert!((default / f64::from(IN_FRAME) - 1.0).abs() < 3e-3);
+    let default = f64::from(Parameters::default().domain_particles());
+    assert!((default / f64::from(IN_DOMAIN) - 1.0).abs() < 3e-3);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The warm-up of fires.
 
-use hearth_core::params::{IN_FRAME, Input, Model, Parameters};
+use hearth_core::params::{IN_DOMAIN, Input, Model, Parameters};
 use hearth_core::{Burner, Simulation};
 use hearth_engine::pacing::particle_count::{CountInputs, ParticleCount, Resolution};
 use hearth_engine::pacing::quality::Level;
@@ -13,13 +13,13 @@ fn with(values: &[(&str, f64)]) -> Parameters {
     for &(id, value) in values {
         assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
     }
-    parameters.complete(named("spacing"), named("max_particles"), IN_FRAME);
+    parameters.complete(named("spacing"), named("max_particles"), IN_DOMAIN);
     parameters
 }
 
 /// The settings at the present part of a warm-up.
 fn at(warm: &WarmUp, values: &Parameters) -> Parameters {
-    let number = values.frame_particles();
+    let number = values.domain_particles();
     let settings = match values.model() {
         Model::Classic => Resolution::Classic(number),
         Model::Combustion => Resolution::Page(number),
@@ -34,7 +34,7 @@ fn at(warm: &WarmUp, values: &Parameters) -> Parameters {
     });
     let mut values = values.clone();
     if count.number != number {
-        values.set_frame_particles(count.number);
+        values.set_domain_particles(count.number);
     }
     values
 }
@@ -151,7 +151,7 @@ fn without_a_duration_there_is_no_warm_up() {
 fn open_air_warms_up_with_a_coarse_spacing() {
     let mut values = with(&[]);
     assert_eq!(values.set("edges", Input::Text("open")), Ok(()));
-    values.set_frame_particles(3000);
+    values.set_domain_particles(3000);
     let (fire, counts) = warmed(&mut WarmUp::new(2.0, Vec::new()), &values);
     let most = |counts: &[usize]| counts.iter().copied().max();
     assert!(most(&counts[..20]) < Some(1000), "{counts:?}");
@@ -162,7 +162,7 @@ fn open_air_warms_up_with_a_coarse_spacing() {
     let bytes = fire.burning().unwrap_or_default();
     for particles in [1200, 3000, 6700] {
         let mut other = values.clone();
-        other.set_frame_particles(particles);
+        other.set_domain_particles(particles);
         let mut warm = WarmUp::new(2.0, bytes.clone());
         let mut resumed = Simulation::new(other.clone());
         assert_eq!(warm.begin(&mut resumed, other.clone().into()), None);

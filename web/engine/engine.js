@@ -112,10 +112,7 @@ class EnginePort {
     return this.#lastFire;
   }
 
-  /**
-   * Disconnects a fire. Without fires, the engine is freed after a while.
-   * @param {number} fire
-   */
+  /** Disconnects a fire. Without fires, the engine is freed after a while. @param {number} fire */
   close(fire) {
     this.#listeners.delete(fire);
     if (this.#listeners.size === 0) this.#startIdleTimer();
@@ -382,8 +379,7 @@ async function onMainThread(module) {
   try {
     start(Engine, port, module, (part) => init({ part }));
   } catch (error) {
-    const reason = error instanceof Error ? error.message : error;
-    throw new EngineError('unsupported', `The fire cannot be drawn: ${reason}.`);
+    throw new EngineError('unsupported', `The fire cannot be drawn: ${/** @type {Error} */ (error).message}.`);
   }
   return port;
 }

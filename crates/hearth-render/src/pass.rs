@@ -106,6 +106,8 @@ impl Levels {
 
 /// A row of the table of passes.
 pub struct Row {
+    /// Name in `stats.passes`.
+    pub name: &'static str,
     pub shader: Shader,
     pub target: Image,
     pub load: Load,
@@ -117,9 +119,10 @@ pub struct Row {
 }
 
 impl Row {
-    /// The row of a pass.
-    pub const fn of<P: Pass>() -> Row {
+    /// The row of a pass with that name.
+    pub const fn of<P: Pass>(name: &'static str) -> Row {
         Row {
+            name,
             shader: P::Uniforms::SHADER,
             target: P::TARGET,
             load: P::LOAD,

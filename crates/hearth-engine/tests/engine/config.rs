@@ -8,13 +8,11 @@ use hearth_engine::commands::Command;
 use hearth_engine::config::{Config, export};
 use hearth_engine::requested::Requested;
 
+use crate::harness::{imported, text};
+
 fn object(fields: Vec<(&str, Untrusted)>) -> Untrusted {
     let named = fields.into_iter().map(|(id, value)| (id.to_owned(), value));
     Untrusted::Object(named.collect())
-}
-
-fn text(words: &str) -> Untrusted {
-    Untrusted::Text(words.to_owned())
 }
 
 /// Ids of the exported values, and the number of exported objects.
@@ -29,13 +27,6 @@ fn differing(requested: &Requested) -> (Vec<String>, usize) {
         _ => 0,
     };
     (ids, objects)
-}
-
-fn imported(config: &Untrusted) -> Requested {
-    match Config::requested_by(config) {
-        Ok(requested) => requested,
-        other => panic!("{config:?} gives {other:?}"),
-    }
 }
 
 fn errors(config: &Untrusted) -> Vec<String> {

@@ -2,6 +2,7 @@
 
 use hearth_bindings::Untrusted;
 use hearth_core::Scene;
+use hearth_engine::config::Config;
 use hearth_engine::pacing::particle_count::{CountInputs, ParticleCount};
 use hearth_engine::pacing::quality::Level;
 use hearth_engine::pacing::size_limit::SizeLimit;
@@ -41,4 +42,12 @@ pub fn at_level(requested: &Requested, level: Level) -> Scene {
         is_coarse: false,
     });
     requested.at(count.number)
+}
+
+/// The settings of a valid file.
+pub fn imported(config: &Untrusted) -> Requested {
+    match Config::requested_by(config) {
+        Ok(requested) => requested,
+        other => panic!("{config:?} gives {other:?}"),
+    }
 }

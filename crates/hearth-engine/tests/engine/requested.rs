@@ -1,14 +1,12 @@
 //! Requested settings and the level's number of particles.
 
-use crate::harness::at_level;
+use crate::harness::{Sent, at_level, sent};
 use hearth_bindings::{Argument, Untrusted};
 use hearth_core::Simulation;
 use hearth_core::params::Model;
 use hearth_engine::commands::{Command, Start};
 use hearth_engine::pacing::quality::Level;
 use hearth_engine::requested::{Requested, adapt};
-
-type Sent = Vec<(String, Untrusted)>;
 
 /// A change of settings.
 enum Change {
@@ -21,10 +19,6 @@ fn at_first(start: &Start<'_>) -> Requested {
     let (requested, errors) = Requested::at_first(start);
     assert_eq!(errors, []);
     requested
-}
-
-fn sent<const N: usize>(values: [(&str, Untrusted); N]) -> Sent {
-    values.map(|(id, value)| (id.to_owned(), value)).into()
 }
 
 fn number(particles: u32) -> (&'static str, Untrusted) {

@@ -1,13 +1,13 @@
 //! Settings, links and attributes from before open air, opened with open edges: the frame is their
 //! domain, and the resolution is that of their number of particles.
 
-use crate::harness::at_level;
+use crate::harness::{at_level, imported, text};
 use hearth_bindings::{Untrusted, settings};
 use hearth_core::Simulation;
 use hearth_core::params::{IN_DOMAIN, Parameters};
 use hearth_core::preset::PRESETS;
 use hearth_engine::commands::Command;
-use hearth_engine::config::{Config, export};
+use hearth_engine::config::export;
 use hearth_engine::pacing::particle_count::Resolution;
 use hearth_engine::pacing::quality::Level;
 use hearth_engine::pacing::size_limit::SizeLimit;
@@ -91,10 +91,6 @@ const LINKS: [(&str, Box); 26] = [
     ),
 ];
 
-fn text(text: &str) -> Untrusted {
-    Untrusted::Text(text.to_owned())
-}
-
 fn named(id: &str, value: Untrusted) -> (String, Untrusted) {
     (id.to_owned(), value)
 }
@@ -110,10 +106,6 @@ fn read(link: &str) -> (String, Vec<(String, Untrusted)>) {
         }
     }
     (preset, values)
-}
-
-fn imported(config: &Untrusted) -> Requested {
-    Config::requested_by(config).unwrap_or_else(|errors| panic!("{errors:?}"))
 }
 
 /// The settings that a link requests: as a file of version 1, and as attributes in both orders.

@@ -24,7 +24,7 @@ impl<G: Graphics> Renderer<G> {
             for level in row.levels.of(frame.widest_blur()) {
                 self.draw_pass(gl, frame, row, level);
             }
-            on_pass(SOURCES[row.shader as usize].name);
+            on_pass(row.name);
         }
     }
 

@@ -168,16 +168,10 @@ fn several_fires_share_the_frame() {
         now += DISPLAY;
         quality.frame(&FrameCost {
             now,
-            min_interval: 0.0,
             steps_ms: 6.0,
-            simulated: DISPLAY * 1e-3,
             draw_ms: 1.0,
-            pixels: Some(1280.0 * 800.0),
-            time_scale: 1.0,
-            slowed: false,
-            particles: Some(Level::ALL.map(Level::particles)),
             fires: 4,
-            share: SHARE_OF_WORKER,
+            ..idle()
         });
     }
     assert_eq!(quality.level(), Level::Low);

@@ -1,6 +1,6 @@
 //! The number of particles of a fire, and its warm-up.
 
-use hearth_core::Scene;
+use hearth_core::{Scene, Simulation};
 
 use super::Fire;
 use crate::events::Events;
@@ -35,7 +35,7 @@ impl Fire {
             events.warn(self.id, message);
         }
         if self.warm_up.is_on() {
-            self.simulation = hearth_core::Simulation::new(self.scene());
+            self.simulation = Simulation::new(self.scene());
         }
         self.send_seen_domain();
         // A saved fire is drawn before its first step.

@@ -219,7 +219,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
       }
       panel = started;
       stage.inert = false;
-      panel.tell(controller.state);
+      panel.set_controller(controller.state);
       controller.hovered = () => panel?.hovered();
       // An accessible control may have had the focus before the panel started.
       if (revealed) panel.reveal(revealed);
@@ -248,7 +248,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
     canvas.focus({ preventScroll: true });
     panel?.reveal('search');
   });
-  listen(controller, 'change', () => panel?.tell(controller.state));
+  listen(controller, 'change', () => panel?.set_controller(controller.state));
   // A drag is one step of the undo history, and so is a key that is held down.
   listen(host, 'pointerdown', () => controller.press(), { capture: true });
   listen(window, 'keydown', (event) => event.repeat || controller.press(), { capture: true });

@@ -8,7 +8,7 @@
  * while the panel does not show it. Tests click there with a real mouse.
  */
 
-import { COPIES, COPY_LABELS } from './exchange.js';
+import { COPIES } from './exchange.js';
 import { OBJECTS, mountAccessibleObjects } from './accessible-objects.js';
 import { idDomain } from './objects.js';
 import { addQuality, inWords, makeControl } from './native-controls.js';
@@ -101,9 +101,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   const redo = addButton('redo', 'Redo', () => controller.redo());
   const picture = addButton('picture', 'Save an image', () => controller.picture());
   const fullscreen = addButton('fullscreen', 'Full screen', () => controller.fullscreen());
-  const copies = COPIES.map((what) => addButton(`copy:${what}`, `Copy the ${COPY_LABELS[what]}`, () => (
-    controller.copy(what)
-  )));
+  const copies = COPIES.map(({ name, label }) => addButton(`copy:${name}`, `Copy the ${label}`, () => controller.copy(name)));
   const paste = addButton('paste', 'Paste settings', () => controller.paste());
   for (const button of [...copies, paste]) button.addEventListener('focus', () => reveal('share'));
   const help = addButton('help', 'Keyboard shortcuts', () => controller.help());
@@ -211,7 +209,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     restored: () => announce(''),
   };
   for (const [name, listener] of Object.entries(listeners)) fire.addEventListener(name, listener);
-  let said = '';
+  let message = '';
   let preset = controller.state.preset;
   const showState = () => {
     const state = controller.state;
@@ -225,10 +223,9 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     for (const button of states) button.setAttribute('aria-pressed', String(button.dataset.action === `compare:${state.compared}`));
     scenes.textContent = state.scene ? `Scene: ${state.scene}` : 'Scenes';
     fullscreen.hidden = !state.fullscreen;
-    copies[COPIES.indexOf('link')].hidden = !state.link;
-    copies[COPIES.indexOf('iframe')].hidden = !state.iframe;
-    if (state.said !== said) announce(state.said);
-    said = state.said;
+    for (const [at, button] of copies.entries()) button.hidden = !state.copies.includes(COPIES[at]);
+    if (state.message !== message) announce(state.message);
+    message = state.message;
   };
   controller.addEventListener('change', showState);
   showState();

@@ -11,7 +11,7 @@ import { askForPicture } from './picture-card.js';
 import { showScenes } from './scenes.js';
 import { editingOf } from './editing.js';
 import { download } from './download.js';
-import { COPY_LABELS, beside, isSettings, settingsOf, textOf } from './exchange.js';
+import { COPIES, beside, isSettings, settingsOf, textOf } from './exchange.js';
 import { remember, remembered } from './memory.js';
 import { copyOf, newObject } from './objects.js';
 import { ownScenesOf } from './own-scenes.js';
@@ -44,11 +44,11 @@ const CHANGES = ['ready', 'params-change', 'objects-change'];
  * @property {import('./editing.js').Letter} compared  The state that the fire shows, of the two that are compared.
  * @property {boolean} undo
  * @property {boolean} redo
- * @property {boolean} link  Whether the page has a URL that shows this fire.
- * @property {boolean} iframe  Whether there is a page for an iframe.
+ * @property {import('./exchange.js').CopyForm[]} copies  The forms that the page can copy: a link needs its URL, an
+ *   iframe that of `embed.html`.
  * @property {boolean} fullscreen  Whether the browser allows full screen.
  * @property {string} done  The button whose action has just succeeded.
- * @property {string} said  The message about the last action, a success or a failure.
+ * @property {string} message  About the last action, a success or a failure.
  */
 
 /** The controller of one panel. It dispatches `change` when its state changes. */
@@ -66,7 +66,7 @@ export class PanelController extends EventTarget {
   /** @type {number | undefined} */
   #doneEnds;
   #done = '';
-  #said = '';
+  #message = '';
   /** @type {import('./cards.js').Card | undefined} */
   #card;
   #scene = '';
@@ -113,12 +113,17 @@ export class PanelController extends EventTarget {
       compared: this.#editing.letter,
       undo: this.#history.canUndo,
       redo: this.#history.canRedo,
-      link: this.#page !== undefined,
-      iframe: this.#addresses.embed !== undefined,
+      copies: COPIES.filter(({ name }) => this.#addressOf(name) !== undefined),
       fullscreen: document.fullscreenEnabled === true,
       done: this.#done,
-      said: this.#said,
+      message: this.#message,
     };
+  }
+
+  /** The URL that a form of copy needs; empty if it needs none. @param {string} form */
+  #addressOf(form) {
+    if (form === 'link') return this.#page;
+    return form === 'iframe' ? this.#addresses.embed : '';
   }
 
   /** A new gesture begins: the next change is a new step. */
@@ -328,17 +333,19 @@ export class PanelController extends EventTarget {
 
   /**
    * Copies the fire in one of several forms. If the browser refuses, a card shows the text.
-   * @param {string} what  One of `COPIES`.
+   * @param {string} name  Of one of `COPIES`.
    */
-  async copy(what) {
-    const label = COPY_LABELS[what];
+  async copy(name) {
+    const label = COPIES.find((form) => form.name === name)?.label;
     const config = await this.#try(() => this.#fire.exportConfig());
     // A fire that has failed has a report alone.
-    const text = what === 'report' ? this.#report.text(this.#page && config && pageLink(config, this.#page), config) : config && textOf(what, config, this.#addresses);
+    const text = name === 'report'
+      ? this.#report.text(this.#page && config && pageLink(config, this.#page), config)
+      : config && textOf(name, config, this.#addresses);
     if (!text) return;
     try {
       await navigator.clipboard.writeText(text);
-      this.#notify(`copy:${what}`, `Copied: ${label}`);
+      this.#notify(`copy:${name}`, `Copied: ${label}`);
     } catch {
       this.#show(showText({ host: this.#host, title: `Copy the ${label}`, text }));
     }
@@ -433,12 +440,12 @@ export class PanelController extends EventTarget {
     this.#card = card;
   }
 
-  /** @type {(done: string, said: string) => void} */
-  #notify(done, said) {
-    [this.#done, this.#said] = [done, said];
+  /** @type {(done: string, message: string) => void} */
+  #notify(done, message) {
+    [this.#done, this.#message] = [done, message];
     clearTimeout(this.#doneEnds);
     this.#doneEnds = setTimeout(() => {
-      [this.#done, this.#said] = ['', ''];
+      [this.#done, this.#message] = ['', ''];
       this.#changed();
     }, DONE_MS);
     this.#changed();

@@ -1,5 +1,5 @@
 /**
- * What leaves the page and comes back: the texts that the panel copies, files, and the addresses of Hearth's own.
+ * The texts that the panel copies, files of settings, and the URLs of Hearth's own files.
  *
  * @typedef {import('../hearth-fire.js').HearthConfig} HearthConfig
  */
@@ -19,23 +19,35 @@ export function beside(file) {
   return FOLDER ? new URL(file, FOLDER) : undefined;
 }
 
-/** What the panel copies, in the order of the buttons. */
-export const COPIES = ['link', 'element', 'iframe', 'json', 'report'];
+/**
+ * A form in which the panel copies a fire.
+ * @typedef {object} CopyForm
+ * @property {string} name
+ * @property {string} label  Its name in messages and on accessible buttons.
+ * @property {string} button  The text of the panel's button.
+ * @property {string} hint  The tooltip of that button.
+ */
 
-/** Their labels. @type {{[what: string]: string}} */
-export const COPY_LABELS = {
-  link: 'link', element: 'HTML of the element', iframe: 'HTML of an iframe', json: 'settings as JSON',
-  report: 'report for an issue',
-};
+/** In the order of the buttons. @type {CopyForm[]} */
+export const COPIES = [
+  { name: 'link', label: 'link', button: 'Link', hint: 'A link to this fire' },
+  { name: 'element', label: 'HTML of the element', button: 'HTML', hint: 'HTML that shows this fire on any page' },
+  { name: 'iframe', label: 'HTML of an iframe', button: 'Iframe', hint: 'HTML that shows this fire in an iframe' },
+  { name: 'json', label: 'settings as JSON', button: 'JSON', hint: 'The settings, to save or to paste' },
+  {
+    name: 'report', label: 'report for an issue', button: 'Copy for an issue',
+    hint: 'Version, browser, settings, measurements and the last errors',
+  },
+];
 
 /**
  * The settings of a fire in one of these forms.
- * @param {string} what  One of {@link COPIES}, but the report.
+ * @param {string} name  Of one of {@link COPIES}, but the report.
  * @param {HearthConfig} config
  * @param {{page?: string | URL, script?: string | URL, embed?: string | URL}} addresses
  */
-export function textOf(what, config, { page, script, embed }) {
-  switch (what) {
+export function textOf(name, config, { page, script, embed }) {
+  switch (name) {
     case 'link':
       return pageLink(config, page ?? location.href);
     case 'element':
@@ -56,7 +68,7 @@ export function isSettings({ name, type }) {
 const MAX_FILE = 400_000;
 
 /**
- * The settings of a file; a text that is not JSON stays one, which the fire refuses in words.
+ * The settings of a file; a text that is not JSON stays a text, which the fire rejects with a message.
  * @param {Blob} file
  * @throws {Error} it is too large
  */

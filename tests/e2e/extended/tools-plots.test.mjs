@@ -95,9 +95,9 @@ test('on a low screen the message of a tool stands beside the plots', async () =
   await tab.page.waitForSelector('.hearth-plots');
   await tool(tab, 'stir');
   const [message, card] = await tab.until('a message', () => {
-    const toolStatus = document.querySelector('.hearth-status');
-    return toolStatus?.textContent && [toolStatus, document.querySelector('.hearth-plots')].map((one) => {
-      const { left, right, top, bottom } = /** @type {Element} */ (one).getBoundingClientRect();
+    const status = document.querySelector('.hearth-status');
+    return status?.textContent && [status, document.querySelector('.hearth-plots')].map((element) => {
+      const { left, right, top, bottom } = /** @type {Element} */ (element).getBoundingClientRect();
       return { left, right, top, bottom };
     });
   });

@@ -55,7 +55,7 @@ pub enum Command {
     /// Redo the last undone change.
     Redo,
     /// Copy to the clipboard, by name.
-    Copy(&'static str),
+    Copy(String),
     /// Paste settings.
     Paste,
     /// Save an image.

@@ -22,7 +22,7 @@ use hearth_core::scene::Object;
 
 pub use self::action::Action;
 pub use self::command::Command;
-pub use self::controller::ControllerState;
+pub use self::controller::{ControllerState, CopyForm};
 pub use self::fire::{Fire, MODEL};
 pub use self::memory::Memory;
 pub use self::objects::{Fields, OBJECTS, is_on, name_of};

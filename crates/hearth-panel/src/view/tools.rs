@@ -2,20 +2,12 @@
 
 use egui::{Id, Rect, Ui};
 
-use crate::state::{Action, Command, ControllerState, State};
+use crate::state::{Action, Command, ControllerState, CopyForm, State};
 use crate::theme::{self, Measures};
 use crate::view::button::{self, Face};
 use crate::view::icons::{self, Icon};
 use crate::view::layout::{labelled, paragraph, scroll_into_view, strip};
 use crate::view::output::Output;
-
-/// What can be copied: name, label of the button, tooltip.
-const COPIES: [(&str, &str, &str); 4] = [
-    ("link", "Link", "A link to this fire"),
-    ("element", "HTML", "HTML that shows this fire on any page"),
-    ("iframe", "Iframe", "HTML that shows this fire in an iframe"),
-    ("json", "JSON", "The settings, to save or to paste"),
-];
 
 /// A button of the line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -218,38 +210,35 @@ pub fn error(controller: &ControllerState, ui: &mut Ui) {
 
 fn copies(controller: &ControllerState, out: &mut Output, ui: &mut Ui, control: f32) {
     let rect = labelled(ui, control, "Copy");
-    let copies: Vec<_> = COPIES
-        .into_iter()
-        .filter(|&(what, ..)| match what {
-            "link" => controller.link,
-            "iframe" => controller.iframe,
-            _ => true,
-        })
+    let forms: Vec<_> = controller
+        .copies
+        .iter()
+        .filter(|form| form.name != CopyForm::REPORT)
         .collect();
-    for (rect, (what, text, hint)) in button::split(rect, copies.len(), 6.0).zip(copies) {
-        let key = format!("copy:{what}");
+    for (rect, form) in button::split(rect, forms.len(), 6.0).zip(forms) {
+        let key = format!("copy:{}", form.name);
         let done = controller.done == key;
         let face = Face {
             lit: done,
-            ..Face::text(if done { "Copied" } else { text })
+            ..Face::text(if done { "Copied" } else { &form.button })
         };
         let name = format!("action:{key}");
-        let response = button::show(ui, rect, Id::unique(&name), face).on_hover_text(hint);
+        let response = button::show(ui, rect, Id::unique(&name), face).on_hover_text(&form.hint);
         out.place(ui, name, rect);
         if response.clicked() {
-            out.send(Command::Copy(what));
+            out.send(Command::Copy(form.name.clone()));
         }
     }
 }
 
 /// A line with one button, which confirms its action.
-struct Line {
+struct Line<'a> {
     label: &'static str,
     /// What the controller reports as done.
     key: &'static str,
-    text: &'static str,
+    text: &'a str,
     done: &'static str,
-    hint: &'static str,
+    hint: &'a str,
     command: Command,
 }
 
@@ -266,18 +255,22 @@ fn paste(controller: &ControllerState, out: &mut Output, ui: &mut Ui, control: f
 }
 
 fn report(controller: &ControllerState, out: &mut Output, ui: &mut Ui, control: f32) {
+    let mut copies = controller.copies.iter();
+    let Some(form) = copies.find(|form| form.name == CopyForm::REPORT) else {
+        return;
+    };
     let line = Line {
         label: "Report",
         key: "copy:report",
-        text: "Copy for an issue",
+        text: &form.button,
         done: "Copied",
-        hint: "Version, browser, settings, measurements and the last errors",
-        command: Command::Copy("report"),
+        hint: &form.hint,
+        command: Command::Copy(form.name.clone()),
     };
     line.show(controller, out, ui, control);
 }
 
-impl Line {
+impl Line<'_> {
     fn show(self, controller: &ControllerState, out: &mut Output, ui: &mut Ui, control: f32) {
         let rect = labelled(ui, control, self.label);
         let done = controller.done == self.key;

@@ -40,7 +40,7 @@ impl Element {
         panel: Rc<RefCell<Panel>>,
         ctx: egui::Context,
     ) -> Result<Element, String> {
-        let words = |_| "the fire cannot be listened to".to_owned();
+        let unlistenable = |_| "the fire dispatches no events".to_owned();
         let target: &EventTarget = fire.unchecked_ref();
         let mut listeners = Vec::new();
         let names = [
@@ -68,7 +68,7 @@ impl Element {
                     }
                 }
             };
-            listeners.push(Listener::new(target, name, false, on_event).map_err(words)?);
+            listeners.push(Listener::new(target, name, false, on_event).map_err(unlistenable)?);
         }
         let element = Element {
             fire,

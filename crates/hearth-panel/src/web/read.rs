@@ -6,7 +6,7 @@ use js_sys::{Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
 
 use crate::state::fire::{Entry, Stats};
-use crate::state::{ControllerState, Fields};
+use crate::state::{ControllerState, CopyForm, Fields};
 
 pub(super) fn value_of(value: &JsValue) -> Option<Entry> {
     let number = value.as_f64().map(Entry::Number);
@@ -77,12 +77,24 @@ pub(super) fn controller_state(state: &JsValue) -> ControllerState {
         compared: text(state, "compared").unwrap_or_default(),
         undo: flag("undo"),
         redo: flag("redo"),
-        link: flag("link"),
-        iframe: flag("iframe"),
+        copies: copy_forms(&property(state, "copies")),
         fullscreen: flag("fullscreen"),
         done: text(state, "done").unwrap_or_default(),
-        said: text(state, "said").unwrap_or_default(),
+        message: text(state, "message").unwrap_or_default(),
     }
+}
+
+fn copy_forms(list: &JsValue) -> Vec<CopyForm> {
+    let forms = list.dyn_ref::<Array>().map(Array::iter);
+    let form = |form: JsValue| {
+        let field = |name| text(&form, name).unwrap_or_default();
+        CopyForm {
+            name: field("name"),
+            button: field("button"),
+            hint: field("hint"),
+        }
+    };
+    forms.into_iter().flatten().map(form).collect()
 }
 
 /// A property, or `undefined`.

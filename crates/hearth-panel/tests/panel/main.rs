@@ -11,7 +11,7 @@ use egui::{Event, vec2};
 use hearth_core::params::{Input, Param, Value};
 use hearth_panel::state::SHARE;
 use hearth_panel::state::fire::Stats;
-use hearth_panel::state::{Command, ControllerState, MODEL};
+use hearth_panel::state::{Command, ControllerState, CopyForm, MODEL};
 use hearth_panel::theme::Measures;
 
 use harness::{Harness, PHONE, TALL, models};
@@ -124,12 +124,21 @@ fn unavailable_buttons_are_disabled() {
     assert!(!harness.panel.rectangles().contains_key("action:fullscreen"));
 }
 
+/// Forms of copies with these names.
+fn copy_forms(names: &[&str]) -> Vec<CopyForm> {
+    let form = |name: &&str| CopyForm {
+        name: (*name).to_owned(),
+        ..CopyForm::default()
+    };
+    names.iter().map(form).collect()
+}
+
 #[test]
 fn the_share_buttons_open_and_confirm_a_copy() {
     for size in [TALL, PHONE] {
         let mut harness = Harness::new(size);
-        harness.panel.state.controller.link = true;
-        harness.panel.state.controller.iframe = true;
+        harness.panel.state.controller.copies =
+            copy_forms(&["link", "element", "iframe", "json", CopyForm::REPORT]);
         assert!(!harness.panel.rectangles().contains_key("action:paste"));
         if size == PHONE {
             harness.click("action:more");
@@ -137,10 +146,10 @@ fn the_share_buttons_open_and_confirm_a_copy() {
         harness.click("action:share");
         for what in ["link", "element", "iframe", "json"] {
             harness.click(&format!("action:copy:{what}"));
-            assert_eq!(harness.panel.take_commands(), [Command::Copy(what)]);
+            assert_eq!(harness.panel.take_commands(), [Command::Copy(what.to_owned())]);
         }
         harness.panel.state.controller.done = "copy:json".to_owned();
-        harness.panel.state.controller.said = "Copied".to_owned();
+        harness.panel.state.controller.message = "Copied".to_owned();
         let below = harness.place("action:paste");
         harness.wait();
         assert_eq!(harness.place("action:paste"), below, "nothing moves");
@@ -150,10 +159,9 @@ fn the_share_buttons_open_and_confirm_a_copy() {
         assert!(!harness.panel.rectangles().contains_key("action:paste"));
         harness.reveal("gravity");
         harness.reveal(SHARE);
-        harness.panel.state.controller.link = false;
-        harness.panel.state.controller.iframe = false;
+        harness.panel.state.controller.copies = copy_forms(&["element", "json"]);
         harness.wait();
-        for what in ["link", "iframe"] {
+        for what in ["link", "iframe", CopyForm::REPORT] {
             let name = format!("action:copy:{what}");
             assert!(!harness.panel.rectangles().contains_key(&name), "{what}");
         }
@@ -165,7 +173,7 @@ fn the_share_buttons_open_and_confirm_a_copy() {
 fn an_error_of_the_controller_is_shown() {
     let mut harness = Harness::new(TALL);
     let folded = harness.place("search").top();
-    harness.panel.state.controller.said = "There is no picture".to_owned();
+    harness.panel.state.controller.message = "There is no picture".to_owned();
     harness.wait();
     assert!(harness.place("search").top() > folded);
 }

@@ -147,7 +147,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
   const update = () => {
     if (!canvas) return;
     const shown = canvas.getBoundingClientRect();
-    accessible.place(/** @type {Record<string, number[]>} */ (panel?.rectangles() ?? {}), shown, shown.width / canvas.offsetWidth || 1);
+    accessible.position(/** @type {Record<string, number[]>} */ (panel?.rectangles() ?? {}), shown, shown.width / canvas.offsetWidth || 1);
   };
   // eframe sizes the canvas from `devicePixelContentBoxSize`, which emulated
   // phones report at a ratio of 1: the panel would be painted too large.
@@ -219,7 +219,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
       }
       panel = started;
       stage.inert = false;
-      panel.set_controller(controller.state);
+      panel.update(controller.state);
       controller.hovered = () => panel?.hovered();
       // An accessible control may have had the focus before the panel started.
       if (revealed) panel.reveal(revealed);
@@ -248,7 +248,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
     canvas.focus({ preventScroll: true });
     panel?.reveal('search');
   });
-  listen(controller, 'change', () => panel?.set_controller(controller.state));
+  listen(controller, 'change', () => panel?.update(controller.state));
   // A drag is one step of the undo history, and so is a key that is held down.
   listen(host, 'pointerdown', () => controller.press(), { capture: true });
   listen(window, 'keydown', (event) => event.repeat || controller.press(), { capture: true });

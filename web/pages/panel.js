@@ -4,7 +4,7 @@
  */
 
 import { recall, remember } from './memory.js';
-import { areSilent } from '../panel/keys.js';
+import { shortcutsOff } from '../panel/keys.js';
 
 /** The screens on which the panel stands beside the fire and opens by itself. */
 const WIDE = '(width >= 720px) and (height >= 480px)';
@@ -84,7 +84,7 @@ export class PagePanel {
     const [target, ...around] = event.composedPath();
     const near = [document.body, this.#root, this.#toggle].some((place) => place === target)
       || [this.#host, this.#fire].some((place) => around.includes(place) || place === target);
-    if (!near || areSilent(this.#host, this.#fire)) return;
+    if (!near || shortcutsOff(this.#host, this.#fire)) return;
     if (key.toLowerCase() === 'h') this.#choose(!this.#shown);
     // The panel handles the other keys once it is loaded.
     if (this.#hasKeys || shiftKey) return;

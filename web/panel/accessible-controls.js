@@ -11,7 +11,7 @@
 import { COPIES } from './exchange.js';
 import { OBJECTS, mountAccessibleObjects } from './accessible-objects.js';
 import { idDomain } from './objects.js';
-import { addQuality, inWords, makeControl } from './native-controls.js';
+import { addQuality, phraseOf, makeControl } from './native-controls.js';
 import { PARAMETERS } from '../parameters.js';
 
 /** The parameter that decides which others exist. */
@@ -33,8 +33,8 @@ const DEFAULT_MODEL = /** @type {ModelName} */ (PARAMETERS.find(({ id }) => id =
  * @typedef {import('../parameters.js').ModelName} ModelName
  *
  * @typedef {object} AccessibleControls
- * @property {(rectangles: Record<string, number[]>, canvas: DOMRect, scale: number) => void} place
- *   updates where the panel shows its controls, by name
+ * @property {(rectangles: Record<string, number[]>, canvas: DOMRect, scale: number) => void} position
+ *   notes where the panel shows its controls, by name
  * @property {(alone?: boolean) => void} show makes the controls visible in place of the panel
  * @property {() => void} destroy
  */
@@ -55,8 +55,8 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   root.setAttribute('aria-label', 'Fire controls');
   const status = document.createElement('p');
   status.setAttribute('role', 'status');
-  /** @type {Map<string, HTMLElement>} by the name that the panel gives it */
-  const places = new Map();
+  /** The native controls by the names of their counterparts on the panel. @type {Map<string, HTMLElement>} */
+  const counterparts = new Map();
   /** @type {Map<string, () => void>} */
   const shows = new Map();
   /** @type {<I extends Id>(id: I) => import('../parameters.js').HearthParameters[I] | undefined} */
@@ -85,7 +85,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     button.textContent = text;
     button.addEventListener('click', () => ignoreRefusal(press()));
     parent.append(button);
-    places.set(`action:${action}`, button);
+    counterparts.set(`action:${action}`, button);
     return button;
   }
   const limited = controller.only !== undefined;
@@ -121,7 +121,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
 
   const quality = addQuality(root, (name) => controller.quality(name));
   quality.addEventListener('focus', () => reveal('quality'));
-  places.set('quality', quality);
+  counterparts.set('quality', quality);
   if (limited) {
     for (const control of [step, picture, fullscreen, ...copies, paste, help, scenes, ...variants, quality.parentElement]) control?.remove();
   }
@@ -134,7 +134,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     const id = parameter.id;
     if (!group || (!limited && group.name !== parameter.group)) {
       // As on the panel, the objects follow the first group.
-      if (group && !limited && !objects) objects = mountAccessibleObjects({ root, fire, controller, reveal, addButton, places });
+      if (group && !limited && !objects) objects = mountAccessibleObjects({ root, fire, controller, reveal, addButton, counterparts });
       group = document.createElement('fieldset');
       group.name = limited ? 'Controls' : parameter.group;
       const legend = document.createElement('legend');
@@ -149,7 +149,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     control.dataset.parameter = id;
     control.title = parameter.doc;
     parent.append(row);
-    places.set(id, control);
+    counterparts.set(id, control);
     const restore = addButton(`restore:${id}`, `Reset ${parameter.label}`, () => {
       control.focus();
       return controller.restore(id);
@@ -166,7 +166,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
       if (domain) show(value, domain);
       const excluded = Object.entries(parameter.unless ?? {});
       const isExcluded = excluded.length > 0 && excluded.every(isChosen);
-      const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map((condition) => inWords(condition, PARAMETERS)).join(' and ');
+      const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map((condition) => phraseOf(condition, PARAMETERS)).join(' and ');
       note.textContent = missing.length > 0 ? `Only with ${list(missing)}` : isExcluded ? `Not with ${list(excluded)}` : '';
       row.classList.toggle('idle', missing.length > 0 || isExcluded);
     });
@@ -232,12 +232,12 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   showAll();
 
   return {
-    place(rectangles, canvas, scale) {
+    position(rectangles, canvas, scale) {
       // The focused control covers the panel's lower edge.
       const focused = root.querySelector(':focus');
       const shown = focused?.closest('.row') ?? focused;
       const free = ((shown?.getBoundingClientRect().top ?? Infinity) - canvas.y) / scale;
-      for (const [name, element] of places) {
+      for (const [name, element] of counterparts) {
         const rectangle = rectangles[name];
         const text = rectangle && rectangle[1] + rectangle[3] <= free
           ? [canvas.x + rectangle[0] * scale, canvas.y + rectangle[1] * scale, rectangle[2] * scale, rectangle[3] * scale]

@@ -7,7 +7,7 @@
 
 import { ACTS } from './acts.js';
 import { KINDS, entriesOf, isFirstSource, isFull, isSame, nameOf, objectsOf, sliderDomain } from './objects.js';
-import { inWords, makeControl } from './native-controls.js';
+import { phraseOf, makeControl } from './native-controls.js';
 import { MAX_OBJECTS } from '../generated/scene-objects.js';
 
 /** The group, and its name for the panel. */
@@ -25,10 +25,10 @@ export const OBJECTS = 'Objects';
  * @param {import('./controller.js').PanelController} parts.controller
  * @param {(id: string) => void} parts.reveal
  * @param {(action: string, text: string, press: () => unknown, parent: HTMLElement) => HTMLButtonElement} parts.addButton
- * @param {Map<string, HTMLElement>} parts.places  The elements by the names that the panel gives them.
+ * @param {Map<string, HTMLElement>} parts.counterparts  The controls by the names of their counterparts on the panel.
  * @returns {AccessibleObjects}
  */
-export function mountAccessibleObjects({ root, fire, controller, reveal, addButton, places }) {
+export function mountAccessibleObjects({ root, fire, controller, reveal, addButton, counterparts }) {
   const group = document.createElement('fieldset');
   group.name = OBJECTS;
   const legend = document.createElement('legend');
@@ -51,8 +51,8 @@ export function mountAccessibleObjects({ root, fire, controller, reveal, addButt
     return object !== undefined && !isFull(fire, object.kind);
   }, () => controller.selected && controller.duplicate(controller.selected.id));
   add('delete', 'Delete', () => controller.selected !== undefined, () => controller.selected && controller.remove(controller.selected.id));
-  for (const [place, front] of /** @type {[string, boolean][]} */ ([['back', false], ['front', true]])) {
-    add(`to:${place}`, `To ${place}`, () => controller.selected?.kind === 'solid', () => controller.selected && controller.order(controller.selected.id, front));
+  for (const [end, front] of /** @type {[string, boolean][]} */ ([['back', false], ['front', true]])) {
+    add(`to:${end}`, `To ${end}`, () => controller.selected?.kind === 'solid', () => controller.selected && controller.order(controller.selected.id, front));
   }
   for (const { name, label } of ACTS) {
     add(name, label, () => controller.selected !== undefined, () => controller.selected && controller.act(name, controller.selected.id));
@@ -64,7 +64,7 @@ export function mountAccessibleObjects({ root, fire, controller, reveal, addButt
   const select = /** @type {HTMLSelectElement} */ (selection.control);
   select.dataset.action = 'select-object';
   revealGroup(select);
-  places.set('objects', select);
+  counterparts.set('objects', select);
   group.append(selection.row);
 
   const rows = KINDS.flatMap((kind) => entriesOf(kind).map((entry) => addRow(kind, entry)));
@@ -72,21 +72,21 @@ export function mountAccessibleObjects({ root, fire, controller, reveal, addButt
   /** @type {(kind: import('./objects.js').Kind, entry: import('./objects.js').Entry) => () => void} */
   function addRow(kind, entry) {
     const { name } = entry;
-    const place = `${kind}:${name}`;
+    const key = `${kind}:${name}`;
     const { row, control, note, show } = makeControl(entry, (value) => {
       const object = controller.selected;
       // The element's error event reports a refusal.
       if (object) controller.change(object.id, name, value).catch(() => {}).finally(update);
     });
-    control.dataset.property = place;
+    control.dataset.property = key;
     control.title = entry.doc;
     group.append(row);
-    places.set(place, control);
-    const restore = addButton(`restore:${place}`, `Reset ${entry.label}`, () => {
+    counterparts.set(key, control);
+    const restore = addButton(`restore:${key}`, `Reset ${entry.label}`, () => {
       control.focus();
       return controller.selected && controller.restoreProperty(controller.selected.id, name);
     }, group);
-    control.addEventListener('focus', () => reveal(place));
+    control.addEventListener('focus', () => reveal(key));
     control.addEventListener('blur', () => reveal(''));
 
     function update() {
@@ -104,14 +104,14 @@ export function mountAccessibleObjects({ root, fire, controller, reveal, addButt
       const missing = Object.entries(entry.when ?? {}).filter((chosen) => !isChosen(chosen));
       const excluded = Object.entries(entry.unless ?? {});
       const isExcluded = excluded.length > 0 && excluded.every(isChosen);
-      const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map((condition) => inWords(condition, entriesOf(kind))).join(' and ');
+      const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map((condition) => phraseOf(condition, entriesOf(kind))).join(' and ');
       note.textContent = missing.length > 0 ? `Only with ${list(missing)}` : isExcluded ? `Not with ${list(excluded)}` : '';
       row.classList.toggle('idle', missing.length > 0 || isExcluded);
     }
     return update;
   }
 
-  /** What the list shows, so that an open list is not written anew. */
+  /** The items of the list: an open list is not replaced by the same items. */
   let listed = '';
   return {
     show() {

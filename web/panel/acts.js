@@ -1,7 +1,6 @@
 /**
- * What visitors do to the fire at an object, by buttons of the panel: light it, put it out, spray it, throw sparks
- * from it, blow at it. None is a step of the history, but for the fuel that a solid gets. The tools do the same at a
- * pointer.
+ * The buttons of the panel that act on the fire at an object: light it, put it out, spray it, throw sparks from it,
+ * blow at it. Only the fuel that a solid gets is a step of the history. The tools do the same at a pointer.
  *
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
  * @typedef {import('./editing.js').Editing} Editing

@@ -9,10 +9,11 @@
  * @property {() => void} [mark]  Marks the current item.
  */
 
-import { KEYS, areForbidden } from './keys.js';
+import { KEYS, shortcutsForbidden } from './keys.js';
 import { remember, remembered } from './memory.js';
 
-let made = 0;
+/** The number of cards so far, which makes their ids. */
+let cards = 0;
 
 /**
  * Shows a text, selected.
@@ -39,7 +40,7 @@ export function showText({ host, title, text }) {
 export function askForSettings({ host, apply }) {
   const card = openCard(host, 'paste', 'Paste settings');
   const field = card.field('Settings as JSON');
-  field.placeholder = '{"hearth": 1, "preset": "seed", "values": {"viscosity": 0.02}}';
+  field.placeholder = '{"hearth": 2, "preset": "seed", "values": {"viscosity": 0.02}}';
   const alert = card.add('p', '');
   alert.setAttribute('role', 'alert');
   const use = async () => {
@@ -71,7 +72,7 @@ export function askForSettings({ host, apply }) {
 export function showKeys({ host, fire }) {
   const card = openCard(host, 'help', 'Keyboard shortcuts');
   const list = card.add('dl', '');
-  for (const [keys, words] of KEYS) {
+  for (const [keys, effect] of KEYS) {
     const term = document.createElement('dt');
     keys.forEach((key, at) => {
       const cap = document.createElement('kbd');
@@ -80,15 +81,15 @@ export function showKeys({ host, fire }) {
       term.append(cap);
     });
     const about = document.createElement('dd');
-    about.textContent = words;
+    about.textContent = effect;
     list.append(term, about);
   }
-  if (!areForbidden(host, fire)) {
+  if (!shortcutsForbidden(host, fire)) {
     const label = card.add('label', '');
     const box = document.createElement('input');
     box.type = 'checkbox';
-    box.checked = remembered().silent !== true;
-    box.addEventListener('change', () => remember({ silent: !box.checked }));
+    box.checked = remembered().shortcutsOff !== true;
+    box.addEventListener('change', () => remember({ shortcutsOff: !box.checked }));
     label.append(box, ' Single-key shortcuts');
   }
   const close = card.button('close', 'Close', card.close);
@@ -111,8 +112,8 @@ export function openCard(host, name, title) {
   card.dir = 'ltr';
   card.setAttribute('role', 'dialog');
   const heading = document.createElement('h2');
-  made += 1;
-  heading.id = `hearth-card-${made}`;
+  cards += 1;
+  heading.id = `hearth-card-${cards}`;
   heading.textContent = title;
   card.setAttribute('aria-labelledby', heading.id);
   const content = document.createElement('div');

@@ -6,19 +6,13 @@
  */
 
 import { act } from './acts.js';
-import { askForSettings, showKeys, showText } from './cards.js';
-import { askForPicture } from './picture-card.js';
-import { showScenes } from './scenes.js';
+import { CardCommands } from './card-commands.js';
 import { editingOf } from './editing.js';
-import { download } from './download.js';
-import { COPIES, beside, isSettings, settingsOf, textOf } from './exchange.js';
+import { beside } from './exchange.js';
 import { remember, remembered } from './memory.js';
 import { copyOf, newObject } from './objects.js';
-import { ownScenesOf } from './own-scenes.js';
-import { PARAMETERS, PRESETS } from '../parameters.js';
-import { Report } from './report.js';
+import { PARAMETERS } from '../parameters.js';
 import { DOMAINS, MODEL, hasSceneObjects, modelDefault, presetOf, sceneObjects, sceneOf, sceneProperty, sceneValue, valuesOf } from './scene.js';
-import { pageLink } from '../share.js';
 
 /** How long a button confirms its action [ms]. */
 const DONE_MS = 2000;
@@ -54,21 +48,16 @@ const CHANGES = ['ready', 'params-change', 'objects-change'];
 /** The controller of one panel. It dispatches `change` when its state changes. */
 export class PanelController extends EventTarget {
   #fire;
-  #host;
   #page;
-  /** For the texts that are copied. */
-  #addresses;
+  #cards;
   #editing;
   /** Ends what listens to the history and the selection. */
   #ended = new AbortController();
   #history;
-  #report;
   /** @type {number | undefined} */
   #doneEnds;
   #done = '';
   #message = '';
-  /** @type {import('./cards.js').Card | undefined} */
-  #card;
   #scene = '';
   #preset = '';
 
@@ -87,14 +76,19 @@ export class PanelController extends EventTarget {
   constructor({ fire, host, page, only, script = beside('hearth-fire.js'), embed = beside('embed.html') }) {
     super();
     this.#fire = fire;
-    this.#host = host;
     this.#page = page;
-    this.#addresses = { page, script, embed };
+    this.#cards = new CardCommands({
+      fire,
+      host,
+      addresses: { page, script, embed },
+      replace: (config) => this.#replace(config),
+      attempt: (act) => this.#try(act),
+      notify: (done, message) => this.#notify(done, message),
+    });
     const known = only?.map((id) => id.replaceAll('-', '_')).filter(isParameter);
     /** The parameters that the panel shows, in this order; undefined means all. */
     this.only = known?.length ? known : undefined;
     this.#restoreQuality();
-    this.#report = new Report(fire);
     this.#editing = editingOf(fire);
     this.#history = this.#editing.history;
     this.#editing.watch(this.#changed, this.#ended.signal);
@@ -113,17 +107,11 @@ export class PanelController extends EventTarget {
       compared: this.#editing.letter,
       undo: this.#history.canUndo,
       redo: this.#history.canRedo,
-      copies: COPIES.filter(({ name }) => this.#addressOf(name) !== undefined),
+      copies: this.#cards.copies,
       fullscreen: document.fullscreenEnabled === true,
       done: this.#done,
       message: this.#message,
     };
-  }
-
-  /** The URL that a form of copy needs; empty if it needs none. @param {string} form */
-  #addressOf(form) {
-    if (form === 'link') return this.#page;
-    return form === 'iframe' ? this.#addresses.embed : '';
   }
 
   /** A new gesture begins: the next change is a new step. */
@@ -227,11 +215,10 @@ export class PanelController extends EventTarget {
     }, { replaces: false });
   }
 
-  /** @param {string} name */
-  preset(name) {
-    /** @type {HearthConfig} */
-    const config = { hearth: 1, preset: /** @type {HearthConfig['preset']} */ (name), values: {} };
-    return this.#history.all(() => this.#fire.importConfig(config), { replaces: true });
+  /** Shows the fire of settings: one step. @param {HearthConfig | string} config */
+  async #replace(config) {
+    await this.#history.all(() => this.#fire.importConfig(config), { replaces: true });
+    this.#update();
   }
 
   /** Shows one of two states. @param {import('./editing.js').Letter} letter */
@@ -242,37 +229,6 @@ export class PanelController extends EventTarget {
   /** Sets random values near those of the scene. */
   randomise() {
     return this.#editing.randomise();
-  }
-
-  /** Shows or hides the card of scenes. */
-  scenes() {
-    if (this.#card?.isOpen('scenes')) {
-      this.#card.close();
-      return;
-    }
-    this.#show(showScenes({
-      host: this.#host,
-      scenes: PRESETS,
-      pictureOf: (name) => beside(`scenes/${name}.jpg`),
-      current: () => this.#fire.preset,
-      choose: (name) => this.#try(() => this.preset(name)).then(this.#update),
-      own: ownScenesOf(this.#fire, (config) => this.#replace(config)),
-    }));
-  }
-
-  /** Shows the fire of settings: one step. @param {HearthConfig | string} config */
-  async #replace(config) {
-    await this.#history.all(() => this.#fire.importConfig(config), { replaces: true });
-    this.#update();
-  }
-
-  /** Shows the fire of a file that a visitor has dropped, or a message why not. @param {File} file */
-  open(file) {
-    return this.#try(async () => {
-      if (!isSettings(file)) throw new Error(`“${file.name}” is no file of settings, whose name ends in “.json”.`);
-      await this.#replace(await settingsOf(file));
-      this.#notify('', `Opened “${file.name}”`);
-    });
   }
 
   /** @param {string} name */
@@ -331,49 +287,34 @@ export class PanelController extends EventTarget {
     return this.#history.redo();
   }
 
-  /**
-   * Copies the fire in one of several forms. If the browser refuses, a card shows the text.
-   * @param {string} name  Of one of `COPIES`.
-   */
-  async copy(name) {
-    const label = COPIES.find((form) => form.name === name)?.label;
-    const config = await this.#try(() => this.#fire.exportConfig());
-    // A fire that has failed has a report alone.
-    const text = name === 'report'
-      ? this.#report.text(this.#page && config && pageLink(config, this.#page), config)
-      : config && textOf(name, config, this.#addresses);
-    if (!text) return;
-    try {
-      await navigator.clipboard.writeText(text);
-      this.#notify(`copy:${name}`, `Copied: ${label}`);
-    } catch {
-      this.#show(showText({ host: this.#host, title: `Copy the ${label}`, text }));
-    }
+  /** Shows or hides the card of scenes. */
+  scenes() {
+    this.#cards.scenes();
+  }
+
+  /** Shows the fire of a file that a visitor has dropped, or a message that rejects it. @param {File} file */
+  open(file) {
+    return this.#cards.open(file);
+  }
+
+  /** Copies the fire in one of several forms. @param {string} name  Of one of `COPIES`. */
+  copy(name) {
+    return this.#cards.copy(name);
   }
 
   /** Asks for settings as JSON. */
   paste() {
-    const apply = async (/** @type {string} */ text) => {
-      await this.#history.all(() => this.#fire.importConfig(text), { replaces: true });
-      this.#notify('paste', 'The pasted settings are applied');
-    };
-    this.#show(askForSettings({ host: this.#host, apply }));
+    this.#cards.paste();
   }
 
   /** Asks for the size and the background of a picture, and saves it. */
   picture() {
-    if (this.#card?.isOpen('picture')) {
-      this.#card.close();
-      return;
-    }
-    const save = async (/** @type {{scale: number, background: string}} */ { scale, background }) => {
-      const plain = await this.#fire.toBlob('image/png');
-      const { width } = await createImageBitmap(plain);
-      const blob = scale === 1 && background === 'scene' ? plain : await this.#fire.toBlob({ width: scale * width, background });
-      download(blob, 'hearth.png');
-      this.#notify('picture', `Saved an image, ${scale * width} pixels wide`);
-    };
-    this.#show(askForPicture({ host: this.#host, save }));
+    this.#cards.picture();
+  }
+
+  /** Shows or hides the list of shortcuts. */
+  help() {
+    this.#cards.help();
   }
 
   /** Enters or leaves full screen: for the fire, or for a page about it. */
@@ -384,24 +325,17 @@ export class PanelController extends EventTarget {
     ));
   }
 
-  /** Shows or hides the list of shortcuts. */
-  help() {
-    if (this.#card?.isOpen('help')) this.#card.close();
-    else this.#show(showKeys({ host: this.#host, fire: this.#fire }));
-  }
-
   /** Closes the card and stops listening. */
   close() {
     for (const name of CHANGES) this.#fire.removeEventListener(name, this.#update);
     this.#ended.abort();
-    this.#report.close();
     clearTimeout(this.#doneEnds);
-    this.#card?.close();
+    this.#cards.close();
   }
 
   /** Compares the fire with its scene. */
   #update = () => {
-    this.#card?.mark?.();
+    this.#cards.mark();
     const [scene, preset] = [sceneOf(this.#fire), this.#fire.preset];
     const isGone = this.#editing.id !== undefined && !this.selected;
     if (scene === this.#scene && preset === this.#preset && !isGone) return;
@@ -432,12 +366,6 @@ export class PanelController extends EventTarget {
       this.#notify('', error instanceof Error ? error.message : String(error));
       return undefined;
     }
-  }
-
-  /** @param {import('./cards.js').Card} card */
-  #show(card) {
-    this.#card?.close();
-    this.#card = card;
   }
 
   /** @type {(done: string, message: string) => void} */

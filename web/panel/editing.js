@@ -77,7 +77,7 @@ export class Editing extends EventTarget {
       before = objectsOf(this.#fire);
       this.history.press();
     };
-    // The element moves things before a listener of its own event knows.
+    // The element moves objects before listeners of its event run.
     this.#fire.addEventListener('pointerdown', press, { capture: true, signal });
     this.#fire.addEventListener('objects-change', ({ detail }) => {
       if (detail.source === 'pointer') this.history.moved(before);
@@ -150,8 +150,8 @@ export class Editing extends EventTarget {
     return this.history.objects(() => {
       const all = objectsOf(this.#fire);
       const moves = (/** @type {Fields} */ { id, kind }) => kind === 'solid' && ids.includes(id);
-      const [moved, rest] = [all.filter(moves), all.filter((object) => !moves(object))];
-      return this.#fire.set({ objects: /** @type {any[]} */ (front ? [...rest, ...moved] : [...moved, ...rest]) });
+      const [moved, others] = [all.filter(moves), all.filter((object) => !moves(object))];
+      return this.#fire.set({ objects: /** @type {any[]} */ (front ? [...others, ...moved] : [...moved, ...others]) });
     });
   }
 

@@ -8,7 +8,7 @@
 
 import { remembered } from './memory.js';
 
-/** The names of the keys, and what they do. @type {[string[], string][]} */
+/** The names of the keys, and their effects. @type {[string[], string][]} */
 export const KEYS = [
   [['Space'], 'pause or play'],
   [['R'], 'restart'],
@@ -66,9 +66,9 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
     // Tools use some of its keys, and the controls of the panel the arrow keys.
     const used = event.defaultPrevented || (key.startsWith('arrow') && event.composedPath().includes(own[0]));
     const zooms = command || used ? undefined : zoomKey(fire, event);
-    if (zooms) return areSilent(...own) ? undefined : zooms;
+    if (zooms) return shortcutsOff(...own) ? undefined : zooms;
     if (command || event.repeat || (event.shiftKey && !['?', '/'].includes(key))) return undefined;
-    return areSilent(...own) ? undefined : actions.get(key);
+    return shortcutsOff(...own) ? undefined : actions.get(key);
   };
 
   const onKey = (/** @type {Event} */ event) => {
@@ -91,18 +91,19 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
 
 /**
  * Whether the page turns single-key shortcuts off.
- * @type {(...places: EventTarget[]) => boolean}
+ * @type {(...elements: EventTarget[]) => boolean}
  */
-export function areForbidden(...places) {
-  return [document.documentElement, ...places].some((element) => /** @type {HTMLElement} */ (element).dataset?.shortcuts === 'off');
+export function shortcutsForbidden(...elements) {
+  const all = /** @type {HTMLElement[]} */ ([document.documentElement, ...elements]);
+  return all.some(({ dataset }) => dataset?.shortcuts === 'off');
 }
 
 /**
  * Whether single-key shortcuts are off.
- * @type {(...places: EventTarget[]) => boolean}
+ * @type {(...elements: EventTarget[]) => boolean}
  */
-export function areSilent(...places) {
-  return remembered().silent === true || areForbidden(...places);
+export function shortcutsOff(...elements) {
+  return remembered().shortcutsOff === true || shortcutsForbidden(...elements);
 }
 
 /**

@@ -1,20 +1,20 @@
 /**
  * The panel's local storage: it survives a visit and is shared by all pages of an origin. Browsers may
- * forbid it; then nothing is kept.
+ * forbid it; then nothing is stored.
  *
- * @typedef {object} Kept
+ * @typedef {object} Memory
  * @property {string[]} [folded]  The folded groups.
- * @property {boolean} [times]  Whether the panel shows the time of each part of a frame.
+ * @property {boolean} [times]  Whether the panel shows the time of each step and pass.
  * @property {boolean} [hidden]  Whether the panel is hidden.
  * @property {number} [sheet]  The height of the sheet as a share of its container.
  * @property {string} [quality]
  * @property {{scale: string, background: string}} [picture]  The last choices of a saved picture.
- * @property {boolean} [silent]  Whether single-key shortcuts are off.
+ * @property {boolean} [shortcutsOff]  Whether single-key shortcuts are off.
  */
 
 const KEY = 'hearth-panel';
 
-/** @returns {Kept} */
+/** @returns {Memory} */
 export function remembered() {
   try {
     const kept = JSON.parse(localStorage.getItem(KEY) ?? '');
@@ -24,7 +24,7 @@ export function remembered() {
   }
 }
 
-/** @param {Kept} changes */
+/** @param {Memory} changes */
 export function remember(changes) {
   try {
     localStorage.setItem(KEY, JSON.stringify({ ...remembered(), ...changes }));

@@ -15,7 +15,8 @@ const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp:
  * @typedef {(value: Value | undefined, domain: Domain) => void} Show shows a value in a control
  */
 
-let made = 0;
+/** The number of controls so far, which makes their ids. */
+let controls = 0;
 
 /**
  * The labelled list of qualities.
@@ -29,8 +30,8 @@ export function addQuality(root, set) {
   const label = document.createElement('label');
   label.textContent = 'Quality';
   const control = document.createElement('select');
-  made += 1;
-  control.id = `hearth-controls-${made}`;
+  controls += 1;
+  control.id = `hearth-controls-${controls}`;
   label.htmlFor = control.id;
   control.dataset.action = 'quality';
   list({ choices: ['auto', 'low', 'medium', 'high'] }, control, (name) => set(String(name)));
@@ -51,13 +52,13 @@ export function makeControl(parameter, set) {
   const label = document.createElement('label');
   // The unit is part of a slider's value.
   label.textContent = parameter.label;
-  made += 1;
-  label.htmlFor = `hearth-controls-${made}`;
+  controls += 1;
+  label.htmlFor = `hearth-controls-${controls}`;
   const input = document.createElement('input');
   const select = document.createElement('select');
   const control = parameter.kind === 'choice' ? select : input;
   control.id = label.htmlFor;
-  // Says why the parameter has no effect at present.
+  // The reason why the parameter has no effect at present.
   const note = document.createElement('small');
   note.id = `${control.id}-note`;
   control.setAttribute('aria-describedby', note.id);
@@ -82,10 +83,10 @@ export function makeControl(parameter, set) {
 }
 
 /**
- * A condition in words: the label of a choice and some of its names.
+ * The text of a condition: the label of a choice and some of its names.
  * @type {(chosen: [string, string[]], entries: {id: string, label: string}[]) => string}
  */
-export function inWords([id, names], entries) {
+export function phraseOf([id, names], entries) {
   const label = entries.find((entry) => entry.id === id)?.label ?? id;
   const [last, ...others] = [...names].reverse();
   const before = others.length > 0 ? `${others.reverse().join(', ')} or ` : '';

@@ -1,6 +1,6 @@
 /**
  * The objects of a fire as the panel treats them: the tables of their properties, their names, and
- * where a new one stands.
+ * the position of a new one.
  */
 
 import { SOURCE } from '../generated/objects.js';
@@ -16,7 +16,7 @@ import { PARAMETERS } from '../generated/table.js';
  *   an element or anything with its API
  * @typedef {{id: number, kind: Kind, [name: string]: any}} Fields  An object, by the names of its fields.
  *
- * @typedef {object} Entry  What is known of a property: as of a parameter.
+ * @typedef {object} Entry  The data of a property, like those of a parameter.
  * @property {string} id
  * @property {string} name
  * @property {string} label
@@ -36,10 +36,10 @@ export const KINDS = ['source', 'solid'];
 /** Free space around a new object, in sizes of it. */
 const GAP = 0.25;
 
-/** How many places a new object tries in each direction. */
+/** How many positions a new object tries in each direction. */
 const TRIES = 100;
 
-/** Their name, which is no parameter. */
+/** The name of an object, which is no parameter. */
 const NAME = SOLID.filter(({ id }) => id === 'name');
 
 /** The properties of each kind. @type {{[kind in Kind]: Entry[]}} */
@@ -69,8 +69,8 @@ export function idDomain(fire, id, value, domain) {
 }
 
 /**
- * Default and range of a property on a slider; undefined if the model does not use it. A place may be far
- * outside of the frame, but a slider of all places would be too coarse: it spans the frame and the value.
+ * Default and range of a property on a slider; undefined if the model does not use it. A coordinate may be
+ * far outside of the domain, but a slider of all coordinates would be too coarse: it spans the domain and the value.
  * @type {(fire: Pick<HearthFire, 'params' | 'objects'>, entry: Entry, value: any) => Domain | undefined}
  */
 export function sliderDomain(fire, entry, value) {
@@ -116,7 +116,7 @@ export function nameOf({ id, kind, shape, material, name, enabled }) {
 
 /**
  * The fields of a new object beside the fire. A source is a line, half as wide and as strong as the first one.
- * A solid fits the frame.
+ * A solid fits the domain.
  * @type {(fire: Fire, kind: Kind) => Omit<Fields, 'id'>}
  */
 export function newObject(fire, kind) {
@@ -128,17 +128,17 @@ export function newObject(fire, kind) {
     for (const name of ['width', 'power', 'rate']) {
       if (name in fields) fields[name] = inRange(fire, kind, name, fields[name] / 2);
     }
-    return { ...fields, ...place(fire, fields, first) };
+    return { ...fields, ...freePosition(fire, fields, first) };
   }
   const size = rounded(Math.min(0.2, 0.15 * Math.min(width, height)));
   const fields = { kind, width: size, height: rounded(size / 2) };
-  return { ...fields, ...place(fire, { ...fields, shape: 'circle' }, first ?? { x: 0, y: 0, width: 0 }) };
+  return { ...fields, ...freePosition(fire, { ...fields, shape: 'circle' }, first ?? { x: 0, y: 0, width: 0 }) };
 }
 
 /** The fields of an object like this one, beside it. @type {(fire: Fire, object: Fields) => Omit<Fields, 'id'>} */
 export function copyOf(fire, object) {
   const { id, ...fields } = object;
-  return { ...fields, ...place(fire, fields, object) };
+  return { ...fields, ...freePosition(fire, fields, object) };
 }
 
 /** The range decides about half a value. @type {(fire: Pick<HearthFire, 'params'>, kind: Kind, name: string, value: number) => number} */
@@ -148,13 +148,13 @@ function inRange(fire, kind, name, value) {
 }
 
 /**
- * A place in sight beside `anchor`, clear of all objects: the nearest one in its row, else in the rows above.
- * Solids stand as low as the lowest one or, without one, as the anchor.
+ * A visible position beside `anchor`, clear of all objects: the nearest one in its row, else in the rows above.
+ * Solids get the height of the lowest solid or, without solids, that of the anchor.
  * @param {Fire} fire
  * @param {{[name: string]: any}} fields
  * @param {{[name: string]: any}} anchor
  */
-function place(fire, fields, anchor) {
+function freePosition(fire, fields, anchor) {
   const seen = seenOf(fire);
   const radius = sizeOf(fields).radius;
   const step = radius / 2;
@@ -179,7 +179,7 @@ function place(fire, fields, anchor) {
   return { x: anchor.x, y: rounded(Math.min(seen.top, lowest + 2 * radius)) };
 }
 
-/** The part of the frame that the element shows [m]. @param {Fire} fire */
+/** The part of the domain that the element shows [m]. @param {Fire} fire */
 function seenOf(fire) {
   const { domain_width: width, domain_height: height } = fire.params;
   const lower = fire.toMetres?.(0, fire.clientHeight ?? 0);
@@ -210,7 +210,7 @@ export function boxOf({ shape, points = '', width, height }) {
   if (shape !== 'polygon' && shape !== 'stroke') return { width, height };
   /** @type {number[]} */
   const all = (String(points).match(/[-+.\de]+/g) ?? []).map(Number);
-  const reach = (/** @type {number} */ part) => 2 * Math.max(0, ...all.filter((_, at) => at % 2 === part).map(Math.abs));
+  const reach = (/** @type {number} */ axis) => 2 * Math.max(0, ...all.filter((_, at) => at % 2 === axis).map(Math.abs));
   const line = shape === 'stroke' ? height : 0;
   return { width: reach(0) + line, height: reach(1) + line };
 }

@@ -123,15 +123,15 @@ export function ownScenesOf(fire, replace) {
 }
 
 /**
- * Listens to files that are dropped on `places`. Settings, and all files on the panel, are opened before anything
- * else on the page gets them. Any other file is left to the page; if nothing takes it, it is opened too, which
- * refuses it with a message.
+ * Listens to files that are dropped on `targets`. Settings, and all files on the panel, are opened before any other
+ * listener of the page gets them. The page gets any other file first; if no listener takes it, opening it shows a
+ * message that rejects it.
  * @param {HTMLElement} host  The element of the panel.
- * @param {EventTarget[]} places
+ * @param {EventTarget[]} targets
  * @param {(file: File) => void} open
  * @returns {() => void} stops
  */
-export function listenToDrops(host, places, open) {
+export function listenToDrops(host, targets, open) {
   const ended = new AbortController();
   const { signal } = ended;
   const take = (/** @type {DragEvent} */ event, /** @type {File} */ file) => {
@@ -153,10 +153,10 @@ export function listenToDrops(host, places, open) {
   const over = (/** @type {DragEvent} */ event) => {
     if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
   };
-  for (const place of places) {
-    place.addEventListener('dragover', /** @type {EventListener} */ (over), { signal });
-    place.addEventListener('drop', /** @type {EventListener} */ (first), { signal, capture: true });
-    place.addEventListener('drop', /** @type {EventListener} */ (last), { signal });
+  for (const target of targets) {
+    target.addEventListener('dragover', /** @type {EventListener} */ (over), { signal });
+    target.addEventListener('drop', /** @type {EventListener} */ (first), { signal, capture: true });
+    target.addEventListener('drop', /** @type {EventListener} */ (last), { signal });
   }
   return () => ended.abort();
 }

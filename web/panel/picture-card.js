@@ -8,7 +8,7 @@ import { remember, remembered } from './memory.js';
 /** The sizes: how many times as wide as the frame. */
 const SCALES = [1, 2, 3, 4];
 
-/** The backgrounds, as `toBlob` names them, in words. */
+/** The backgrounds, by their names in `toBlob`, with their labels. */
 const BACKGROUNDS = { scene: 'As it is shown', transparent: 'Transparent', black: 'Black', white: 'White' };
 
 /**
@@ -46,15 +46,15 @@ export function askForPicture({ host, save }) {
  * A labelled list of choices.
  * @param {ReturnType<typeof openCard>} card
  * @param {string} name
- * @param {string} words
+ * @param {string} text
  * @param {string[][]} choices  Their names and labels.
  * @param {string} [chosen]
  */
-function choice(card, name, words, choices, chosen) {
-  const label = card.add('label', `${words} `);
+function choice(card, name, text, choices, chosen) {
+  const label = card.add('label', `${text} `);
   const select = document.createElement('select');
   select.dataset.card = name;
-  select.append(...choices.map(([value, text]) => new Option(text, value)));
+  select.append(...choices.map(([value, shown]) => new Option(shown, value)));
   if (choices.some(([value]) => value === chosen)) select.value = /** @type {string} */ (chosen);
   label.append(select);
   return select;

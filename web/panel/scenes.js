@@ -4,7 +4,7 @@
  *
  * @typedef {{name: string, label: string, description?: string}} Scene
  *
- * @typedef {object} Own  What the visitor's scenes do.
+ * @typedef {object} Own  The commands of the visitor's own scenes.
  * @property {() => import('./own-scenes.js').OwnScene[]} list
  * @property {() => Promise<void>} save  Saves the current fire.
  * @property {(scene: import('./own-scenes.js').OwnScene) => Promise<void>} choose
@@ -22,7 +22,7 @@ import { MAX_NAME } from './own-scenes.js';
  * @param {HTMLElement} parts.host
  * @param {Scene[]} parts.scenes
  * @param {(name: string) => URL | undefined} parts.pictureOf  The URL of its picture. Without one, and if it
- *   does not load, the label stands alone.
+ *   does not load, the tile shows the label alone.
  * @param {() => string} parts.current  The name of the current scene.
  * @param {(name: string) => void} parts.choose
  * @param {Own} parts.own
@@ -97,20 +97,20 @@ export function showScenes({ host, scenes, pictureOf, current, choose, own }) {
  * The visitor's scenes: a row for each, with its picture, its name as a field, and buttons.
  * @param {ReturnType<typeof openCard>} card
  * @param {Own} own
- * @returns {(act: () => unknown) => Promise<void>}  Does something and shows the rows anew, or why it was refused.
+ * @returns {(act: () => unknown) => Promise<void>}  Runs a command, then shows the rows again, or the reason of a refusal.
  */
 function ownSection(card, own) {
   const rows = card.add('ul', '');
   rows.className = 'hearth-own';
   rows.setAttribute('aria-label', 'Your scenes');
-  const said = card.add('p', '');
-  said.setAttribute('role', 'alert');
+  const alert = card.add('p', '');
+  alert.setAttribute('role', 'alert');
   const act = async (/** @type {() => unknown} */ what) => {
-    said.textContent = '';
+    alert.textContent = '';
     try {
       await what();
     } catch (error) {
-      said.textContent = error instanceof Error ? error.message : String(error);
+      alert.textContent = error instanceof Error ? error.message : String(error);
     }
     show();
   };
@@ -138,11 +138,13 @@ function ownSection(card, own) {
         await act(() => own.rename(scene.name, name.value));
         name.value = scene.name;
       });
-      const button = (/** @type {string} */ words, /** @type {string} */ sign, /** @type {() => void} */ does) => {
-        const made = Object.assign(document.createElement('button'), { type: 'button', textContent: sign, title: words });
-        made.setAttribute('aria-label', `${words} ${scene.name}`);
-        made.addEventListener('click', () => act(does));
-        return made;
+      /** @type {(label: string, sign: string, action: () => void) => HTMLButtonElement} */
+      const button = (label, sign, action) => {
+        const node = Object.assign(document.createElement('button'), { textContent: sign, title: label });
+        node.type = 'button';
+        node.setAttribute('aria-label', `${label} ${scene.name}`);
+        node.addEventListener('click', () => act(action));
+        return node;
       };
       row.append(start, name, button('Download', '⤓', () => own.download(scene)), button('Delete', '✕', () => own.remove(scene.name)));
       return row;
@@ -182,9 +184,9 @@ function makeTile({ name, label, description = '' }, picture) {
   image.addEventListener('error', () => tile.classList.add('bare'));
   if (picture) image.src = picture.href;
   else tile.classList.add('bare');
-  const frame = document.createElement('i');
-  frame.append(image);
-  tile.append(frame);
+  const crop = document.createElement('i');
+  crop.append(image);
+  tile.append(crop);
   return tile;
 }
 

@@ -4,7 +4,7 @@
 //! The views read the state and return actions; the panel applies them after the frame and
 //! passes the commands among them to its host. Groups, rows and controls come from the
 //! parameter table. In a low panel (the sheet on a phone) one line of the header stays and the
-//! rest scrolls with the rows.
+//! others scroll with the rows.
 
 use std::collections::BTreeMap;
 

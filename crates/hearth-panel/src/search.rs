@@ -118,7 +118,7 @@ pub fn names(query: &str, name: &str) -> bool {
 struct Words {
     label: String,
     id: String,
-    rest: String,
+    details: String,
 }
 
 impl Words {
@@ -127,7 +127,7 @@ impl Words {
         Words {
             label: about.label.to_lowercase(),
             id: param.id.replace('_', " "),
-            rest: format!(
+            details: format!(
                 "{} {} {} {} {}",
                 param.id,
                 param.id.replace('_', "-"),
@@ -160,8 +160,8 @@ impl Words {
             Some(2)
         } else if self.is_synonym(typed) || self.is_synonym(word) {
             Some(3)
-        } else if self.label.contains(word) || self.rest.contains(word) {
-            Some(if starts(&self.rest, word) { 4 } else { 5 })
+        } else if self.label.contains(word) || self.details.contains(word) {
+            Some(if starts(&self.details, word) { 4 } else { 5 })
         } else {
             None
         }
@@ -214,7 +214,7 @@ mod tests {
     fn every_word_of_a_query_must_match() {
         assert!(found("source width").contains(&"source_width"));
         assert!(!found("source width").contains(&"viscosity"));
-        assert!(found("no parameter says this").is_empty());
+        assert!(found("no parameter has this text").is_empty());
     }
 
     #[test]

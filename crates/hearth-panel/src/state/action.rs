@@ -14,7 +14,7 @@ pub enum Action {
     Set(Subject, Entry),
     /// Set a value by dragging: a value that does not change is not sent.
     Slide(Subject, Entry),
-    /// Set a choice, whose row then keeps its place.
+    /// Set a choice, whose row then keeps its position.
     Choose(Subject, &'static str),
     /// Reset a value to the scene's.
     Restore(Subject),

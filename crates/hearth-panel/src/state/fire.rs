@@ -1,6 +1,6 @@
 //! The panel's copy of the fire's values.
 //!
-//! The copy holds checked values only. While a request for a parameter is pending, older
+//! The copy has checked values only. While a request for a parameter is pending, older
 //! values of the same parameter are ignored: a slider would otherwise jump under the
 //! finger that drags it.
 
@@ -135,9 +135,9 @@ impl Fire {
         self.domain_of(subject.into()).range
     }
 
-    /// The range of a slider. A place of an object may be far outside of the frame, but a slider
-    /// of all places would be too coarse: it spans the frame and the value. So does one of ids: it
-    /// spans those of the solids and the value.
+    /// The range of a slider. A coordinate of an object may be far outside of the domain, and a
+    /// slider of all coordinates would be too coarse: it spans the domain and the value. A slider
+    /// of ids spans the ids of the solids and the value.
     pub fn slider_range(&self, subject: Subject) -> (f64, f64) {
         let (min, max) = self.range_of(subject);
         if ["source_solid", "hangs_from"].contains(&subject.param.id) {

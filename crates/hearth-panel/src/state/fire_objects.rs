@@ -1,6 +1,7 @@
 //! The panel's copy of the fire's objects.
 //!
-//! As the values, the copy holds checked objects only, and a request that is pending keeps it.
+//! As the copy of the values, it has checked objects only and ignores reports while a request
+//! is pending.
 
 use hearth_core::scene::{Kind, MAX_OBJECTS, Object};
 

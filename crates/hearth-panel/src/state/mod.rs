@@ -1,4 +1,4 @@
-//! What the panel knows. No view is imported here.
+//! The state of the panel. No view is imported here.
 //!
 //! Views read [`State`] and return [`Action`]s; [`crate::Panel`] applies the actions
 //! after the frame, so all views of a frame show the same state.

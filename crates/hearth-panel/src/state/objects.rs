@@ -144,8 +144,8 @@ fn has_values_of(object: Object<'_>, other: Object<'_>) -> bool {
 
 /// An object in a list: "Source 1", "Solid 2 · wood line", "Back log · Solid 3 · off".
 pub fn name_of(object: Object<'_>) -> String {
-    let (first, rest) = object.kind.name.split_at(1);
-    let numbered = format!("{}{rest} {}", first.to_uppercase(), object.id);
+    let (initial, tail) = object.kind.name.split_at(1);
+    let numbered = format!("{}{tail} {}", initial.to_uppercase(), object.id);
     let text = match (object.name(), object.solid()) {
         ("", None) => numbered,
         ("", Some(solid)) => {

@@ -36,7 +36,7 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject, name
         title::line(state, out, ui, subject, measures.line);
         let rect = strip(ui, measures.control);
         buttons(&state.fire, out, ui, subject, names, rect, names.len());
-        out.place(ui, subject.id, rect);
+        out.record(ui, subject.id, rect);
         ui.add_space(4.0);
         return;
     }
@@ -44,7 +44,7 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject, name
     let rect = room.with_min_x(room.left().max(room.right() - BUTTON));
     let before = state.open.choice == Some(subject.id);
     let open = before ^ unfolder(&state.fire, out, ui, subject, names, (rect, before));
-    out.place(ui, subject.id, rect);
+    out.record(ui, subject.id, rect);
     if open != before {
         out.push(Action::OpenChoice(open.then_some(subject.id)));
     }
@@ -119,7 +119,7 @@ pub fn buttons(
         };
         let key = format!("choice:{}:{name}", subject.id);
         let clicked = button::show(ui, rect, Id::unique(&key), face).clicked();
-        out.place(ui, key, rect);
+        out.record(ui, key, rect);
         if clicked {
             out.push(Action::Choose(subject, name));
         }

@@ -23,8 +23,8 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
     };
     let open = state.open.colour.filter(|open| open.id == subject.id);
     let room = title::line(state, out, ui, subject, state.device.measures.control);
-    let (rest, swatch) = room.split_left_right_at_x(room.right() - 44.0);
-    transparency(out, ui, subject, rest, colour, open);
+    let (slider, swatch) = room.split_left_right_at_x(room.right() - 44.0);
+    transparency(out, ui, subject, slider, colour, open);
     let swatch = swatch.shrink2(vec2(0.0, 2.0));
     let mut next = open;
     if swatch_button(out, ui, subject.id, swatch, colour) {
@@ -76,7 +76,7 @@ fn transparency(
         };
         set(out, subject, next);
     }
-    out.place(ui, format!("transparent:{}", subject.id), rect);
+    out.record(ui, format!("transparent:{}", subject.id), rect);
 }
 
 /// The swatch. Returns whether it was clicked.
@@ -84,7 +84,7 @@ fn swatch_button(out: &mut Output, ui: &Ui, id: &'static str, rect: Rect, colour
     let response = ui
         .interact(rect, Id::unique(("swatch", id)), Sense::click())
         .on_hover_cursor(CursorIcon::PointingHand);
-    out.place(ui, id, rect);
+    out.record(ui, id, rect);
     let painter = ui.painter();
     checkers(ui, rect.shrink(1.0));
     let [r, g, b, a] = colour.rgba;
@@ -148,7 +148,7 @@ fn sliders(
         let gesture = &mut out.pointer.gesture;
         let change = slider::show(ui, rect, id, &rail, device.finger, gesture);
         let key = format!("{}:{}", name.to_lowercase(), subject.id);
-        out.place(ui, key, rect);
+        out.record(ui, key, rect);
         match change {
             Some(Moved::To(to)) => moved = Some((at, to)),
             Some(Moved::Steps(steps)) => {

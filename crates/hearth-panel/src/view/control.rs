@@ -46,7 +46,7 @@ pub fn number(
     let id = Id::unique(("slider", subject.id));
     let gesture = &mut out.pointer.gesture;
     let moved = slider::show(ui, rect, id, &rail, state.device.finger, gesture);
-    out.place(ui, subject.id, rect);
+    out.record(ui, subject.id, rect);
     if let Some(note) = cost::note(fire, subject, x) {
         paragraph(ui, &note, theme::weak());
     }
@@ -100,9 +100,9 @@ pub fn seed(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
     let key = format!("dice:{}", subject.id);
     let face = Face::new(Icon::Dice, "");
     let response = button::show(ui, dice, Id::unique(&key), face).on_hover_text("Random seed");
-    out.place(ui, key, dice);
+    out.record(ui, key, dice);
     // A seed has no slider: its control is the number.
-    out.place(ui, subject.id, room);
+    out.record(ui, subject.id, room);
     if response.clicked()
         && let Value::Seed(old) = value
     {
@@ -131,7 +131,7 @@ pub fn flag(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
     if button::check_box(ui, hit, Id::unique(("flag", subject.id)), on) {
         out.push(Action::Set(subject, Entry::Flag(!on)));
     }
-    out.place(ui, subject.id, hit);
+    out.record(ui, subject.id, hit);
 }
 
 /// A text: a field, which is closed while it shows the text in short.
@@ -139,5 +139,5 @@ pub fn text(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
     let room = title::line(state, out, ui, subject, state.device.measures.control);
     let shown = text_in_short(subject.param.id, &state.fire.text(subject));
     field::show(state, out, ui, subject, room, &shown);
-    out.place(ui, subject.id, room);
+    out.record(ui, subject.id, room);
 }

@@ -36,9 +36,9 @@ pub fn show(
         edit(&state.fire, field.clone(), out, ui, subject, room);
         return;
     }
-    let place = layout::value(ui, room, shown, subject.param.unit, theme::TEXT);
+    let painted = layout::value(ui, room, shown, subject.param.unit, theme::TEXT);
     let hit = Rect::from_min_max(
-        pos2((place.left() - 6.0).max(room.left()), room.top()),
+        pos2((painted.left() - 6.0).max(room.left()), room.top()),
         pos2(room.right(), room.bottom()),
     );
     let response = ui
@@ -53,13 +53,14 @@ pub fn show(
         }) {
             *wheel = Some(subject.id);
         }
-        let y = place.bottom();
-        ui.painter().hline(place.x_range(), y, (1.0, theme::ACCENT));
+        let y = painted.bottom();
+        ui.painter()
+            .hline(painted.x_range(), y, (1.0, theme::ACCENT));
     }
     if !response.contains_pointer() {
         wheel.take_if(|id| *id == subject.id);
     }
-    out.place(ui, format!("value:{}", subject.id), hit);
+    out.record(ui, format!("value:{}", subject.id), hit);
     if response.clicked() {
         let text = state.fire.text(subject);
         out.push(Action::OpenField(Field {
@@ -122,7 +123,7 @@ fn edit(
     let mut output = ui
         .scope_builder(UiBuilder::new().max_rect(rect), |ui| text.show(ui))
         .inner;
-    out.place(ui, format!("value:{}", subject.id), rect);
+    out.record(ui, format!("value:{}", subject.id), rect);
     if std::mem::take(&mut field.fresh) {
         let length = field.text.chars().count();
         ui.memory_mut(|memory| memory.request_focus(id));

@@ -71,7 +71,7 @@ pub fn fixed(state: &State, out: &mut Output, ui: &mut Ui, low: bool) {
     }
 }
 
-/// The rest of the header where the panel is low: it unfolds, and scrolls with the rows.
+/// The lines below the first one where the panel is low: they unfold, and scroll with the rows.
 pub fn movable(state: &State, out: &mut Output, ui: &mut Ui) {
     if state.only.is_some() {
         return;
@@ -111,7 +111,7 @@ fn model(state: &State, out: &mut Output, ui: &mut Ui, scrolls: bool) {
         title::name(state, out, ui, param.into(), line);
         let rect = beside_label(line);
         choices::buttons(&state.fire, out, ui, param.into(), names, rect, names.len());
-        out.place(ui, param.id, rect);
+        out.record(ui, param.id, rect);
     });
 }
 
@@ -124,7 +124,7 @@ fn scene_button(scene: &str, out: &mut Output, ui: &Ui, rect: Rect) {
         scene
     };
     let response = button::unfolder(ui, rect, Id::unique(name), scene, false);
-    out.place(ui, name, rect);
+    out.record(ui, name, rect);
     if response.on_hover_text("Choose another scene").clicked() {
         out.push(Action::Scenes);
     }
@@ -149,7 +149,7 @@ fn reset_all(state: &State, out: &mut Output, ui: &Ui, rect: Rect) {
     let name = "action:reset-all";
     let response =
         button::show(ui, rect, Id::unique(name), face).on_hover_text("Reset all to the scene");
-    out.place(ui, name, rect);
+    out.record(ui, name, rect);
     if response.clicked() {
         out.push(Action::RestoreAll);
     }

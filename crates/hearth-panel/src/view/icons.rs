@@ -173,14 +173,14 @@ pub fn chevron(painter: &Painter, centre: Pos2, open: bool, colour: Color32) {
 fn turn(painter: &Painter, centre: Pos2, radius: f32, to_the_left: bool, stroke: Stroke) {
     use std::f32::consts::TAU;
     let mirror = if to_the_left { -1.0 } else { 1.0 };
-    let place = |turns: f32, radius: f32| {
+    let point = |turns: f32, radius: f32| {
         let (sin, cos) = (turns * TAU).sin_cos();
         centre + vec2(mirror * cos * radius, sin * radius)
     };
     // Clockwise from the top right to the right, open at the upper right.
-    let points = (0..=20).map(|i| place(-0.12 + 0.78 - 0.78 * i as f32 / 20.0 + 0.12, radius));
+    let points = (0..=20).map(|i| point(-0.12 + 0.78 - 0.78 * i as f32 / 20.0 + 0.12, radius));
     painter.line(points.collect(), stroke);
-    let tip = place(0.0, radius);
+    let tip = point(0.0, radius);
     painter.add(triangle(
         [
             tip + vec2(-mirror * 0.55 * radius, 0.1 * radius),

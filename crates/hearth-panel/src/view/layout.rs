@@ -36,7 +36,7 @@ pub fn beside_label(rect: Rect) -> Rect {
     rect.with_min_x(rect.left() + LABEL)
 }
 
-/// Allocates a strip, paints a label at its left, and returns the rest.
+/// Allocates a strip, paints a label at its left, and returns the room beside the label.
 pub fn labelled(ui: &mut Ui, height: f32, text: &str) -> Rect {
     let rect = strip(ui, height);
     label(ui, rect, text);
@@ -67,9 +67,9 @@ pub fn paragraph(ui: &mut Ui, text: &str, ink: Color32) {
 /// Paints a value with its unit at the right of `room`. Returns their rectangle.
 pub fn value(ui: &Ui, room: Rect, text: &str, unit: &str, ink: Color32) -> Rect {
     let painter = ui.painter();
-    let mut place = Rect::from_min_max(room.right_center(), room.right_center());
+    let mut painted = Rect::from_min_max(room.right_center(), room.right_center());
     if !unit.is_empty() {
-        place = painter.text(
+        painted = painter.text(
             room.right_center(),
             Align2::RIGHT_CENTER,
             unit,
@@ -78,6 +78,6 @@ pub fn value(ui: &Ui, room: Rect, text: &str, unit: &str, ink: Color32) -> Rect 
         );
     }
     let gap = if unit.is_empty() { 0.0 } else { 4.0 };
-    let at = pos2(place.left() - gap, room.center().y);
-    place.union(painter.text(at, Align2::RIGHT_CENTER, text, theme::body(), ink))
+    let at = pos2(painted.left() - gap, room.center().y);
+    painted.union(painter.text(at, Align2::RIGHT_CENTER, text, theme::body(), ink))
 }

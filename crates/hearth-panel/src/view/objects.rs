@@ -57,7 +57,7 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui) {
     for (at, line) in all.chunks(PER_LINE).enumerate() {
         let rect = strip(ui, height);
         if at == 0 {
-            out.place(ui, "objects", rect);
+            out.record(ui, "objects", rect);
         }
         for (rect, &object) in button::split(rect, PER_LINE, 4.0).zip(line) {
             entry(state, out, ui, rect, object);
@@ -145,25 +145,25 @@ fn line(state: &State, out: &mut Output, ui: &mut Ui, object: Object<'_>) {
 /// and on.
 fn entry(state: &State, out: &mut Output, ui: &Ui, rect: Rect, object: Object<'_>) {
     let selected = state.selected == Some(object.id);
-    let place = format!("object:{}", object.id);
+    let key = format!("object:{}", object.id);
     let face = Face {
         lit: selected,
         ..Face::text("")
     };
-    let response = button::show(ui, rect, Id::unique(&place), face);
+    let response = button::show(ui, rect, Id::unique(&key), face);
     let eye = rect.with_min_x(rect.right() - EYE);
     let room = rect.shrink2(vec2(8.0, 0.0)).with_max_x(eye.left());
     button::left_text(ui, room, &name_of(object));
-    out.place(ui, place, rect.with_max_x(eye.left()));
+    out.record(ui, key, rect.with_max_x(eye.left()));
     if let Some(switch) = switch_of(object) {
         let on = is_on(object);
-        let place = format!("enabled:{}", object.id);
+        let key = format!("enabled:{}", object.id);
         let (icon, hint) = match on {
             true => (Icon::Eye, "Switch off: it neither acts nor is drawn"),
             false => (Icon::ClosedEye, "Switch on"),
         };
-        let pressed = button::show(ui, eye, Id::unique(&place), Face::bare(icon));
-        out.place(ui, place, eye);
+        let pressed = button::show(ui, eye, Id::unique(&key), Face::bare(icon));
+        out.record(ui, key, eye);
         if pressed.on_hover_text(hint).clicked() {
             out.push(Action::Set(switch, Entry::Flag(!on)));
         }
@@ -193,7 +193,7 @@ fn buttons(state: &State, out: &mut Output, ui: &mut Ui) {
     let id = selected.map_or(0, |object| object.id);
     let solid = selected.is_some_and(|object| object.kind.name == "solid");
     let copies = selected.is_some_and(|object| !full(object.kind));
-    let rest = [
+    let edits = [
         (
             "Duplicate",
             Command::Duplicate(id),
@@ -219,8 +219,8 @@ fn buttons(state: &State, out: &mut Output, ui: &mut Ui) {
             "Draw the selected solid before the others",
         ),
     ];
-    let rest = rest.map(|(label, command, on, hint)| (label.to_owned(), command, on, hint));
-    let all: Vec<_> = adds.chain(rest).collect();
+    let edits = edits.map(|(label, command, on, hint)| (label.to_owned(), command, on, hint));
+    let all: Vec<_> = adds.chain(edits).collect();
     let acts = ACTS.map(|(name, label, hint)| {
         let command = Command::Act(name, id);
         (label.to_owned(), command, selected.is_some(), hint)
@@ -230,13 +230,13 @@ fn buttons(state: &State, out: &mut Output, ui: &mut Ui) {
         let words: Vec<&str> = line.iter().map(|(label, ..)| label.as_str()).collect();
         let parts = button::split_by_words(ui, rect, &words, 4.0);
         for (rect, (label, command, enabled, hint)) in parts.into_iter().zip(line) {
-            let place = format!("action:{}", label.to_lowercase().replace(' ', ":"));
+            let key = format!("action:{}", label.to_lowercase().replace(' ', ":"));
             let face = Face {
                 enabled: *enabled,
                 ..Face::text(label)
             };
-            let response = button::show(ui, rect, Id::unique(&place), face);
-            out.place(ui, place, rect);
+            let response = button::show(ui, rect, Id::unique(&key), face);
+            out.record(ui, key, rect);
             if response.on_hover_text(*hint).clicked() && *enabled {
                 out.send(command.clone());
             }

@@ -11,7 +11,7 @@ use crate::state::{Action, Command, Pointer, Subject};
 pub struct Output {
     /// The recognised input, in order.
     pub actions: Vec<Action>,
-    /// The place of each visible control.
+    /// The rectangle of each visible control.
     pub rectangles: BTreeMap<String, Rect>,
     /// What the row under the pointer shows.
     pub hovered: Option<Subject>,
@@ -34,8 +34,8 @@ impl Output {
         self.push(Action::Send(command));
     }
 
-    /// Records the place of a control, if all of it is visible.
-    pub fn place(&mut self, ui: &Ui, name: impl Into<String>, rect: Rect) {
+    /// Records the rectangle of a control that is visible as a whole.
+    pub fn record(&mut self, ui: &Ui, name: impl Into<String>, rect: Rect) {
         if ui.clip_rect().expand(1.0).contains_rect(rect) {
             self.rectangles.insert(name.into(), rect);
         }

@@ -14,7 +14,7 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui) {
     let fire = &state.fire;
     let top = ui.cursor().top();
     let rect = labelled(ui, state.device.measures.control, "Quality");
-    out.place(ui, "quality", rect);
+    out.record(ui, "quality", rect);
     let labels = ["Auto", "Low", "Medium", "High"];
     let parts = button::split_by_words(ui, rect, &labels, 6.0);
     for (rect, (name, label)) in parts.into_iter().zip(QUALITIES.into_iter().zip(labels)) {
@@ -22,8 +22,8 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui) {
             lit: fire.quality == name,
             ..Face::text(label)
         };
-        let place = format!("quality:{name}");
-        let mut response = button::show(ui, rect, Id::unique(&place), face);
+        let key = format!("quality:{name}");
+        let mut response = button::show(ui, rect, Id::unique(&key), face);
         if fire.stats.quality == name {
             // The present quality, whether it was set or chosen automatically.
             let line = rect.bottom() - 4.0;
@@ -32,7 +32,7 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui) {
                 .hline(middle - 8.0..=middle + 8.0, line, (1.5, theme::ACCENT));
             response = response.on_hover_text(&fire.stats.reason);
         }
-        out.place(ui, place, rect);
+        out.record(ui, key, rect);
         if response.clicked() {
             out.push(Action::Quality(name));
         }

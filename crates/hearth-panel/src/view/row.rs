@@ -1,4 +1,4 @@
-//! The row of a parameter: its control, and below it what to know about its value.
+//! The row of a parameter: its control, and below it notes on its value.
 
 use egui::{Id, Rect, Sense, Shape, Ui, vec2};
 use hearth_core::params::Kind;

@@ -121,7 +121,7 @@ fn heading(out: &mut Output, ui: &mut Ui, name: &'static str, open: bool, contro
     let response = ui
         .interact(rect, Id::unique(("group", name)), Sense::click())
         .on_hover_cursor(CursorIcon::PointingHand);
-    out.place(ui, format!("group:{name}"), rect);
+    out.record(ui, format!("group:{name}"), rect);
     let ink = if response.hovered() {
         theme::TEXT
     } else {

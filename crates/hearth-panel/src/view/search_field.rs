@@ -39,7 +39,7 @@ pub fn show(search: &Search, out: &mut Output, ui: &mut Ui, rect: Rect) {
     }
     let glass = pos2(rect.left() + 15.0, rect.center().y);
     Icon::Search.paint(ui.painter(), glass, 14.0, theme::weak());
-    out.place(ui, "search", rect);
+    out.record(ui, "search", rect);
     if !text.is_empty() {
         let cross = Rect::from_center_size(
             pos2(rect.right() - 14.0, rect.center().y),

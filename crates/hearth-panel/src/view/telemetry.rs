@@ -27,7 +27,7 @@ fn line(fire: &Fire, times: bool, out: &mut Output, ui: &mut Ui, control: f32) {
         .interact(rect, Id::unique(name), Sense::click())
         .on_hover_cursor(CursorIcon::PointingHand)
         .on_hover_text("Times of a frame");
-    out.place(ui, name, rect);
+    out.record(ui, name, rect);
     if response.clicked() {
         out.push(Action::ToggleTimes);
     }

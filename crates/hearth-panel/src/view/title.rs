@@ -20,7 +20,7 @@ pub fn line(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject, heig
     if state.fire.differs(subject) {
         let key = format!("action:restore:{}", subject.id);
         let response = button::show(ui, back, Id::unique(&key), Face::bare(Icon::Reset));
-        out.place(ui, key, back);
+        out.record(ui, key, back);
         out.quiet = response.hovered();
         let hint = if state.fire.is_of_scene(subject) {
             "Reset to the scene's value"
@@ -38,11 +38,11 @@ pub fn line(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject, heig
 /// its description, because a finger cannot hover.
 pub fn name(state: &State, out: &mut Output, ui: &Ui, subject: Subject, rect: Rect) -> Rect {
     let idle = idle(&state.fire, subject).is_some();
-    let rest = if idle { theme::weak() } else { theme::TEXT };
+    let plain = if idle { theme::weak() } else { theme::TEXT };
     let label = ui.painter().layout_no_wrap(
         subject.param.description().label.to_owned(),
         theme::body(),
-        rest,
+        plain,
     );
     let name = Rect::from_min_size(rect.min, vec2(label.size().x + 4.0, rect.height()));
     let response = ui
@@ -51,11 +51,11 @@ pub fn name(state: &State, out: &mut Output, ui: &Ui, subject: Subject, rect: Re
     let ink = if response.hovered() {
         theme::ACCENT
     } else {
-        rest
+        plain
     };
     let at = pos2(rect.left(), rect.center().y - label.size().y / 2.0);
     ui.painter().galley_with_override_text_color(at, label, ink);
-    out.place(ui, format!("label:{}", subject.id), name);
+    out.record(ui, format!("label:{}", subject.id), name);
     if response.double_clicked() {
         out.push(Action::Restore(subject));
     }

@@ -172,7 +172,7 @@ pub fn line(state: &State, out: &mut Output, ui: &Ui, rect: Rect, tools: &[Tool]
             };
             icons::chevron(ui.painter(), rect.center(), state.open.tools, ink);
         }
-        out.place(ui, name, rect);
+        out.record(ui, name, rect);
         if response.clicked() {
             tool.press(state.fire.paused, out);
         }
@@ -224,7 +224,7 @@ fn copies(controller: &ControllerState, out: &mut Output, ui: &mut Ui, control: 
         };
         let name = format!("action:{key}");
         let response = button::show(ui, rect, Id::unique(&name), face).on_hover_text(&form.hint);
-        out.place(ui, name, rect);
+        out.record(ui, name, rect);
         if response.clicked() {
             out.send(Command::Copy(form.name.clone()));
         }
@@ -280,7 +280,7 @@ impl Line<'_> {
         };
         let name = format!("action:{}", self.key);
         let response = button::show(ui, rect, Id::unique(&name), face).on_hover_text(self.hint);
-        out.place(ui, name, rect);
+        out.record(ui, name, rect);
         if response.clicked() {
             out.send(self.command);
         }

@@ -66,7 +66,7 @@ impl eframe::App for App {
         }
     }
 
-    /// eframe does not know that the page may scale the canvas.
+    /// Undoes the scale of the canvas on its page, which eframe ignores.
     fn raw_input_hook(&mut self, _ctx: &egui::Context, input: &mut egui::RawInput) {
         let shown = self.canvas.get_bounding_client_rect().width();
         let scale = f64::from(self.canvas.offset_width()) / shown;

@@ -122,7 +122,7 @@ impl Panel {
 
     /// Takes the state of the panel controller: an object with the fields of
     /// [`crate::state::ControllerState`].
-    pub fn set_controller(&self, state: JsValue) {
+    pub fn update(&self, state: JsValue) {
         if let Ok(mut panel) = self.panel.try_borrow_mut() {
             panel.state.controller = controller_state(&state);
             read_scene(&mut panel, &state);

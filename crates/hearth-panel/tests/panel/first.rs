@@ -14,7 +14,7 @@ use crate::harness::{Harness, PHONE, TALL, models};
 fn the_header_leaves_most_of_the_height_to_the_sliders() {
     for model in models() {
         let harness = Harness::of_model(model, (340.0, 800.0, Measures::FINE));
-        let first = harness.place("group:Basics").top();
+        let first = harness.rect("group:Basics").top();
         assert!(first <= 184.0, "the rows of {model:?} begin at {first}");
         for id in [
             "source_width",
@@ -23,7 +23,7 @@ fn the_header_leaves_most_of_the_height_to_the_sliders() {
             "smoke_opacity",
             "time_scale",
         ] {
-            harness.place(id);
+            harness.rect(id);
         }
     }
 }
@@ -38,7 +38,7 @@ fn every_phone_shows_a_slider() {
                 Model::Classic => "emission_rate",
                 Model::Combustion => "fuel_power",
             };
-            harness.place(first);
+            harness.rect(first);
         }
     }
 }
@@ -108,7 +108,7 @@ fn reset_restores_the_scene() {
         .fire
         .receive("fuel_power", Input::Number(220.0));
     harness.wait();
-    harness.place("action:restore:fuel_power");
+    harness.rect("action:restore:fuel_power");
     harness.click("action:reset-all");
     assert_eq!(harness.panel.take_commands(), [Command::RestoreAll]);
 }
@@ -119,7 +119,7 @@ fn a_page_selects_and_orders_the_parameters() {
     let ids = ["wind", "palette", "fuel_power", "walls"];
     harness.panel.state.only = Some(ids.into_iter().filter_map(Param::find).collect());
     harness.wait();
-    let tops = ids[..3].iter().map(|id| harness.place(id).top());
+    let tops = ids[..3].iter().map(|id| harness.rect(id).top());
     assert!(tops.collect::<Vec<_>>().is_sorted());
     for absent in [
         "walls",
@@ -170,16 +170,16 @@ fn a_search_shows_the_best_match_first_and_escape_clears_it() {
                 .filter(|id| harness.in_sight(id));
             for other in others {
                 assert!(
-                    harness.place("wind").top() < harness.place(other).top(),
+                    harness.rect("wind").top() < harness.rect(other).top(),
                     "{other}"
                 );
             }
-            harness.place("wind");
+            harness.rect("wind");
         }
         harness.key(Key::Escape);
         assert!(harness.panel.is_typing(&harness.ctx), "it is cleared first");
         if size == TALL {
-            harness.place("fuel_power");
+            harness.rect("fuel_power");
         }
         harness.key(Key::Escape);
         assert!(!harness.panel.is_typing(&harness.ctx));
@@ -284,7 +284,7 @@ fn the_classic_model_explains_its_number_of_particles() {
 fn the_value_under_the_pointer_can_be_copied() {
     let mut harness = Harness::of_model(Model::Combustion, TALL);
     assert_eq!(harness.panel.hovered_value(), None);
-    let pos = harness.place("fuel_power").center();
+    let pos = harness.rect("fuel_power").center();
     harness.frame(vec![Event::PointerMoved(pos)]);
     harness.wait();
     let copied = harness.panel.hovered_value();

@@ -1,5 +1,5 @@
 //! A harness that uses a panel without a browser: it paints frames, and sends pointer and
-//! keys to the places of the controls.
+//! keys to the rectangles of the controls.
 //!
 //! A character that the font lacks panics, so no test paints a replacement box.
 
@@ -88,8 +88,8 @@ impl Harness {
         let shapes = output.shapes.iter().map(|clipped| &clipped.shape);
         let texts = shapes.filter_map(|shape| match shape {
             Shape::Text(text) => {
-                let place = text.galley.rect.translate(text.pos.to_vec2());
-                Some((text.galley.text().to_owned(), place))
+                let rect = text.galley.rect.translate(text.pos.to_vec2());
+                Some((text.galley.text().to_owned(), rect))
             }
             _ => None,
         });
@@ -102,7 +102,7 @@ impl Harness {
         }
     }
 
-    pub fn place(&self, name: &str) -> Rect {
+    pub fn rect(&self, name: &str) -> Rect {
         *self
             .panel
             .rectangles()
@@ -132,7 +132,7 @@ impl Harness {
     }
 
     pub fn click(&mut self, name: &str) {
-        let pos = self.place(name).center();
+        let pos = self.rect(name).center();
         self.frame(vec![Event::PointerMoved(pos)]);
         self.button(pos, true);
         self.button(pos, false);

@@ -4,6 +4,7 @@ mod first;
 mod harness;
 mod imports;
 mod names;
+mod object_values;
 mod objects;
 mod rows;
 
@@ -55,11 +56,11 @@ fn a_click_on_the_frame_rate_shows_the_times_of_a_frame() {
         ..Stats::default()
     });
     harness.wait();
-    let folded = harness.place("search").top();
+    let folded = harness.rect("search").top();
     harness.click("action:times");
-    assert!(harness.place("search").top() > folded + 30.0);
+    assert!(harness.rect("search").top() > folded + 30.0);
     harness.click("action:times");
-    assert_eq!(harness.place("search").top(), folded);
+    assert_eq!(harness.rect("search").top(), folded);
 }
 
 #[test]
@@ -105,7 +106,7 @@ fn buttons_send_their_commands() {
 #[test]
 fn a_long_press_is_a_click() {
     let mut harness = Harness::new(TALL);
-    let pos = harness.place("action:pause").center();
+    let pos = harness.rect("action:pause").center();
     harness.frame(vec![Event::PointerMoved(pos)]);
     harness.button(pos, true);
     harness.time += 5.0;
@@ -146,13 +147,16 @@ fn the_share_buttons_open_and_confirm_a_copy() {
         harness.click("action:share");
         for what in ["link", "element", "iframe", "json"] {
             harness.click(&format!("action:copy:{what}"));
-            assert_eq!(harness.panel.take_commands(), [Command::Copy(what.to_owned())]);
+            assert_eq!(
+                harness.panel.take_commands(),
+                [Command::Copy(what.to_owned())]
+            );
         }
         harness.panel.state.controller.done = "copy:json".to_owned();
         harness.panel.state.controller.message = "Copied".to_owned();
-        let below = harness.place("action:paste");
+        let below = harness.rect("action:paste");
         harness.wait();
-        assert_eq!(harness.place("action:paste"), below, "nothing moves");
+        assert_eq!(harness.rect("action:paste"), below, "nothing moves");
         harness.click("action:paste");
         assert_eq!(harness.panel.take_commands(), [Command::Paste]);
         harness.click("action:share");
@@ -165,17 +169,17 @@ fn the_share_buttons_open_and_confirm_a_copy() {
             let name = format!("action:copy:{what}");
             assert!(!harness.panel.rectangles().contains_key(&name), "{what}");
         }
-        harness.place("action:copy:json");
+        harness.rect("action:copy:json");
     }
 }
 
 #[test]
 fn an_error_of_the_controller_is_shown() {
     let mut harness = Harness::new(TALL);
-    let folded = harness.place("search").top();
+    let folded = harness.rect("search").top();
     harness.panel.state.controller.message = "There is no picture".to_owned();
     harness.wait();
-    assert!(harness.place("search").top() > folded);
+    assert!(harness.rect("search").top() > folded);
 }
 
 #[test]
@@ -193,17 +197,17 @@ fn the_text_of_a_button_stays_inside_it() {
         for width in [288.0, 340.0] {
             for model in models() {
                 let mut harness = Harness::of_model(model, (width, 2000.0, measures));
-                for (text, place) in harness.painted_texts() {
+                for (text, rect) in harness.painted_texts() {
                     let mut buttons = harness.panel.rectangles().iter().filter(|(name, button)| {
                         let words = ["quality:", "choice:", "action:"];
                         let worded = words.iter().any(|kind| name.starts_with(kind));
-                        worded && button.contains(place.center())
+                        worded && button.contains(rect.center())
                     });
                     if let Some((name, button)) = buttons.next() {
                         let room = button.x_range();
                         assert!(
-                            room.contains(place.left()) && room.contains(place.right()),
-                            "{text} of {name} at {width}: {place} in {button}"
+                            room.contains(rect.left()) && room.contains(rect.right()),
+                            "{text} of {name} at {width}: {rect} in {button}"
                         );
                     }
                 }
@@ -231,7 +235,7 @@ fn a_search_filters_the_rows_and_a_reveal_ends_it() {
     assert!(harness.panel.rectangles().contains_key("viscosity"));
     assert!(!harness.panel.rectangles().contains_key("gravity"));
     harness.reveal("gravity");
-    harness.place("gravity");
+    harness.rect("gravity");
 }
 
 #[test]
@@ -245,7 +249,7 @@ fn a_heading_folds_its_group_and_a_reveal_opens_it() {
     };
     assert!(memory.folded.contains("Basics") && memory.folded.contains("Physics"));
     harness.reveal("source_width");
-    harness.place("source_width");
+    harness.rect("source_width");
 }
 
 #[test]
@@ -254,7 +258,7 @@ fn a_panel_without_space_paints_nothing_until_it_has_some() {
     assert!(harness.panel.rectangles().is_empty());
     harness.size = vec2(340.0, 900.0);
     harness.wait();
-    harness.place("action:pause");
+    harness.rect("action:pause");
 }
 
 #[test]
@@ -269,11 +273,11 @@ fn each_model_has_its_own_rows_ranges_and_defaults() {
     let asked = harness.panel.take_commands();
     assert_eq!(asked, [Command::Set(MODEL, Value::Choice("combustion"))]);
     harness.reveal("ember_size");
-    harness.place("ember_size");
+    harness.rect("ember_size");
     harness.reveal("walls");
     assert!(!harness.panel.rectangles().contains_key("walls"));
     harness.reveal("fuel_power");
-    harness.place("fuel_power");
+    harness.rect("fuel_power");
     let width = Param::find("source_width").expect("the table has it");
     assert_eq!(harness.panel.state.fire.range_of(width), (0.01, 1.0));
     assert_eq!(harness.value("source_width"), Value::Number(0.4));
@@ -289,7 +293,7 @@ fn each_model_has_its_own_rows_ranges_and_defaults() {
             .any(|param| param.group() == "Sparks and smoke")
     );
     harness.reveal("walls");
-    harness.place("walls");
+    harness.rect("walls");
 }
 
 fn label(param: &Param) -> String {
@@ -306,20 +310,20 @@ fn a_change_of_the_model_keeps_search_and_scroll_position() {
                 && harness.panel.rectangles().contains_key(&label(param))
         });
         let uppermost = shared.map(label).min_by(|a, b| {
-            let top = |name: &str| harness.place(name).top();
+            let top = |name: &str| harness.rect(name).top();
             top(a).total_cmp(&top(b))
         });
         let uppermost = uppermost.expect("both models have some row in sight");
-        let before = harness.place(&uppermost);
+        let before = harness.rect(&uppermost);
         harness.click(&format!("choice:model:{name}"));
-        let now = harness.place(&uppermost);
+        let now = harness.rect(&uppermost);
         assert!((now.top() - before.top()).abs() < 1.0, "{before} → {now}");
     }
 
     harness.click("search");
     harness.frame(vec![Event::Text("source height".to_owned())]);
     harness.click("choice:model:combustion");
-    harness.place("source_height");
+    harness.rect("source_height");
     assert!(!harness.panel.rectangles().contains_key("exposure"));
 }
 

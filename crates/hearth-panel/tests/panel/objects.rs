@@ -1,9 +1,9 @@
 //! The objects: the list, the buttons, the rows of the selected one, and the search.
 
 use egui::{Event, Key};
-use hearth_core::params::{AnyValue, Input, Kind as ValueKind, Model, Parameters, Value};
-use hearth_core::scene::{KINDS, Object, Scene};
-use hearth_panel::state::fire::{Entry, Fire};
+use hearth_core::params::{Kind as ValueKind, Model, Value};
+use hearth_core::scene::KINDS;
+use hearth_panel::state::fire::Entry;
 use hearth_panel::state::objects::has_row;
 use hearth_panel::state::{Command, Fields, OBJECTS, SEARCH, Subject};
 
@@ -63,7 +63,7 @@ pub fn select(harness: &mut Harness, id: u32) -> Vec<Subject> {
 #[test]
 fn the_objects_follow_the_basics_and_can_be_folded() {
     let mut harness = with_objects(Model::Combustion, (340.0, 2000.0, TALL.2));
-    let top = |harness: &Harness, name: &str| harness.place(name).top();
+    let top = |harness: &Harness, name: &str| harness.rect(name).top();
     let tops = ["group:Basics", "group:Objects", "group:Fire"];
     assert!(tops.map(|name| top(&harness, name)).is_sorted());
     harness.click("group:Objects");
@@ -112,7 +112,7 @@ fn the_rows_are_the_properties_that_the_model_uses() {
             assert_eq!(rows.iter().map(|row| row.id).collect::<Vec<_>>(), used);
             for row in rows {
                 harness.reveal(row.id);
-                harness.place(row.id);
+                harness.rect(row.id);
             }
         }
     }
@@ -177,7 +177,7 @@ fn dragging_changes_every_slider_and_reset_restores_it() {
                     continue;
                 }
                 harness.reveal(row.id);
-                let rail = harness.place(row.id);
+                let rail = harness.rect(row.id);
                 let before = harness.panel.state.fire.value(row);
                 harness.drag(rail.center(), rail.right_center());
                 let now = harness.panel.state.fire.value(row);
@@ -249,8 +249,8 @@ fn a_typed_value_out_of_range_is_refused_with_a_reason() {
     harness.key(Key::Enter);
     assert!(harness.panel.take_commands().is_empty());
     let refusal = &harness.panel.state.fire.refusals["solid:width"];
-    for part in ["width", "70", "from 0.002 to 10 m"] {
-        assert!(refusal.contains(part), "{refusal}");
+    for text in ["width", "70", "from 0.002 to 10 m"] {
+        assert!(refusal.contains(text), "{refusal}");
     }
 }
 
@@ -259,7 +259,7 @@ fn the_value_under_the_pointer_can_be_copied() {
     let mut harness = with_objects(Model::Combustion, TALL);
     select(&mut harness, 3);
     harness.reveal("solid:width");
-    let pos = harness.place("solid:width").center();
+    let pos = harness.rect("solid:width").center();
     harness.frame(vec![Event::PointerMoved(pos)]);
     harness.wait();
     let copied = harness.panel.hovered_value();
@@ -294,7 +294,7 @@ fn buttons_send_their_commands() {
 }
 
 #[test]
-fn a_button_at_the_limit_is_disabled_and_says_why() {
+fn a_button_at_the_limit_is_disabled_with_a_reason() {
     let mut harness = Harness::of_model(Model::Combustion, TALL);
     let mut objects = vec![source(1)];
     objects.extend((2..66).map(|id| solid(id, "circle", "stone")));
@@ -319,8 +319,8 @@ fn a_search_finds_properties_and_objects() {
         harness.reveal("");
         // The line has no corners.
         if size == TALL {
-            harness.place("object:4");
-            harness.place("solid:corner");
+            harness.rect("object:4");
+            harness.rect("solid:corner");
             assert!(!harness.in_sight("object:3"));
         }
         harness.panel.state.search.text = "wood".to_owned();
@@ -336,124 +336,5 @@ fn a_search_finds_properties_and_objects() {
         let texts = harness.texts();
         let words = "Corner radius is a property of a solid: add one.";
         assert!(texts.iter().any(|text| text == words), "{texts:?}");
-    }
-}
-
-/// A panel with the solid 3 selected, and the row of its place if there is one.
-fn with_place() -> (Harness, Option<Subject>) {
-    let mut harness = with_objects(Model::Combustion, TALL);
-    let mut rows = select(&mut harness, 3).into_iter();
-    let place = rows.find(|row| row.id == "solid:x");
-    (harness, place)
-}
-
-#[test]
-fn a_slider_spans_the_frame_and_a_value_beyond_it() {
-    let (mut harness, place) = with_place();
-    let place = place.expect("a place");
-    let fire = &mut harness.panel.state.fire;
-    assert_eq!(fire.slider_range(place), (-1.8, 1.8));
-    assert_eq!(fire.range_of(place), (-10.0, 10.0));
-    assert!(fire.set(place, Entry::Number(-4.0).input()).is_ok());
-    assert_eq!(fire.slider_range(place), (-4.0, 1.8));
-}
-
-#[test]
-fn an_older_list_does_not_move_a_dragged_slider() {
-    let (mut harness, place) = with_place();
-    let place = place.expect("a place");
-    let fire = &mut harness.panel.state.fire;
-    let old = [source(1), solid(3, "line", "wood")];
-    assert!(fire.set(place, Entry::Number(0.4).input()).is_ok());
-    fire.sent_change();
-    fire.sent_change();
-    fire.receive_objects(&old);
-    assert_eq!(fire.value(place), Value::Number(0.4));
-    assert!(!fire.answered_change());
-    assert!(fire.answered_change());
-    fire.receive_objects(&old);
-    assert_eq!(fire.value(place), Value::Number(0.0));
-}
-
-/// The fields of all objects of a scene, as a fire reports them.
-fn report(scene: &Scene) -> Vec<Fields> {
-    let fields = |object: Object<'_>| {
-        let mut fields = vec![
-            text("kind", object.kind.name),
-            number("id", object.id.into()),
-        ];
-        for (name, _, value) in object.properties() {
-            let entry = match (value.as_number(), value) {
-                (Some(value), _) => Entry::Number(value),
-                (None, AnyValue::Flag(on)) => Entry::Flag(on),
-                (None, value) => Entry::Text(value.to_string()),
-            };
-            fields.push((name.to_owned(), entry));
-        }
-        fields
-    };
-    scene.objects().map(fields).collect()
-}
-
-#[test]
-fn each_report_of_objects_gives_the_scene_that_it_describes() {
-    let add = |scene: &mut Scene, fields: &[Fields]| {
-        for fields in fields {
-            let fields: Vec<_> = fields
-                .iter()
-                .map(|(name, entry)| (name.as_str(), entry.input()))
-                .collect();
-            assert!(scene.add(&fields).is_ok());
-        }
-    };
-    let change = |scene: &mut Scene, id, name, value| {
-        assert!(scene.change(id, &[(name, Input::Number(value))]).is_ok());
-    };
-    for model in models() {
-        let mut fire = Fire::default();
-        let mut told = Scene::new(Parameters::new(model));
-        let mut tell = |what: &str, act: &mut dyn FnMut(&mut Scene)| {
-            act(&mut told);
-            fire.parameters = told.settings().clone();
-            fire.receive_objects(&report(&told));
-            assert_eq!(fire.objects, told, "{what}");
-        };
-        let stroke = |id| {
-            let mut fields = solid(id, "stroke", "stone");
-            fields.push(text("points", "-0.1,0 0,0.1 0.1,0"));
-            fields
-        };
-        tell("objects", &mut |scene| {
-            add(
-                scene,
-                &[source(2), stroke(3), stroke(4), solid(5, "box", "none")],
-            )
-        });
-        tell("another stroke", &mut |scene| add(scene, &[stroke(6)]));
-        tell("a place", &mut |scene| change(scene, 4, "x", 0.3));
-        tell("a thicker stroke", &mut |scene| {
-            change(scene, 4, "height", 0.02)
-        });
-        tell("a wider source", &mut |scene| {
-            change(scene, 2, "width", 0.2)
-        });
-        tell("a wider first source", &mut |scene| {
-            change(scene, 1, "width", 0.3)
-        });
-        tell("one less", &mut |scene| assert!(scene.remove(3).is_ok()));
-        tell("another first source", &mut |scene| {
-            assert!(scene.remove(1).is_ok())
-        });
-        tell("another order", &mut |scene| {
-            let mut all = report(scene);
-            all.reverse();
-            scene.clear();
-            add(scene, &all);
-        });
-        tell("another kind of the same id", &mut |scene| {
-            assert!(scene.remove(6).is_ok());
-            add(scene, &[source(6)]);
-        });
-        tell("nothing", &mut Scene::clear);
     }
 }

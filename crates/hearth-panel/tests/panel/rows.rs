@@ -14,9 +14,9 @@ fn a_revealed_parameter_has_a_visible_control() {
         let mut harness = Harness::of_model(model, size);
         for id in harness.used().iter().map(|param| param.id).chain([MODEL]) {
             harness.reveal(id);
-            let place = harness.place(id);
-            assert!(place.left() >= 0.0 && place.right() <= width, "{id}");
-            assert!(place.bottom() <= height, "{id}");
+            let rail = harness.rect(id);
+            assert!(rail.left() >= 0.0 && rail.right() <= width, "{id}");
+            assert!(rail.bottom() <= height, "{id}");
         }
     }
 }
@@ -34,9 +34,9 @@ fn drag_every_slider(mut harness: Harness) {
             continue;
         };
         harness.reveal(param.id);
-        let place = harness.place(param.id);
+        let rail = harness.rect(param.id);
         let before = harness.value(param.id);
-        let (low, high) = (place.left_center(), place.right_center());
+        let (low, high) = (rail.left_center(), rail.right_center());
         let (min, max) = harness.panel.state.fire.slider_range(param.into());
         // To the end that is not the default.
         let end = if before.as_number() == Some(max) {
@@ -83,8 +83,8 @@ fn a_typed_value_out_of_range_is_refused_with_a_reason() {
 #[test]
 fn shift_moves_the_knob_a_tenth_as_far() {
     let mut harness = Harness::of_model(Model::Combustion, TALL);
-    let place = harness.place("fuel_power");
-    let start = place.left_center() + vec2(40.0, 0.0);
+    let rail = harness.rect("fuel_power");
+    let start = rail.left_center() + vec2(40.0, 0.0);
     let value = |harness: &Harness| harness.value("fuel_power").as_number().unwrap_or_default();
     let before = value(&harness);
     harness.frame(vec![Event::PointerMoved(start)]);
@@ -104,15 +104,15 @@ fn shift_moves_the_knob_a_tenth_as_far() {
     harness.frame_with(Modifiers::SHIFT, vec![Event::PointerMoved(end)]);
     harness.frame_with(Modifiers::SHIFT, vec![press(end, false)]);
     let moved = value(&harness) - before;
-    let coarse = 600.0 * 100.0 / f64::from(place.width());
+    let coarse = 600.0 * 100.0 / f64::from(rail.width());
     assert!((moved - coarse / 10.0).abs() < 5.0, "{moved} of {coarse}");
 }
 
 #[test]
 fn keys_move_the_focused_slider() {
     let mut harness = Harness::of_model(Model::Combustion, TALL);
-    let place = harness.place("fuel_power");
-    harness.drag(place.left_center(), place.center());
+    let rail = harness.rect("fuel_power");
+    harness.drag(rail.left_center(), rail.center());
     let value = |harness: &Harness| harness.value("fuel_power").as_number().unwrap_or_default();
     let middle = value(&harness);
     harness.key(Key::ArrowUp);
@@ -140,8 +140,8 @@ fn the_wheel_changes_the_value_under_the_pointer_and_scrolls_elsewhere() {
         modifiers: Modifiers::NONE,
     };
     let value = |harness: &Harness| harness.value("turbulence").as_number().unwrap_or_default();
-    let top = harness.place("turbulence").top();
-    let pos = harness.place("value:turbulence").right_center() - vec2(4.0, 0.0);
+    let top = harness.rect("turbulence").top();
+    let pos = harness.rect("value:turbulence").right_center() - vec2(4.0, 0.0);
     harness.frame(vec![Event::PointerMoved(pos)]);
     harness.frame(vec![Event::PointerMoved(pos)]);
     for _ in 0..3 {
@@ -149,10 +149,10 @@ fn the_wheel_changes_the_value_under_the_pointer_and_scrolls_elsewhere() {
     }
     harness.wait();
     assert!(value(&harness) > 0.0);
-    assert_eq!(harness.place("turbulence").top(), top, "the rows stay");
+    assert_eq!(harness.rect("turbulence").top(), top, "the rows stay");
 
     let before = value(&harness);
-    let pos = harness.place("turbulence").center();
+    let pos = harness.rect("turbulence").center();
     harness.frame(vec![Event::PointerMoved(pos)]);
     harness.frame(vec![wheel(-1.0)]);
     for _ in 0..10 {
@@ -175,16 +175,16 @@ fn a_finger_slides_horizontally_and_scrolls_vertically() {
     harness.panel.state.device.finger = true;
     harness.reveal("viscosity");
     let before = harness.value("viscosity");
-    let place = harness.place("viscosity");
-    let start = place.left_center() + vec2(60.0, 0.0);
+    let rail = harness.rect("viscosity");
+    let start = rail.left_center() + vec2(60.0, 0.0);
     harness.drag(start, start + vec2(3.0, -60.0));
     assert_eq!(harness.value("viscosity"), before);
     assert!(harness.panel.take_commands().is_empty());
     harness.wait();
-    assert_ne!(harness.panel.rectangles().get("viscosity"), Some(&place));
+    assert_ne!(harness.panel.rectangles().get("viscosity"), Some(&rail));
 
     harness.reveal("viscosity");
-    let start = harness.place("viscosity").left_center() + vec2(60.0, 0.0);
+    let start = harness.rect("viscosity").left_center() + vec2(60.0, 0.0);
     harness.drag(start, start + vec2(160.0, 3.0));
     assert_ne!(harness.value("viscosity"), before);
 }
@@ -198,7 +198,7 @@ fn a_double_click_on_the_name_resets() {
         .fire
         .receive("gravity", Input::Number(3.0));
     harness.reveal("gravity");
-    let pos = harness.place("label:gravity").center();
+    let pos = harness.rect("label:gravity").center();
     harness.frame(vec![Event::PointerMoved(pos)]);
     for pressed in [true, false, true, false] {
         harness.button(pos, pressed);
@@ -234,7 +234,7 @@ fn press_every_button(mut harness: Harness) {
             Kind::Colour => {
                 harness.click(param.id);
                 harness.reveal(param.id);
-                let hue = harness.place(&format!("hue:{}", param.id));
+                let hue = harness.rect(&format!("hue:{}", param.id));
                 harness.drag(hue.left_center(), hue.center());
             }
             Kind::Number(_) | Kind::Integer(_) | Kind::Seed | Kind::Text(_) => continue,
@@ -268,8 +268,8 @@ fn a_long_choice_opens_in_its_row_on_every_screen() {
         harness.click("display_mode");
         // The whole list scrolls into view.
         for name in names.iter().rev() {
-            let place = harness.place(&name_of(name));
-            assert!(place.width() > 90.0 && place.right() <= size.0, "{name}");
+            let rail = harness.rect(&name_of(name));
+            assert!(rail.width() > 90.0 && rail.right() <= size.0, "{name}");
             harness.click(&name_of(name));
             assert_eq!(harness.value("display_mode"), Value::Choice(name));
         }
@@ -325,8 +325,8 @@ fn a_parameter_without_effect_is_dimmed_explained_and_settable() {
         all.iter()
             .any(|text| text == "Only with display fire, paper or sprites")
     );
-    let place = harness.place("bloom");
-    harness.drag(place.left_center(), place.right_center());
+    let rail = harness.rect("bloom");
+    harness.drag(rail.left_center(), rail.right_center());
     assert_eq!(harness.value("bloom"), Value::Number(0.6));
 
     harness

@@ -1,0 +1,157 @@
+/**
+ * The commands of the panel that open a card, or that leave the page and come back: scenes, copies, files, pictures.
+ */
+
+import { askForSettings, showKeys, showText } from './cards.js';
+import { download } from './download.js';
+import { COPIES, beside, isSettings, settingsOf, textOf } from './exchange.js';
+import { ownScenesOf } from './own-scenes.js';
+import { askForPicture } from './picture-card.js';
+import { Report } from './report.js';
+import { showScenes } from './scenes.js';
+import { PRESETS } from '../parameters.js';
+import { pageLink } from '../share.js';
+
+/**
+ * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
+ * @typedef {import('../hearth-fire.js').HearthConfig} HearthConfig
+ */
+
+/** The cards of one panel, of which one at most is open. */
+export class CardCommands {
+  #fire;
+  #host;
+  #addresses;
+  #replace;
+  #attempt;
+  #notify;
+  #report;
+  /** @type {import('./cards.js').Card | undefined} */
+  #card;
+
+  /**
+   * @param {object} parts
+   * @param {HearthFire} parts.fire
+   * @param {HTMLElement} parts.host  The parent of the cards.
+   * @param {{page?: string | URL, script?: string | URL, embed?: string | URL}} parts.addresses  For the texts of copies.
+   * @param {(config: HearthConfig | string) => Promise<void>} parts.replace  Shows the fire of settings: one step.
+   * @param {<T>(act: () => T | Promise<T>) => Promise<T | undefined>} parts.attempt  Runs what the fire or the browser
+   *   may refuse; a refusal becomes a message.
+   * @param {(done: string, message: string) => void} parts.notify  Reports success: the button, and a message.
+   */
+  constructor({ fire, host, addresses, replace, attempt, notify }) {
+    this.#fire = fire;
+    this.#host = host;
+    this.#addresses = addresses;
+    this.#replace = replace;
+    this.#attempt = attempt;
+    this.#notify = notify;
+    this.#report = new Report(fire);
+  }
+
+  /** The forms that the page can copy: a link needs its URL, an iframe that of `embed.html`. */
+  get copies() {
+    const { page, embed } = this.#addresses;
+    return COPIES.filter(({ name }) => (name !== 'link' || page !== undefined) && (name !== 'iframe' || embed !== undefined));
+  }
+
+  /** Shows or hides the card of scenes. */
+  scenes() {
+    if (this.#card?.isOpen('scenes')) {
+      this.#card.close();
+      return;
+    }
+    this.#show(showScenes({
+      host: this.#host,
+      scenes: PRESETS,
+      pictureOf: (name) => beside(`scenes/${name}.jpg`),
+      current: () => this.#fire.preset,
+      choose: (name) => this.#attempt(() => this.#replace(settingsOfPreset(name))),
+      own: ownScenesOf(this.#fire, this.#replace),
+    }));
+  }
+
+  /** Shows the fire of a file that a visitor has dropped, or a message why not. @param {File} file */
+  open(file) {
+    return this.#attempt(async () => {
+      if (!isSettings(file)) throw new Error(`“${file.name}” is no file of settings, whose name ends in “.json”.`);
+      await this.#replace(await settingsOf(file));
+      this.#notify('', `Opened “${file.name}”`);
+    });
+  }
+
+  /**
+   * Copies the fire in one of several forms. If the browser refuses, a card shows the text.
+   * @param {string} name  Of one of `COPIES`.
+   */
+  async copy(name) {
+    const label = COPIES.find((form) => form.name === name)?.label;
+    const config = await this.#attempt(() => this.#fire.exportConfig());
+    const { page } = this.#addresses;
+    // A fire that has failed has a report alone.
+    const text = name === 'report'
+      ? this.#report.text(page && config && pageLink(config, page), config)
+      : config && textOf(name, config, this.#addresses);
+    if (!text) return;
+    try {
+      await navigator.clipboard.writeText(text);
+      this.#notify(`copy:${name}`, `Copied: ${label}`);
+    } catch {
+      this.#show(showText({ host: this.#host, title: `Copy the ${label}`, text }));
+    }
+  }
+
+  /** Asks for settings as JSON. */
+  paste() {
+    const apply = async (/** @type {string} */ text) => {
+      await this.#replace(text);
+      this.#notify('paste', 'The pasted settings are applied');
+    };
+    this.#show(askForSettings({ host: this.#host, apply }));
+  }
+
+  /** Asks for the size and the background of a picture, and saves it. */
+  picture() {
+    if (this.#card?.isOpen('picture')) {
+      this.#card.close();
+      return;
+    }
+    const save = async (/** @type {{scale: number, background: string}} */ { scale, background }) => {
+      const plain = await this.#fire.toBlob('image/png');
+      const { width } = await createImageBitmap(plain);
+      const isPlain = scale === 1 && background === 'scene';
+      const blob = isPlain ? plain : await this.#fire.toBlob({ width: scale * width, background });
+      download(blob, 'hearth.png');
+      this.#notify('picture', `Saved an image, ${scale * width} pixels wide`);
+    };
+    this.#show(askForPicture({ host: this.#host, save }));
+  }
+
+  /** Shows or hides the list of shortcuts. */
+  help() {
+    if (this.#card?.isOpen('help')) this.#card.close();
+    else this.#show(showKeys({ host: this.#host, fire: this.#fire }));
+  }
+
+  /** @param {import('./cards.js').Card} card */
+  #show(card) {
+    this.#card?.close();
+    this.#card = card;
+  }
+
+  /** Marks the current item of the card. */
+  mark() {
+    this.#card?.mark?.();
+  }
+
+  /** Closes the card and stops listening. */
+  close() {
+    this.#report.close();
+    this.#card?.close();
+  }
+}
+
+/** The settings of a preset. @param {string} name @returns {HearthConfig} */
+function settingsOfPreset(name) {
+  return { hearth: 2, preset: /** @type {HearthConfig['preset']} */ (name), values: {} };
+}

@@ -24,6 +24,7 @@
  */
 
 import { FireAttributes, ID_OF_PROPERTY, defineProperty, setOrRemove, upgradeProperties } from './element/attributes/attributes.js';
+import { reportedSettings } from './element/attributes/settings.js';
 import { postable, quiet } from './element/session/requests.js';
 import { FireSession } from './element/session/session.js';
 import { seedOf } from './element/attributes/values.js';
@@ -252,7 +253,7 @@ class HearthFire extends FireAttributes {
    * @example <caption>Flare up</caption> fire.to({ source_width: 0.5 }, { duration: 1500 })
    */
   to(values, how) {
-    return this.#session.move(values, how);
+    return this.#session.code.move(values, how);
   }
 
   /**
@@ -329,7 +330,7 @@ class HearthFire extends FireAttributes {
    */
   importConfig(config) {
     try {
-      return this.#session.call('import', this.#session.settings(config, 'config'), 'property');
+      return this.#session.call('import', reportedSettings(config, 'config', this.#session.reports), 'property');
     } catch (error) {
       return quiet(Promise.reject(error));
     }
@@ -347,7 +348,7 @@ class HearthFire extends FireAttributes {
    * @posted
    */
   toBlob(type = 'image/png', quality) {
-    return this.#session.capture('toBlob', type, quality);
+    return this.#session.code.capture('toBlob', type, quality);
   }
 
   /**
@@ -356,7 +357,7 @@ class HearthFire extends FireAttributes {
    * @returns {Promise<MediaStream>}
    */
   captureStream(fps) {
-    return this.#session.capture('captureStream', fps);
+    return this.#session.code.capture('captureStream', fps);
   }
 
   /**

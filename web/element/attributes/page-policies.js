@@ -40,7 +40,7 @@ export class PagePolicies {
   /** Observes the attributes that scripts set, and the children. */
   #observer = new MutationObserver((records) => {
     for (const { attributeName } of records) {
-      if (attributeName === null) this.#session.adopt();
+      if (attributeName === null) this.#session.code.adopt();
       else if (this.#fire.hasAttribute(attributeName)) check(attributeName);
     }
   });

@@ -34,6 +34,21 @@ export function settings(config, id = 'config') {
 }
 
 /**
+ * Settings as plain data; reports a refusal.
+ * @param {unknown} config
+ * @param {string} id their name in errors
+ * @param {import('../session/reports.js').Reports} reports
+ * @throws {Error} they are refused
+ */
+export function reportedSettings(config, id, reports) {
+  try {
+    return settings(config, id);
+  } catch (error) {
+    throw reports.refused([{ id, value: config, message: /** @type {Error} */ (error).message }]);
+  }
+}
+
+/**
  * The settings in a file; undefined, with a warning, if there are none, and without one if the request
  * is cancelled.
  * @param {string} src its URL

@@ -22,15 +22,14 @@ function framed(drawn) {
 /**
  * The frame as a file.
  * @param {import('../session/session.js').FireSession} session
- * @param {() => boolean} drawable whether the graphics context exists
  * @param {string | import('../types.js').HearthPicture} how its type, or all that a page can choose
  * @param {number} [share] the quality
  * @returns {Promise<Blob>}
  */
-export async function toBlob(session, drawable, how, share) {
+export async function toBlob(session, how, share) {
   const canvas = await framed(session.view.drawn());
   // The canvas may be empty.
-  if (!drawable()) throw new Error('there is no frame while the graphics context is lost; it is restored with the event `restored`');
+  if (!session.drawable) throw new Error('there is no frame while the graphics context is lost; it is restored with the event `restored`');
   const { type = 'image/png', quality, width, background } = typeof how === 'object' && how ? how : { type: how, quality: share };
   const encode = () => new Promise((/** @type {(blob: Blob) => void} */ resolve, reject) => {
     const refused = new Error(`this browser cannot encode the frame as ${String(type).slice(0, 100)}`);
@@ -44,11 +43,10 @@ export async function toBlob(session, drawable, how, share) {
 /**
  * The frames as a stream. It goes on when a lost context is restored.
  * @param {import('../session/session.js').FireSession} session
- * @param {() => boolean} _
  * @param {number} [fps]
  * @returns {Promise<MediaStream>}
  */
-export async function captureStream(session, _, fps) {
+export async function captureStream(session, fps) {
   const canvas = await framed(session.view.drawn());
   if (!canvas.captureStream) throw new Error('this browser cannot capture a canvas');
   return fps === undefined ? canvas.captureStream() : canvas.captureStream(fps);

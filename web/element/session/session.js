@@ -9,14 +9,15 @@
 
 import { EngineError } from '../../engine/engine.js';
 import { burning } from '../../engine/files.js';
-import { DEFAULTS, ID_OF_ATTRIBUTE, setOrRemove, warmth } from '../attributes/attributes.js';
+import { ID_OF_ATTRIBUTE, setOrRemove, warmth } from '../attributes/attributes.js';
 import { EngineConnection } from './engine-connection.js';
+import { OnDemandCode } from './on-demand-code.js';
 import { PagePolicies } from '../attributes/page-policies.js';
 import { Playback } from './playback.js';
 import { Readiness } from './readiness.js';
 import { Reports } from './reports.js';
-import { Requests, postable, quiet } from './requests.js';
-import { DEPTH, settings } from '../attributes/settings.js';
+import { Requests, postable } from './requests.js';
+import { DEPTH, reportedSettings } from '../attributes/settings.js';
 import { SourceFile } from '../attributes/source-file.js';
 import { FireState } from './state.js';
 import { hexOf } from '../attributes/values.js';
@@ -33,31 +34,20 @@ export class FireSession {
   #engine;
   #requests = new Requests();
   #policies;
-  /** The style hooks, once they are loaded. @type {import('../view/css-hooks.js').CssHooks | undefined} */
-  #css;
-  /** @type {Promise<void> | undefined} */
-  #loadsCss;
-  /** The children that are objects, once their code is loaded. @type {import('../children/children.js').Children | undefined} */
-  #children;
-  /** @type {Promise<void> | undefined} */
-  #loadsChildren;
   /** Settles when the engine has freed all fires before this one. */
   #gone = Promise.resolve();
   /** Whether the fire follows a stopped one. */
   #returns = false;
-  /** Whether the console has told that a seam has no effect. */
-  #warnedAboutSeam = false;
   /** Whether the `preset` attribute changes without a call to the engine. */
   #reflecting = false;
   /** @type {EngineConnection | null} */
   #connection = null;
   /** Whether the graphics context exists; a lost one may be restored. */
-  #drawable = true;
-  /** The calls since the first transition. @type {import('./transition.js').Calls | undefined} */
-  #calls;
+  drawable = true;
   #ready = new Readiness();
   #file = new SourceFile(this);
-  /** What the engine reported last. */
+  code = new OnDemandCode(this);
+  /** The last report of the engine. */
   state = new FireState();
   /** For code that is loaded on request and must not load it a second time. */
   hexOf = hexOf;
@@ -86,7 +76,7 @@ export class FireSession {
     if (call[0] === 'import' || call[0] === 'preset') this.#file.drop();
     // A fire that failed answers nothing.
     const answer = this.#ready.failed ? this.ready : this.#requests.call(...call);
-    this.#calls?.push([call, answer]);
+    this.code.record(call, answer);
     return answer;
   }
 
@@ -105,39 +95,6 @@ export class FireSession {
     return this.call('set', postable(values, DEPTH), source);
   }
 
-  /**
-   * Starts a transition. From now on, the calls of the fire are recorded for it.
-   * @type {(values: object, how: import('../types.js').HearthTransition | undefined) => Promise<boolean>}
-   */
-  move(values, how) {
-    this.#calls ??= [];
-    const calls = this.#calls;
-    const checked = this.call('check', postable(values, 1));
-    const code = this.reports.loads(import('./transition.js'), 'The code for transitions');
-    code.catch(() => (this.#calls = undefined));
-    return quiet(code.then(({ run }) => run(calls, this, checked, { ...how })));
-  }
-
-  /**
-   * Settings of the page as plain data; reports those that are refused.
-   * @param {unknown} config
-   * @param {string} id their name in errors
-   * @throws {Error} they are refused
-   */
-  settings(config, id) {
-    try {
-      return settings(config, id);
-    } catch (error) {
-      throw this.reports.refused([{ id, value: config, message: /** @type {Error} */ (error).message }]);
-    }
-  }
-
-  /** Calls a function of `capture.js`. @type {(name: 'toBlob' | 'captureStream', ...options: any) => Promise<any>} */
-  capture(name, ...options) {
-    const code = /** @type {Promise<{[name: string]: Function}>} */ (this.reports.loads(import('../pictures/capture.js'), 'The code for pictures'));
-    return quiet(Promise.all([code, this.ready]).then(([functions]) => functions[name](this, () => this.#drawable, ...options)));
-  }
-
   /** Sets the preset attribute and keeps the values. */
   reflectPreset(preset = 'default') {
     this.#reflecting = true;
@@ -151,17 +108,6 @@ export class FireSession {
     // A fire that failed tries again.
     if (this.#connection && this.#ready.failed) this.close();
     if (!this.#connection) this.#open();
-  }
-
-  /** The element may have other children. The code for those that are objects is loaded with the first one. */
-  async adopt(begins = this.begun) {
-    if (begins && this.fire.querySelector(':scope>hearth-source,:scope>hearth-solid')) {
-      this.#loadsChildren ??= this.reports.loads(import('../children/children.js'), 'The code for children').then(({ Children }) => {
-        this.#children = new Children(this);
-      }, () => {});
-    }
-    await this.#loadsChildren;
-    this.#children?.update();
   }
 
   /** Whether there is a fire, or was one. */
@@ -206,7 +152,7 @@ export class FireSession {
   #setObjects(value) {
     try {
       if (value === null) this.call('restore', ['objects'], 'attribute');
-      else this.set({ objects: this.settings(value, 'objects') }, 'attribute');
+      else this.set({ objects: reportedSettings(value, 'objects', this.reports) }, 'attribute');
     } catch {
       // It is reported.
     }
@@ -220,22 +166,15 @@ export class FireSession {
 
   /** The fire plays or pauses. @type {(paused: boolean) => Promise<void>} */
   #play(paused) {
-    this.#updateState();
+    this.updateBurning();
     // A fire that has not begun receives the state with its start.
     if (!this.#connection?.live) return this.ready;
     return this.call(paused ? 'pause' : 'play');
   }
 
-  /** Sets or removes `:state(burning)`. The code is loaded with the first frame. */
-  #updateState() {
-    const burning = this.view.shows && this.#drawable && !this.playback.paused;
-    if (burning) {
-      this.#loadsCss ??= this.reports.loads(import('../view/css-hooks.js'), 'The code for style hooks').then(({ CssHooks }) => {
-        this.#css = new CssHooks(this.fire, this.view);
-        this.#updateState();
-      }, () => {});
-    }
-    this.#css?.burning(burning);
+  /** Sets or removes `:state(burning)`. */
+  updateBurning() {
+    this.code.setBurning(this.view.shows && this.drawable && !this.playback.paused);
   }
 
   /** Makes a fire. The picture of a stopped one stays until it is followed by another. */
@@ -283,7 +222,7 @@ export class FireSession {
     const state = this.#warmth() && !fire.src ? burning(fire.preset) : undefined;
     const file = this.state.started ? undefined : this.#file.begin();
     await this.#gone;
-    await this.adopt(true);
+    await this.code.adopt(true);
     await file;
     return state;
   }
@@ -304,7 +243,7 @@ export class FireSession {
     if (!connection.live) return;
     this.view.show('shown');
     this.playback.offer();
-    this.view.drawn().then(() => this.#updateState(), () => {});
+    this.view.drawn().then(() => this.updateBurning(), () => {});
     this.#policies.burns();
     this.#ready.await((message) => this.#stop(message));
     this.#present(connection);
@@ -315,7 +254,7 @@ export class FireSession {
    * @param {EngineConnection} connection
    */
   #present(connection) {
-    if (!this.#ready.awaited || !this.#drawable || !(connection.pictured || connection.unseen)) return;
+    if (!this.#ready.awaited || !this.drawable || !(connection.pictured || connection.unseen)) return;
     // Later fires of this element are as warm as its attribute says.
     if (this.#returns) this.send('warm', this.fire.warm);
     this.#returns = false;
@@ -326,9 +265,9 @@ export class FireSession {
 
   /** Ends the connection of a fire that is removed or has stopped. */
   #end() {
-    this.#calls?.end?.();
+    this.code.endTransitions();
     this.#ready.cancel();
-    this.#drawable = true;
+    this.drawable = true;
     this.#connection?.close();
   }
 
@@ -345,8 +284,8 @@ export class FireSession {
     this.view.dropCanvas();
     this.playback.offer('');
     this.view.show('loading');
-    this.#updateState();
-    this.#css?.light();
+    this.updateBurning();
+    this.code.setLight();
   }
 
   /** @type {(message: Message, connection: EngineConnection) => void} */
@@ -357,16 +296,16 @@ export class FireSession {
     if (connection.closed && !['ready', 'changed', 'done', 'refused'].includes(type)) return;
     if (type === 'ready') {
       state.take(message);
-      this.#tellSeam(message.values);
-      this.adopt();
-      this.#children?.report(message);
+      reports.warnAboutSeam(message.values, state.params);
+      this.code.adopt();
+      this.code.reportToChildren(message);
     } else if (type === 'changed') {
       // Values of a saved picture alone are nobody else's.
       if (message.source === 'picture') return;
       state.take(message);
-      this.#children?.report(message);
+      this.code.reportToChildren(message);
       if (message.replaced && (this.fire.getAttribute('preset') ?? 'default') !== state.preset) this.reflectPreset(state.preset);
-      this.#tellSeam(message.values);
+      reports.warnAboutSeam(message.values, state.params);
       if (!this.#ready.announced) return;
       const { source } = message;
       for (const [id, value] of Object.entries(message.values)) reports.emit('params-change', { id, value, source });
@@ -375,13 +314,13 @@ export class FireSession {
       this.#requests.settle(message.request, undefined, message.value);
     } else if (type === 'refused') {
       const { request, errors } = message;
-      const error = reports.refused(this.#children?.named(errors, this.#requests.promise(request)) ?? errors);
+      const error = reports.refused(this.code.named(errors, this.#requests.promise(request)));
       if (request !== undefined) this.#requests.settle(request, error);
     } else if (type === 'stats') {
       const { stats } = message;
       state.stats = { ...stats, engine: connection.place };
       this.#policies.measure(state.params.display_mode, stats.scale);
-      this.#css?.light(stats.scale ? 0 : stats.power, state.params);
+      this.code.setLight(stats.scale ? 0 : stats.power, state.params);
       reports.emit('stats', { ...state.stats });
     } else if (type === 'quality') {
       const { requested, quality, reason } = message;
@@ -392,14 +331,14 @@ export class FireSession {
     } else if (type === 'warming') {
       this.view.fade();
     } else if (type === 'restored') {
-      this.#drawable = true;
-      this.#updateState();
+      this.drawable = true;
+      this.updateBurning();
       if (this.#ready.announced && !this.#returns) reports.emit('restored');
       this.#present(connection);
     } else if (message.kind === 'context-lost') {
       // The last frame stays visible.
-      this.#drawable = false;
-      this.#updateState();
+      this.drawable = false;
+      this.updateBurning();
       reports.failure(message.kind, message.message);
     } else if (message.burns) {
       reports.warn(message.kind, message.message);
@@ -408,14 +347,6 @@ export class FireSession {
     } else if (type === 'error') {
       this.#fail(message.kind, message.message);
     }
-  }
-
-  /** Tells once that open edges have no seam, as settings from before open air may have one. @type {(values: {seam?: number}) => void} */
-  #tellSeam({ seam = DEFAULTS.seam }) {
-    const { model, edges } = this.state.params;
-    if (this.#warnedAboutSeam || seam === DEFAULTS.seam || model !== 'combustion' || edges !== 'open') return;
-    this.#warnedAboutSeam = true;
-    console.warn('<hearth-fire>: seam has no effect with open edges; edges="periodic" has a seam.');
   }
 
   /**
@@ -432,7 +363,7 @@ export class FireSession {
     connection?.abandon(new EngineError('stopped', message));
     this.#end();
     this.#returns = true;
-    this.#updateState();
+    this.updateBurning();
     this.reports.warn('stopped', message);
     // What failed at once has some time before it fails again.
     setTimeout(() => connection === this.#connection && this.#open(), pause);
@@ -450,7 +381,7 @@ export class FireSession {
     this.#returns = false;
     this.view.show('failed', message, kind !== 'unsupported' && (() => this.#retry()));
     this.playback.offer('');
-    this.#updateState();
+    this.updateBurning();
     this.#policies.end();
     this.#ready.reject(error);
     this.reports.warn(kind, message);

@@ -1,0 +1,105 @@
+/**
+ * The code of one session that is loaded on request: children that are objects, style hooks, transitions, pictures.
+ *
+ * @typedef {import('../../engine/engine.js').Call} Call
+ * @typedef {import('../../engine/engine.js').Message} Message
+ * @typedef {import('./requests.js').Refusal} Refusal
+ */
+
+import { postable, quiet } from './requests.js';
+
+/** The code of one session. */
+export class OnDemandCode {
+  #session;
+  /** The style hooks, once they are loaded. @type {import('../view/css-hooks.js').CssHooks | undefined} */
+  #css;
+  /** @type {Promise<void> | undefined} */
+  #cssLoading;
+  /** The children that are objects, once their code is loaded. @type {import('../children/children.js').Children | undefined} */
+  #children;
+  /** @type {Promise<void> | undefined} */
+  #childrenLoading;
+  /** The calls since the first transition. @type {import('./transition.js').Calls | undefined} */
+  #calls;
+
+  /** @param {import('./session.js').FireSession} session */
+  constructor(session) {
+    this.#session = session;
+  }
+
+  /** Records a call for the transitions. @type {(call: Call, answer: Promise<unknown>) => void} */
+  record(call, answer) {
+    this.#calls?.push([call, answer]);
+  }
+
+  /**
+   * Starts a transition. From then on, the calls of the fire are recorded for it.
+   * @type {(values: object, how: import('../types.js').HearthTransition | undefined) => Promise<boolean>}
+   */
+  move(values, how) {
+    const session = this.#session;
+    this.#calls ??= [];
+    const calls = this.#calls;
+    const checked = session.call('check', postable(values, 1));
+    const code = session.reports.loads(import('./transition.js'), 'The code for transitions');
+    code.catch(() => (this.#calls = undefined));
+    return quiet(code.then(({ run }) => run(calls, session, checked, { ...how })));
+  }
+
+  /** Sets all final values of transitions at once. */
+  endTransitions() {
+    this.#calls?.end?.();
+  }
+
+  /**
+   * Calls a function of `capture.js` when the fire is presented.
+   * @type {(name: 'toBlob' | 'captureStream', ...options: any) => Promise<any>}
+   */
+  capture(name, ...options) {
+    const session = this.#session;
+    const loading = session.reports.loads(import('../pictures/capture.js'), 'The code for pictures');
+    const code = /** @type {Promise<{[name: string]: Function}>} */ (loading);
+    return quiet(Promise.all([code, session.ready]).then(([functions]) => functions[name](session, ...options)));
+  }
+
+  /** The element may have other children. The code for those that are objects is loaded with the first one. */
+  async adopt(begins = this.#session.begun) {
+    const { fire, reports } = this.#session;
+    if (begins && fire.querySelector(':scope>hearth-source,:scope>hearth-solid')) {
+      const load = () => reports.loads(import('../children/children.js'), 'The code for children');
+      this.#childrenLoading ??= load().then(({ Children }) => {
+        this.#children = new Children(this.#session);
+      }, () => {});
+    }
+    await this.#childrenLoading;
+    this.#children?.update();
+  }
+
+  /** Passes a report of the engine to the children. @param {Message} message */
+  reportToChildren(message) {
+    this.#children?.report(message);
+  }
+
+  /** Refused values, which name the child if a child has sent them. @type {(errors: Refusal[], call: Promise<unknown> | undefined) => Refusal[]} */
+  named(errors, call) {
+    return this.#children?.named(errors, call) ?? errors;
+  }
+
+  /** Sets or removes `:state(burning)`. The code is loaded with the first frame. @param {boolean} burning */
+  setBurning(burning) {
+    const { fire, view, reports } = this.#session;
+    if (burning) {
+      const load = () => reports.loads(import('../view/css-hooks.js'), 'The code for style hooks');
+      this.#cssLoading ??= load().then(({ CssHooks }) => {
+        this.#css = new CssHooks(fire, view);
+        this.#session.updateBurning();
+      }, () => {});
+    }
+    this.#css?.burning(burning);
+  }
+
+  /** Sets the custom properties of light, or removes them. @type {(power?: number, values?: import('../../parameters.js').HearthParameters) => void} */
+  setLight(power, values) {
+    this.#css?.light(power, values);
+  }
+}

@@ -3,7 +3,7 @@
  *
  * `mountPanel` makes a canvas in `host`, loads the panel's wasm on demand, and adds the accessible
  * controls, which are native controls of the page (panel/accessible-controls.js). If the panel cannot
- * start, a message says why and the accessible controls become visible instead. In the shadow root
+ * start, a message gives the reason and the accessible controls become visible instead. In the shadow root
  * of its own fire the panel places itself and can be folded away.
  */
 
@@ -86,7 +86,7 @@ function stayAboveKeyboard(host) {
  * @param {string | URL} [options.embed]  The URL of `embed.html` in that HTML.
  * @param {string[]} [options.only]  The ids of the parameters to show, in this order; all parameters without
  *   it.
- * @returns {Promise<{destroy(): void}>} settles when the panel is shown, or when a message in its place says
+ * @returns {Promise<{destroy(): void}>} settles when the panel is shown, or when a message in its place reports
  *   why it is not
  */
 export async function mountPanel({ host, fire, page, script, embed, only }) {
@@ -103,7 +103,10 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
 
   /** @param {() => void} end */
   const atEnd = (end) => ends.push(end);
-  /** @type {(target: EventTarget, name: string, listener: (event: any) => void, options?: AddEventListenerOptions) => void} */
+  /**
+   * @type {(target: EventTarget, name: string, listener: (event: any) => void, options?: AddEventListenerOptions) =>
+   *   void}
+   */
   const listen = (target, name, listener, options) => {
     target.addEventListener(name, listener, options);
     atEnd(() => target.removeEventListener(name, listener, options));

@@ -72,7 +72,10 @@ class Toolbar {
   #pointers;
   #cross;
   #tool = 'select';
-  /** The poses of the solids that forces move, by their ids. @type {Map<number, {x: number, y: number, angle: number}>} */
+  /**
+   * The poses of the solids that forces move, by their ids.
+   * @type {Map<number, {x: number, y: number, angle: number}>}
+   */
   #poses = new Map();
   #bar;
   #status = element('p', { class: 'hearth-status', role: 'status' });

@@ -21,7 +21,12 @@ const CHANNELS = { [GL.RGBA]: 4, [GL.RGB]: 3, [GL.RG]: 2, [GL.RED]: 1 };
 /** Bytes of such a number. @type {{[type: number]: number}} */
 const BYTES = { [GL.FLOAT]: 4, [GL.HALF_FLOAT]: 2, [GL.UNSIGNED_BYTE]: 1 };
 
-/** Runs `note` after each call of a function. @param {any} object @param {string} name @param {(self: any, args: any[]) => void} note */
+/**
+ * Runs `note` after each call of a function.
+ * @param {any} object
+ * @param {string} name
+ * @param {(self: any, args: any[]) => void} note
+ */
 function observe(object, name, note) {
   const original = object[name];
   object[name] = function observed(/** @type {any[]} */ ...args) {

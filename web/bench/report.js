@@ -73,7 +73,13 @@ const SIZES = [
   ['the paper: MB', ({ size }) => between(TABLE_2[size])],
 ];
 
-/** @template Row @param {string} title @param {[string, (row: Row) => string][]} columns @param {Row[]} rows @returns {Table} */
+/**
+ * @template Row
+ * @param {string} title
+ * @param {[string, (row: Row) => string][]} columns
+ * @param {Row[]} rows
+ * @returns {Table}
+ */
 function table(title, columns, rows) {
   return { title, cells: [columns.map(([name]) => name), ...rows.map((row) => columns.map(([, cell]) => cell(row)))] };
 }

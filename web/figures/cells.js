@@ -7,7 +7,10 @@ import { POSITIONS, positionOf, valueAt } from './range.js';
 
 /** @typedef {import('./comparisons.js').Cell} Cell */
 
-/** The numbers of a fire: term, unit, and units a metre where it is a length. @type {[keyof import('./shape.js').Shape, string, string, number][]} */
+/**
+ * The numbers of a fire: term, unit, and units a metre where it is a length.
+ * @type {[keyof import('./shape.js').Shape, string, string, number][]}
+ */
 const NUMBERS = [
   ['width', 'Width', ' m', 1],
   ['height', 'Height', ' m', 1],
@@ -18,7 +21,12 @@ const NUMBERS = [
 /** Two significant digits, and no fraction from 100 on. @param {number} number */
 export const shown = (number) => (number >= 100 ? number.toFixed(0) : number.toPrecision(2));
 
-/** @param {string} name @param {{[property: string]: any}} [properties] @param {(Node | string)[]} children @returns {any} */
+/**
+ * @param {string} name
+ * @param {{[property: string]: any}} [properties]
+ * @param {(Node | string)[]} children
+ * @returns {any}
+ */
 export function make(name, properties = {}, ...children) {
   const element = document.createElement(name);
   Object.assign(element, properties);
@@ -35,7 +43,12 @@ function parameterOf(id) {
 /** The measurement that runs, and the next ones. @type {Promise<unknown>} */
 let last = Promise.resolve();
 
-/** Measures one fire after another, so that the page stays responsive. @template T @param {() => Promise<T>} act @returns {Promise<T>} */
+/**
+ * Measures one fire after another, so that the page stays responsive.
+ * @template T
+ * @param {() => Promise<T>} act
+ * @returns {Promise<T>}
+ */
 function afterOthers(act) {
   const result = last.then(act);
   last = result.catch(() => {});

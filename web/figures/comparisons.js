@@ -14,7 +14,8 @@ import { PRESETS } from '../parameters.js';
 
 /**
  * A scene at three values of its parameter, the last being the scene's own; a slider moves the middle one.
- * @param {import('../parameters.js').PresetName} preset @param {string} parameter @param {number} low @param {number} middle
+ * @param {import('../parameters.js').PresetName} preset @param {string} parameter @param {number} low @param {number}
+ *   middle
  * @returns {Cell[]}
  */
 const three = (preset, parameter, low, middle) => [

@@ -16,7 +16,7 @@ export function countsOf(search) {
   return counts.length > 0 ? counts : COUNTS;
 }
 
-/** What the statistics say. @type {[string, string, (stats: HearthStats) => string][]} */
+/** The rows of statistics. @type {[string, string, (stats: HearthStats) => string][]} */
 const NUMBERS = [
   ['fps', 'FPS', ({ fps }) => fps.toFixed(0)],
   ['particles', 'Particles', ({ particles }) => particles.toLocaleString('en')],
@@ -32,8 +32,8 @@ function addCount(parent, count, warn) {
   const words = `${count.toLocaleString('en')} particles`;
   const button = make('button', { type: 'button' }, `Burn ${words}`);
   const stage = make('div', { className: 'stage' }, button);
-  const said = make('p', {});
-  said.setAttribute('role', 'status');
+  const status = make('p', {});
+  status.setAttribute('role', 'status');
   const cells = NUMBERS.map(([name]) => {
     const cell = make('dd', {}, '–');
     cell.dataset.number = name;
@@ -41,7 +41,7 @@ function addCount(parent, count, warn) {
   });
   const numbers = make('dl', {}, ...NUMBERS.map(([, term], at) => make('div', {}, make('dt', {}, term), cells[at])));
   const stop = make('button', { type: 'button', hidden: true }, 'Put out');
-  parent.append(make('figure', {}, stage, make('figcaption', {}, make('p', {}, words), numbers, said, stop)));
+  parent.append(make('figure', {}, stage, make('figcaption', {}, make('p', {}, words), numbers, status, stop)));
 
   async function burn() {
     putOut();
@@ -55,7 +55,7 @@ function addCount(parent, count, warn) {
       fire.remove();
       stage.append(button);
       stop.hidden = true;
-      said.textContent = '';
+      status.textContent = '';
       putOut = () => {};
     };
     stop.focus();
@@ -63,10 +63,10 @@ function addCount(parent, count, warn) {
       await fill(fire, count, async () => {
         await new Promise((resolve) => setTimeout(resolve));
         signal.throwIfAborted();
-        said.textContent = `Filling: ${(fire.stats?.particles ?? 0).toLocaleString('en')} particles …`;
+        status.textContent = `Filling: ${(fire.stats?.particles ?? 0).toLocaleString('en')} particles …`;
       });
       signal.throwIfAborted();
-      said.textContent = '';
+      status.textContent = '';
       fire.addEventListener('stats', ({ detail }) => {
         for (const [at, [, , of]] of NUMBERS.entries()) cells[at].textContent = of(detail);
       });

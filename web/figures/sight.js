@@ -1,6 +1,10 @@
 /** What is in sight: a fire that is not has no picture. */
 
-/** Calls `act` whenever the element comes into sight or leaves it. @param {Element} element @param {(visible: boolean, stop: () => void) => void} act */
+/**
+ * Calls `act` whenever the element comes into sight or leaves it.
+ * @param {Element} element
+ * @param {(visible: boolean, stop: () => void) => void} act
+ */
 function watch(element, act) {
   const observer = new IntersectionObserver((entries) => {
     for (const { isIntersecting } of entries) act(isIntersecting, stop);

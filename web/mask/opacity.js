@@ -47,7 +47,13 @@ function lettersOf(opacities) {
   return letters;
 }
 
-/** A canvas, to be read or to be drawn reduced. @param {number} width @param {number} height @param {boolean} [isRead] @returns {Context} */
+/**
+ * A canvas, to be read or to be drawn reduced.
+ * @param {number} width
+ * @param {number} height
+ * @param {boolean} [isRead]
+ * @returns {Context}
+ */
 export function contextOf(width, height, isRead = true) {
   const canvas = typeof OffscreenCanvas === 'function' ? new OffscreenCanvas(width, height) : document.createElement('canvas');
   Object.assign(canvas, { width, height });

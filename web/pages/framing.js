@@ -7,7 +7,7 @@
 export const WHOLE = ['burning-word', 'curtains', 'fireplace', 'house-of-cards', 'paper-boat', 'ring-of-fire', 'rope', 'sheltered-candle', 'wooden-word'];
 
 /**
- * Sets `fit` for the present scene and later ones, unless the page or its URL says how the fire fits.
+ * Sets `fit` for the present scene and later ones, unless the page or its URL sets `fit`.
  * @param {import('../hearth-fire.js').HearthFire} fire
  */
 export function frameScenes(fire) {

@@ -24,7 +24,8 @@ export const OBJECTS = 'Objects';
  * @param {import('../hearth-fire.js').HearthFire} parts.fire
  * @param {import('./controller.js').PanelController} parts.controller
  * @param {(id: string) => void} parts.reveal
- * @param {(action: string, text: string, press: () => unknown, parent: HTMLElement) => HTMLButtonElement} parts.addButton
+ * @param {(action: string, text: string, press: () => unknown, parent: HTMLElement) => HTMLButtonElement}
+ *   parts.addButton
  * @param {Map<string, HTMLElement>} parts.counterparts  The controls by the names of their counterparts on the panel.
  * @returns {AccessibleObjects}
  */

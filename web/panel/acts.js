@@ -40,7 +40,10 @@ export const ACTS = [
   },
 ];
 
-/** Does one of {@link ACTS} at an object. @type {(fire: HearthFire, editing: Editing, name: string, id: number) => Promise<void>} */
+/**
+ * Does one of {@link ACTS} at an object.
+ * @type {(fire: HearthFire, editing: Editing, name: string, id: number) => Promise<void>}
+ */
 export async function act(fire, editing, name, id) {
   const found = ACTS.find((candidate) => candidate.name === name);
   const object = editing.find(id);

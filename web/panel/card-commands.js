@@ -33,7 +33,8 @@ export class CardCommands {
    * @param {object} parts
    * @param {HearthFire} parts.fire
    * @param {HTMLElement} parts.host  The parent of the cards.
-   * @param {{page?: string | URL, script?: string | URL, embed?: string | URL}} parts.addresses  For the texts of copies.
+   * @param {{page?: string | URL, script?: string | URL, embed?: string | URL}} parts.addresses  For the texts of
+   *   copies.
    * @param {(config: HearthConfig | string) => Promise<void>} parts.replace  Shows the fire of settings: one step.
    * @param {<T>(act: () => T | Promise<T>) => Promise<T | undefined>} parts.attempt  Runs what the fire or the browser
    *   may refuse; a refusal becomes a message.

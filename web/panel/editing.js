@@ -22,7 +22,10 @@ import { UndoHistory } from './undo-history.js';
 /** @type {WeakMap<HearthFire, Editing>} */
 const all = new WeakMap();
 
-/** Whether an object is a source that is the surface of a solid. @type {(object: {[name: string]: any}, id: number) => boolean} */
+/**
+ * Whether an object is a source that is the surface of a solid.
+ * @type {(object: {[name: string]: any}, id: number) => boolean}
+ */
 export function isOn({ kind, shape, solid }, id) {
   return kind === 'source' && shape === 'solid' && solid === id;
 }
@@ -119,7 +122,10 @@ export class Editing extends EventTarget {
     return objectsOf(this.#fire).find((object) => object.id === id);
   }
 
-  /** Adds an object and selects it: one step. @param {() => object | undefined} fields  Called when the fire is ready for it. */
+  /**
+   * Adds an object and selects it: one step.
+   * @param {() => object | undefined} fields  Called when the fire is ready for it.
+   */
   async add(fields) {
     /** @type {number | undefined} */
     let id;

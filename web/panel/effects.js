@@ -20,7 +20,10 @@ const FUELS = { wood: 'wood', coal: 'coal', wax: 'wax', none: 'wood' };
 /** The fuel of such a solid [kg/m²]: that of a log, which burns for half a minute. */
 const LOAD = 12;
 
-/** Gives a solid without fuel that of its material: a step of the history. @type {(editing: import('./editing.js').Editing, solid: import('./objects.js').Fields) => Promise<void>} */
+/**
+ * Gives a solid without fuel that of its material: a step of the history.
+ * @type {(editing: import('./editing.js').Editing, solid: import('./objects.js').Fields) => Promise<void>}
+ */
 export async function giveFuel(editing, { id, material, fuel }) {
   if (fuel !== 'none') return;
   const own = FUELS[material];

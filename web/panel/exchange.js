@@ -59,7 +59,7 @@ export function textOf(name, config, { page, script, embed }) {
   }
 }
 
-/** Whether a file is one of settings: some systems know no type of `.json`. @param {File} file */
+/** Whether a file is one of settings: some systems have no type for `.json`. @param {File} file */
 export function isSettings({ name, type }) {
   return /\bjson\b/.test(type) || /\.json$/i.test(name);
 }

@@ -12,7 +12,8 @@ import { PARAMETERS } from '../generated/table.js';
  * @typedef {import('../parameters.js').ModelName} ModelName
  * @typedef {import('../parameters.js').ParameterDomain} Domain
  * @typedef {'source' | 'solid'} Kind
- * @typedef {Pick<HearthFire, 'objects' | 'params'> & Partial<Pick<HearthFire, 'toMetres' | 'clientWidth' | 'clientHeight'>>} Fire
+ * @typedef {Pick<HearthFire, 'objects' | 'params'> & Partial<Pick<HearthFire, 'toMetres' | 'clientWidth' |
+ *   'clientHeight'>>} Fire
  *   an element or anything with its API
  * @typedef {{id: number, kind: Kind, [name: string]: any}} Fields  An object, by the names of its fields.
  *
@@ -87,7 +88,10 @@ export function entriesOf(kind) {
   return ENTRIES[kind] ?? [];
 }
 
-/** Whether two values are the same to the fire, whose numbers have single precision. @type {(a: unknown, b: unknown) => boolean} */
+/**
+ * Whether two values are the same to the fire, whose numbers have single precision.
+ * @type {(a: unknown, b: unknown) => boolean}
+ */
 export function isSame(a, b) {
   return typeof a === 'number' && typeof b === 'number' ? Math.fround(a) === Math.fround(b) : a === b;
 }
@@ -97,12 +101,18 @@ export function objectsOf(fire) {
   return /** @type {Fields[]} */ (fire.objects ?? []);
 }
 
-/** Whether the properties of an object are parameters. @type {(fire: Pick<HearthFire, 'objects'>, object: Fields) => boolean} */
+/**
+ * Whether the properties of an object are parameters.
+ * @type {(fire: Pick<HearthFire, 'objects'>, object: Fields) => boolean}
+ */
 export function isFirstSource(fire, { id }) {
   return objectsOf(fire).find(({ kind }) => kind === 'source')?.id === id;
 }
 
-/** Whether there are as many objects of a kind as a scene can have. @type {(fire: Pick<HearthFire, 'objects'>, kind: Kind) => boolean} */
+/**
+ * Whether there are as many objects of a kind as a scene can have.
+ * @type {(fire: Pick<HearthFire, 'objects'>, kind: Kind) => boolean}
+ */
 export function isFull(fire, kind) {
   return objectsOf(fire).filter((object) => object.kind === kind).length >= MAX_OBJECTS;
 }
@@ -141,7 +151,10 @@ export function copyOf(fire, object) {
   return { ...fields, ...freePosition(fire, fields, object) };
 }
 
-/** The range decides about half a value. @type {(fire: Pick<HearthFire, 'params'>, kind: Kind, name: string, value: number) => number} */
+/**
+ * The range decides about half a value.
+ * @type {(fire: Pick<HearthFire, 'params'>, kind: Kind, name: string, value: number) => number}
+ */
 function inRange(fire, kind, name, value) {
   const { min = value, max = value } = entriesOf(kind).find((entry) => entry.name === name)?.domain(fire.params.model) ?? {};
   return rounded(Math.min(max, Math.max(min, value)));

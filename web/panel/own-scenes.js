@@ -19,7 +19,10 @@ export const MAX_NAME = 40;
 /** The size of a picture [px]. */
 const PICTURE = { width: 120, height: 160 };
 
-/** The saved scenes; none if the browser forbids storage or another script has written something else there. @returns {OwnScene[]} */
+/**
+ * The saved scenes; none if the browser forbids storage or another script has written something else there.
+ * @returns {OwnScene[]}
+ */
 export function ownScenes() {
   try {
     const all = JSON.parse(localStorage.getItem(KEY) ?? '[]');
@@ -54,7 +57,11 @@ function unused(name, all) {
   }
 }
 
-/** Saves a scene and returns its name, which no other has. @type {(name: string, config: HearthConfig, picture: string) => string} @throws {Error} there is no room */
+/**
+ * Saves a scene and returns its name, which no other has.
+ * @type {(name: string, config: HearthConfig, picture: string) => string}
+ * @throws {Error} there is no room
+ */
 export function saveScene(name, config, picture) {
   const all = ownScenes();
   if (all.length >= MAX_SCENES) throw new Error(`${MAX_SCENES} scenes are saved, the maximum. Delete one first.`);
@@ -63,7 +70,11 @@ export function saveScene(name, config, picture) {
   return saved.name;
 }
 
-/** Renames a scene and returns its new name. @type {(from: string, to: string) => string} @throws {Error} there is no room */
+/**
+ * Renames a scene and returns its new name.
+ * @type {(from: string, to: string) => string}
+ * @throws {Error} there is no room
+ */
 export function renameScene(from, to) {
   const all = ownScenes();
   const name = unused(to, all.filter((scene) => scene.name !== from));

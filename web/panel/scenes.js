@@ -97,7 +97,8 @@ export function showScenes({ host, scenes, pictureOf, current, choose, own }) {
  * The visitor's scenes: a row for each, with its picture, its name as a field, and buttons.
  * @param {ReturnType<typeof openCard>} card
  * @param {Own} own
- * @returns {(act: () => unknown) => Promise<void>}  Runs a command, then shows the rows again, or the reason of a refusal.
+ * @returns {(act: () => unknown) => Promise<void>}  Runs a command, then shows the rows again, or the reason of a
+ *   refusal.
  */
 function ownSection(card, own) {
   const rows = card.add('ul', '');

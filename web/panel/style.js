@@ -1,5 +1,6 @@
 /**
- * The style sheet of the panel or the toolbar, as a link. A content security policy that allows styles of the page's own
+ * The style sheet of the panel or the toolbar, as a link. A content security policy that allows styles of the page's
+ * own
  * origin allows it; the same policy would forbid an inline style.
  */
 

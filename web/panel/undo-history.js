@@ -7,7 +7,7 @@
  * whole. A step that adds, removes or reorders objects restores which there
  * are and their order; those that stay keep their values.
  *
- * The fire answers in order, so a step knows what it changed without another request. A step that
+ * The fire answers in order, so a step needs no request to find what it changed. A step that
  * changes all values waits for the steps before it, and later steps wait for it.
  */
 
@@ -32,7 +32,8 @@ const POINTER = 'pointer';
  * @typedef {import('./objects.js').Fields} Fields
  * @typedef {{[name: string]: any}} Properties  Those of an object that change.
  * @typedef {Map<number, Properties>} Changes  By the ids of the objects.
- * @typedef {Pick<HearthFire, 'params' | 'objects' | 'set' | 'restore' | 'changeObject' | 'exportConfig' | 'importConfig'>} Fire
+ * @typedef {Pick<HearthFire, 'params' | 'objects' | 'set' | 'restore' | 'changeObject' | 'exportConfig' |
+ *   'importConfig'>} Fire
  *   the part of the element's API that an undo history uses
  *
  * @typedef {object} Step
@@ -42,7 +43,8 @@ const POINTER = 'pointer';
  * @property {Side} after
  *
  * @typedef {object} Side
- * @property {Value | Values | [number, Properties][]} [value]  The value of a step that changes one, or the properties of objects.
+ * @property {Value | Values | [number, Properties][]} [value]  The value of a step that changes one, or the properties
+ *   of objects.
  * @property {Values} [values]  The value with the model, or all values.
  * @property {[number, Properties][]} [changed]  The properties of a step that changes objects.
  * @property {Fields[]} [objects]  All objects, if a step adds, removes or reorders some.

@@ -47,7 +47,10 @@ export function zoomKey(fire, { key, shiftKey }) {
   }
 }
 
-/** The place of the view in what is hidden, from the left and from below, 0–1. @param {import('../hearth-fire.js').HearthFire} fire */
+/**
+ * The place of the view in what is hidden, from the left and from below, 0–1.
+ * @param {import('../hearth-fire.js').HearthFire} fire
+ */
 function panOf(fire) {
   const at = fire.pan.trim().split(/\s+/).map(Number);
   return at.length === 2 && at.every(Number.isFinite) ? at : [0.5, 0.5];

@@ -17,7 +17,8 @@ const SHOWN = 20;
 
 /**
  * The series of a record.
- * @typedef {{field: 'frameTime' | 'flame' | 'power' | 'luminosity', title: string, unit: string, digits: number}} Series
+ * @typedef {{field: 'frameTime' | 'flame' | 'power' | 'luminosity', title: string, unit: string, digits: number}}
+ *   Series
  * @type {Series[]}
  */
 const SERIES = [
@@ -29,7 +30,8 @@ const SERIES = [
 
 /**
  * The profiles of a record, at a time and on average.
- * @typedef {{field: 'temperature' | 'v', mean: 'meanTemperature' | 'meanV', title: string, unit: string, digits: number}} Profile
+ * @typedef {{field: 'temperature' | 'v', mean: 'meanTemperature' | 'meanV', title: string, unit: string, digits:
+ *   number}} Profile
  * @type {Profile[]}
  */
 const PROFILES = [
@@ -142,7 +144,10 @@ export class Card {
   }
 }
 
-/** A point; undefined without a coordinate. @type {(x: number | undefined, y: number | undefined) => {x: number, y: number} | undefined} */
+/**
+ * A point; undefined without a coordinate.
+ * @type {(x: number | undefined, y: number | undefined) => {x: number, y: number} | undefined}
+ */
 function pointOf(x, y) {
   return x === undefined || y === undefined ? undefined : { x, y };
 }

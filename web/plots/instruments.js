@@ -50,7 +50,10 @@ export class Instruments {
     for (const name of NEWS) options.fire.addEventListener(name, news, { signal: this.#ended.signal });
   }
 
-  /** Measures at a point, or hides the probe. @type {(at: Point | undefined, options?: {announce?: boolean}) => void} */
+  /**
+   * Measures at a point, or hides the probe.
+   * @type {(at: Point | undefined, options?: {announce?: boolean}) => void}
+   */
   probe(at, { announce = false } = {}) {
     const { host } = this.#options;
     if (at && !this.#at) host.append(this.#readout.element);

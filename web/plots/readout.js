@@ -68,7 +68,10 @@ export class Readout {
     this.#list.replaceChildren(...rows);
   }
 
-  /** Moves it to a point of its parent [px]; its values are at the left if they can, or at the right. @type {(at: Point, left: boolean) => void} */
+  /**
+   * Moves it to a point of its parent [px]; its values are at the left if they can, or at the right.
+   * @type {(at: Point, left: boolean) => void}
+   */
   move({ x, y }, left) {
     const { clientWidth: width = 0, clientHeight: height = 0 } = this.element.parentElement ?? {};
     const { offsetWidth: across, offsetHeight: up } = this.#list;

@@ -88,14 +88,20 @@ export class Record {
   }
 }
 
-/** Columns of what the model has, by their names. @type {(rows: any[], fields: {[name: string]: string}) => {name: string, values: (number | undefined)[]}[]} */
+/**
+ * Columns of what the model has, by their names.
+ * @type {(rows: any[], fields: {[name: string]: string}) => {name: string, values: (number | undefined)[]}[]}
+ */
 function columnsOf(rows, fields) {
   return Object.entries(fields)
     .map(([name, field]) => ({ name, values: rows.map((row) => row[field]) }))
     .filter(({ values }) => values.length === 0 || values.some((value) => value !== undefined));
 }
 
-/** The mean moved towards a value; where there is no gas, it stays. @type {(mean: number | undefined, value: number | undefined, share: number) => number | undefined} */
+/**
+ * The mean moved towards a value; where there is no gas, it stays.
+ * @type {(mean: number | undefined, value: number | undefined, share: number) => number | undefined}
+ */
 function towards(mean, value, share) {
   if (mean === undefined || value === undefined) return mean ?? value;
   return mean + share * (value - mean);

@@ -51,7 +51,10 @@ export function blow({ fire, preview }, from, towards) {
   };
 }
 
-/** An arrow that ends at a point. @type {(tip: Point, towards: Point, perPixel: number) => {points: Point[], closed: boolean}} */
+/**
+ * An arrow that ends at a point.
+ * @type {(tip: Point, towards: Point, perPixel: number) => {points: Point[], closed: boolean}}
+ */
 function arrow(tip, { x, y }, perPixel) {
   const back = (/** @type {number} */ along, /** @type {number} */ aside) => ({
     x: tip.x - (along * x + aside * y) * perPixel,
@@ -80,7 +83,10 @@ export function throwSparks({ fire }, from) {
   };
 }
 
-/** Sprays water downwards from the pointer while it is pressed. @type {(context: ToolContext, from: Point) => Gesture} */
+/**
+ * Sprays water downwards from the pointer while it is pressed.
+ * @type {(context: ToolContext, from: Point) => Gesture}
+ */
 export function spray({ fire, attempt }, from) {
   let at = from;
   attempt(() => pour(fire, at.x, at.y));

@@ -114,7 +114,10 @@ export class Bar {
     this.#buttons.get(name)?.setAttribute('aria-pressed', String(on));
   }
 
-  /** Shows the objects, the selected ones, and what can be done. @type {(all: Fields[], selected: Fields[], history: {canUndo: boolean, canRedo: boolean}) => void} */
+  /**
+   * Shows the objects, the selected ones, and what can be done.
+   * @type {(all: Fields[], selected: Fields[], history: {canUndo: boolean, canRedo: boolean}) => void}
+   */
   show(all, selected, { canUndo, canRedo }) {
     const [first, ...more] = selected;
     const none = more.length > 0 ? `${selected.length} selected` : 'nothing selected';
@@ -131,7 +134,10 @@ export class Bar {
     }
   }
 
-  /** Arrow keys lead through the buttons, of which the Tab key reaches one. @type {(button: HTMLElement, key: string) => boolean} */
+  /**
+   * Arrow keys lead through the buttons, of which the Tab key reaches one.
+   * @type {(button: HTMLElement, key: string) => boolean}
+   */
   rove(button, key) {
     const all = [...this.#buttons.values()].filter((other) => other.parentElement === button.parentElement);
     const at = all.indexOf(/** @type {HTMLButtonElement} */ (button));

@@ -72,7 +72,10 @@ export class Cross {
     return at;
   }
 
-  /** Blows from it for a moment, in the direction of the last time if there is none. @type {(how: How, towards?: Point) => void} */
+  /**
+   * Blows from it for a moment, in the direction of the last time if there is none.
+   * @type {(how: How, towards?: Point) => void}
+   */
   puff(how, towards = this.#aim) {
     const at = this.#show();
     this.#aim = towards;

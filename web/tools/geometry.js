@@ -54,7 +54,10 @@ export function circleAround(centre, rim) {
   return { kind: 'solid', shape: 'circle', x: rounded(centre.x), y: rounded(centre.y), width };
 }
 
-/** The angle of a line [°], on request a multiple of {@link SNAP}. @type {(a: Point, b: Point, snaps: boolean) => number} */
+/**
+ * The angle of a line [°], on request a multiple of {@link SNAP}.
+ * @type {(a: Point, b: Point, snaps: boolean) => number}
+ */
 function angleOf(a, b, snaps) {
   const angle = (Math.atan2(b.y - a.y, b.x - a.x) * 180) / Math.PI;
   return snaps ? SNAP * Math.round(angle / SNAP) : Math.round(angle * 10) / 10;
@@ -80,7 +83,10 @@ export function sourceBetween(a, b) {
   return { kind: 'source', ...between(a, b), angle: angleOf(left, right, false), width: rounded(Math.max(SMALLEST, apart(a, b))) };
 }
 
-/** A path as a stroke, with few points; one that goes nowhere is a disc. @type {(path: Point[], thickness: number) => Fields} */
+/**
+ * A path as a stroke, with few points; one that goes nowhere is a disc.
+ * @type {(path: Point[], thickness: number) => Fields}
+ */
 export function strokeAlong(path, thickness) {
   let few = simplified(path, DEVIATION * thickness);
   for (let error = thickness; few.length > MAX_POINTS; error *= 2) few = simplified(path, error);
@@ -143,7 +149,10 @@ function pointsOf({ points = '' }) {
 /** Whether an object is turned; a circle is not. @param {Fields} object */
 export const isTurned = ({ kind, shape }) => kind === 'source' || shape !== 'circle';
 
-/** From coordinates along an object's width and height to those of the world. @type {(object: Fields, local: Point) => Point} */
+/**
+ * From coordinates along an object's width and height to those of the world.
+ * @type {(object: Fields, local: Point) => Point}
+ */
 function outOf(object, { x, y }) {
   const axis = direction(isTurned(object) ? object.angle ?? 0 : 0);
   return { x: object.x + axis.x * x - axis.y * y, y: object.y + axis.y * x + axis.x * y };
@@ -230,7 +239,10 @@ export function snapTo(box, others, near) {
 
 /** The ways to align. @typedef {'left' | 'centre' | 'right' | 'top' | 'middle' | 'bottom'} Alignment */
 
-/** How far each object has to go so that all are at an edge or the middle of the box around them. @type {(objects: Fields[], to: Alignment) => Point[]} */
+/**
+ * How far each object has to go so that all are at an edge or the middle of the box around them.
+ * @type {(objects: Fields[], to: Alignment) => Point[]}
+ */
 export function aligned(objects, to) {
   const axis = ['left', 'centre', 'right'].includes(to) ? 'x' : 'y';
   const line = { left: 0, bottom: 0, centre: 1, middle: 1, right: 2, top: 2 }[to];
@@ -260,7 +272,10 @@ export function moved(object, from, to) {
   return { x: rounded(object.x + to.x - from.x), y: rounded(object.y + to.y - from.y) };
 }
 
-/** An object turned so that the handle that turns it points to `to`. @type {(object: Placed, to: Point, snaps: boolean) => Fields} */
+/**
+ * An object turned so that the handle that turns it points to `to`.
+ * @type {(object: Placed, to: Point, snaps: boolean) => Fields}
+ */
 export function turned(object, to, snaps) {
   const angle = angleOf(object, to, false) - 90;
   const whole = snaps ? SNAP * Math.round(angle / SNAP) : Math.round(angle * 10) / 10;

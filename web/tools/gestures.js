@@ -60,12 +60,18 @@ export function placed(objects) {
   ));
 }
 
-/** The last object at a point, which is drawn before the others; undefined without one. @type {(context: ToolContext, at: Point, near: number) => Owned | undefined} */
+/**
+ * The last object at a point, which is drawn before the others; undefined without one.
+ * @type {(context: ToolContext, at: Point, near: number) => Owned | undefined}
+ */
 function objectAt(context, at, near) {
   return placed(context.objects()).findLast((object) => distance(object, at.x, at.y) <= near);
 }
 
-/** Draws something between the press and the release. @type {(context: ToolContext, from: Point, draw: (from: Point, to: Point) => Fields, turns?: boolean) => Gesture} */
+/**
+ * Draws something between the press and the release.
+ * @type {(context: ToolContext, from: Point, draw: (from: Point, to: Point) => Fields, turns?: boolean) => Gesture}
+ */
 function drawBetween(context, from, draw, turns = false) {
   const end = (/** @type {Point} */ to, /** @type {How} */ { snaps }) => (snaps && turns ? snapped(from, to) : to);
   return {
@@ -77,7 +83,10 @@ function drawBetween(context, from, draw, turns = false) {
   };
 }
 
-/** Changes objects while a pointer drags: one step of the history. @type {(context: ToolContext, objects: Owned[], change: (to: Point, how: How) => Fields[]) => Gesture} */
+/**
+ * Changes objects while a pointer drags: one step of the history.
+ * @type {(context: ToolContext, objects: Owned[], change: (to: Point, how: How) => Fields[]) => Gesture}
+ */
 function dragObjects(context, objects, change) {
   const { history } = context.editing;
   /** @type {Fields[] | undefined} */
@@ -118,7 +127,10 @@ function dragObjects(context, objects, change) {
   };
 }
 
-/** Moves objects; a press that moves nothing ends in `click`. @type {(context: ToolContext, objects: Owned[], from: Point, click: () => void) => Gesture} */
+/**
+ * Moves objects; a press that moves nothing ends in `click`.
+ * @type {(context: ToolContext, objects: Owned[], from: Point, click: () => void) => Gesture}
+ */
 function moveObjects(context, objects, from, click) {
   const box = boundsOf(objects);
   const ids = objects.map(({ id }) => id);

@@ -44,7 +44,10 @@ export class Inserts {
     this.#open = open;
   }
 
-  /** Listens to files that are dropped on `targets` or pasted. @type {(targets: EventTarget[], signal: AbortSignal) => void} */
+  /**
+   * Listens to files that are dropped on `targets` or pasted.
+   * @type {(targets: EventTarget[], signal: AbortSignal) => void}
+   */
   listen(targets, signal) {
     document.addEventListener('paste', (event) => this.#paste(event), { signal });
     for (const target of targets) {
@@ -62,7 +65,10 @@ export class Inserts {
     this.close = wordForm(this.#host, this.#overlay.seen.width, add, () => (this.close = () => {}));
   }
 
-  /** Adds a picture, by default in the middle of what is seen. @type {(file: Blob, at?: Point | null) => Promise<void>} */
+  /**
+   * Adds a picture, by default in the middle of what is seen.
+   * @type {(file: Blob, at?: Point | null) => Promise<void>}
+   */
   picture(file, at) {
     return this.#edits.attempt(async () => {
       const { width, x, y } = this.#overlay.seen;

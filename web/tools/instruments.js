@@ -15,7 +15,10 @@ export class Instruments {
   #loaded;
   #removed = false;
 
-  /** @param {import('../plots/instruments.js').Options} options @param {(act: () => unknown) => Promise<void>} attempt */
+  /**
+   * @param {import('../plots/instruments.js').Options} options
+   * @param {(act: () => unknown) => Promise<void>} attempt
+   */
   constructor(options, attempt) {
     this.#options = options;
     this.#attempt = attempt;
@@ -42,7 +45,10 @@ export class Instruments {
     });
   }
 
-  /** Shows the values at a point; `announce` writes them into the status, too. @type {(at: Point, options?: {announce?: boolean}) => void} */
+  /**
+   * Shows the values at a point; `announce` writes them into the status, too.
+   * @type {(at: Point, options?: {announce?: boolean}) => void}
+   */
   probe(at, options) {
     this.#use((loaded) => loaded.probe(at, options));
   }

@@ -43,7 +43,10 @@ export class Overlay {
     this.element.append(drawing);
   }
 
-  /** The point of the world under a point of the window. @type {(at: {clientX: number, clientY: number}) => Point | null} */
+  /**
+   * The point of the world under a point of the window.
+   * @type {(at: {clientX: number, clientY: number}) => Point | null}
+   */
   metres({ clientX, clientY }) {
     const { left, top } = this.#fire.getBoundingClientRect();
     return this.#fire.toMetres(clientX - left, clientY - top);
@@ -64,7 +67,10 @@ export class Overlay {
     return { width: Math.min(width, high.x - low.x), x: (low.x + high.x) / 2, y: (Math.max(0, low.y) + high.y) / 2 };
   }
 
-  /** The handle at a point of the world; undefined without one. @type {(object: Fields | undefined, at: Point) => ReturnType<typeof handlesOf>[number] | undefined} */
+  /**
+   * The handle at a point of the world; undefined without one.
+   * @type {(object: Fields | undefined, at: Point) => ReturnType<typeof handlesOf>[number] | undefined}
+   */
   handleAt(object, at) {
     const size = this.perPixel;
     const all = object ? handlesOf(object, size) : [];
@@ -73,7 +79,10 @@ export class Overlay {
     return nearest && away(nearest.at) <= GRIP_PX * size ? nearest : undefined;
   }
 
-  /** Shows the outlines of objects, and the handles of one. @type {(objects: Fields[], handled: Fields | undefined) => void} */
+  /**
+   * Shows the outlines of objects, and the handles of one.
+   * @type {(objects: Fields[], handled: Fields | undefined) => void}
+   */
   select(objects, handled) {
     this.#outline.setAttribute('d', objects.map((object) => this.#path(outlineOf(object))).join(''));
     const all = handled ? handlesOf(handled, this.perPixel) : [];
@@ -83,7 +92,10 @@ export class Overlay {
     }));
   }
 
-  /** Shows what a gesture draws: objects, or an open path. @type {(shown: {points: Point[], closed: boolean}[]) => void} */
+  /**
+   * Shows what a gesture draws: objects, or an open path.
+   * @type {(shown: {points: Point[], closed: boolean}[]) => void}
+   */
   preview(shown) {
     this.#preview.setAttribute('d', shown.map((outline) => this.#path(outline)).join(''));
   }

@@ -33,7 +33,8 @@ export const CHOICES = {
 /**
  * An `HTMLElement` with the properties that this module and `hearth-fire.js` define on the
  * prototype. Without a DOM, as on servers, it is an empty class.
- * @type {new () => HTMLElement & import('../types.js').HearthReflected & import('../../parameters.js').HearthProperties}
+ * @type {new () => HTMLElement & import('../types.js').HearthReflected &
+ *   import('../../parameters.js').HearthProperties}
  */
 const Base = /** @type {any} */ (globalThis.HTMLElement ?? class {});
 
@@ -144,7 +145,10 @@ export function setOrRemove(element, name, value) {
   else element.setAttribute(name, String(value));
 }
 
-/** @type {(attribute: string, get: (element: FireAttributes) => unknown, set: (element: FireAttributes, value: unknown) => void) => void} */
+/**
+ * @type {(attribute: string, get: (element: FireAttributes) => unknown, set: (element: FireAttributes, value: unknown)
+ *   => void) => void}
+ */
 function reflect(attribute, get, set) {
   defineProperty(FireAttributes, camelCase(attribute), get, set);
 }

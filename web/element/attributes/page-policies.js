@@ -8,7 +8,7 @@ import { alignment, panning } from '../view/viewport.js';
 
 const LIMITS = ['fps-limit', 'max-pixels'];
 
-/** Common attributes; the code that knows the others is loaded only for those. */
+/** Common attributes; the code for the others is loaded with the first of them. */
 const COMMON = /^(class|id|style|slot|hidden|title|(data|aria)-.*)$/;
 
 /** Warns about an attribute without an effect. @param {string} name */
@@ -111,9 +111,9 @@ export class PagePolicies {
     } else if (name === 'interactive') {
       this.#listen();
     } else if (name === 'fit' || name === 'align') {
-      this.#frame();
+      this.#applyFit();
     } else if (name === 'zoom' || name === 'pan') {
-      this.#enlarge();
+      this.#applyZoom();
     } else if (name === 'touch-action') {
       this.#touch(value ?? '');
     } else if (name === 'controls') {
@@ -149,7 +149,7 @@ export class PagePolicies {
   }
 
   /** Applies `fit` and `align`. */
-  #frame() {
+  #applyFit() {
     const { fit, align } = this.#fire;
     const position = alignment(align || 'center bottom');
     if (!position) {
@@ -162,7 +162,7 @@ export class PagePolicies {
   }
 
   /** Applies `zoom` and `pan`. */
-  #enlarge() {
+  #applyZoom() {
     const { zoom, pan } = this.#fire;
     const position = panning(pan || '0.5 0.5');
     const { maxZoom } = this.#view;

@@ -36,7 +36,7 @@ export async function textOf(src, max, id, unwanted) {
 async function download(url, max, signal) {
   const response = await fetch(url, { credentials: 'same-origin', signal });
   if (!response.ok) throw new Error(`the server answers ${response.status}`);
-  const parts = [];
+  const chunks = [];
   const reader = response.body?.getReader();
   for (let length = 0; reader; ) {
     const { done, value } = await reader.read();
@@ -46,7 +46,7 @@ async function download(url, max, signal) {
       reader.cancel().catch(() => {});
       return undefined;
     }
-    parts.push(value);
+    chunks.push(value);
   }
-  return new Blob(parts).text();
+  return new Blob(chunks).text();
 }

@@ -57,7 +57,7 @@ export function hexOf(colour, fire) {
   const srgb = getComputedStyle(probe).backgroundColor.match(/^color\(srgb (\S+) (\S+) ([^\s)]+)(?: \/ ([^)]+))?/);
   probe.remove();
   if (!srgb) return colour;
-  const bytes = srgb.slice(1).map((part = '1') => Math.round(Math.min(Math.max(Number(part) || 0, 0), 1) * 255));
+  const bytes = srgb.slice(1).map((channel = '1') => Math.round(Math.min(Math.max(Number(channel) || 0, 0), 1) * 255));
   return `#${bytes.map((byte) => byte.toString(16).padStart(2, '0')).join('')}`;
 }
 
@@ -67,7 +67,7 @@ export function hexOf(colour, fire) {
  * @param {Element} fire
  * @returns {Call}
  */
-export function resolved([method, given, ...rest], fire) {
+export function resolved([method, given, ...others], fire) {
   if (fire.getAttribute('seed') === 'auto') {
     // A call that replaces every value keeps the automatic seed, unless it names a seed.
     if (method === 'preset') [method, given] = ['import', { preset: given }];
@@ -84,5 +84,5 @@ export function resolved([method, given, ...rest], fire) {
       else if (isColour(id) && typeof value === 'string') values[id] = hexOf(value, fire);
     }
   }
-  return [method, given, ...rest];
+  return [method, given, ...others];
 }

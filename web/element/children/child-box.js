@@ -1,19 +1,19 @@
 /**
- * Where the target of `of` is in the world of a fire: its border box in metres.
+ * The target of `of` in the domain of a fire: its border box in metres.
  *
  * @typedef {import('../../generated/properties.js').Domain} Domain
  * @typedef {{left: number, right: number, top: number, bottom: number, radius: number}} Box
  *   sides and corner radius of a border box: in CSS pixels with y downwards, or in metres with y upwards
  */
 
-/** The extent around the middle of the frame that bodies are clipped to [m]: half of the largest side of a solid. */
+/** The extent around the middle of the domain to which solids are clipped [m]: half of the largest side of a solid. */
 const REACH = 5;
 
-/** Lengths are whole multiples of this [m], so that a box at rest has the same values in each frame. */
-const GRAIN = 1e-4;
+/** Lengths are whole multiples of this [m], so that a still box has the same values in each frame. */
+const RESOLUTION = 1e-4;
 
 /** The properties that a target sets. */
-export const PLACED = { source: ['x', 'y', 'width'], solid: ['shape', 'x', 'y', 'angle', 'width', 'height', 'corner', 'mask'] };
+export const TARGET_PROPERTIES = { source: ['x', 'y', 'width'], solid: ['shape', 'x', 'y', 'angle', 'width', 'height', 'corner', 'mask'] };
 
 /** The default mask, which a solid of another shape has. */
 export const NO_MASK = '16x16:7';
@@ -80,7 +80,7 @@ export function inMetres({ left, right, top, bottom, radius }, fire, { toMetres 
 /**
  * A solid with the shape of a box or of a mask in it, which is not clipped; null if it is out of reach.
  * @param {Box} box in metres
- * @param {number} middle height of the middle of the frame [m]
+ * @param {number} middle height of the middle of the domain [m]
  * @param {string} [mask]
  */
 export function solidOf({ left, right, top, bottom, radius }, middle, mask) {
@@ -108,8 +108,8 @@ export function solidOf({ left, right, top, bottom, radius }, middle, mask) {
  * @param {(property: string) => Domain} domain
  */
 export function sourceOf({ left, right, top }, domain) {
-  const place = { x: (left + right) / 2, y: top, width: right - left };
-  return Object.fromEntries(Object.entries(place).map(([property, value]) => {
+  const values = { x: (left + right) / 2, y: top, width: right - left };
+  return Object.fromEntries(Object.entries(values).map(([property, value]) => {
     const [, min = -Infinity, max = Infinity] = domain(property);
     return [property, rounded(within(value, min, max))];
   }));
@@ -118,5 +118,5 @@ export function sourceOf({ left, right, top }, domain) {
 /** @type {(value: number, min: number, max: number) => number} */
 const within = (value, min, max) => Math.min(Math.max(value, min), max);
 
-/** The nearest whole multiple of the grain, without the rounding error of a product. @param {number} metres */
-const rounded = (metres) => Math.round(metres / GRAIN) / Math.round(1 / GRAIN) || 0;
+/** The nearest whole multiple of the resolution, without the rounding error of a product. @param {number} metres */
+const rounded = (metres) => Math.round(metres / RESOLUTION) / Math.round(1 / RESOLUTION) || 0;

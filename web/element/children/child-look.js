@@ -1,5 +1,5 @@
 /**
- * What of the target of `of` counts: its border box or, of a picture or a text, what is opaque in it. The code
+ * The look of the target of `of`: its border box or, of a picture or a text, what is opaque in it. The code
  * that reads pixels is loaded with the first such target.
  *
  * @typedef {import('./child-box.js').Box} Box
@@ -10,20 +10,26 @@
 /** The elements whose pixels count; a `<picture>` has an `<img>`. */
 const PICTURES = ['img', 'svg', 'canvas'];
 
-/** The code that reads pixels: undefined until it is loaded, null if it did not arrive. @type {Reader | null | undefined} */
+/**
+ * The code that reads pixels: undefined until it is loaded, null if it did not arrive.
+ * @type {Reader | null | undefined}
+ */
 let Reader;
 let isAsked = false;
 
-/** The looks of the target of one child. */
+/** The look of the target of one child. */
 export class Look {
   #session;
   #name;
   /** The pixels of the target, once their code is loaded. @type {Picture | undefined} */
   picture;
-  /** Why its box counts, as the console has told. */
+  /** The warnings so far: reasons why its box replaces its pixels. */
   #warned = new Set();
 
-  /** @param {import('../session/session.js').FireSession} session @param {() => string} name the child and its target in words */
+  /**
+   * @param {import('../session/session.js').FireSession} session
+   * @param {() => string} name the child and its target as messages name them
+   */
   constructor(session, name) {
     this.#session = session;
     this.#name = name;
@@ -53,13 +59,13 @@ export class Look {
     let picture = this.picture;
     if (picture?.target !== target || picture.glyphs !== glyphs) {
       picture?.close();
-      picture = this.picture = new Reader(target, glyphs, (why) => this.#tell(why));
+      picture = this.picture = new Reader(target, glyphs, (why) => this.#warn(why));
     }
     return picture.look(box);
   }
 
   /** @param {string} why */
-  #tell(why) {
+  #warn(why) {
     if (!this.#warned.has(why)) console.warn(`<hearth-fire>: ${this.#name()} counts as a box: ${why}.`);
     this.#warned.add(why);
   }

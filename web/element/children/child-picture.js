@@ -1,13 +1,13 @@
 /**
- * The mask of a picture or of the glyphs of a text in its place on the page. This code is loaded when `of` names
+ * The mask of a picture or of the glyphs of a text on the page. This code is loaded when `of` names
  * such an element.
  *
  * A mask is made when the picture, the text or its size changes, not when the element moves: it is kept with
- * its place in the border box.
+ * its share of the border box.
  *
  * @typedef {import('./child-box.js').Box} Box
- * @typedef {{left: number, top: number, width: number, height: number}} Place in pixels of the window
- * @typedef {{outer: Place, box: Place, draw: (context: import('../../mask/opacity.js').Context) => void}} Drawing
+ * @typedef {{left: number, top: number, width: number, height: number}} Rect in pixels of the window
+ * @typedef {{outer: Rect, box: Rect, draw: (context: import('../../mask/opacity.js').Context) => void}} Drawing
  *   the border box of an element, the part of it that is drawn, and what draws that in pixels of the window
  */
 
@@ -25,13 +25,16 @@ const FINENESS = 4;
 /** A mask without a transparent pixel. */
 const OPAQUE = /^\d+x\d+:[Po-z\d_-]+$/;
 
-/** How long an image or a font may load before its box or another font takes its place [ms]. */
+/** How long an image or a font may load before its box or another font replaces it [ms]. */
 const PATIENCE = 3000;
 
 /** The least time between two masks of an element [ms]. */
 const PAUSE = 100;
 
-/** Lengths are compared in quarters of a pixel. Layouts have 64ths, and none of them lies where rounding may go both ways. */
+/**
+ * Lengths are compared in quarters of a pixel. Layouts have 64ths, and none of them lies where rounding may go both
+ * ways.
+ */
 const GRID = 4;
 const OFF_GRID = 0.123;
 
@@ -43,16 +46,16 @@ const MOVING = /^(style|class)$/;
 
 /** A picture or a text that is followed. */
 export class Picture {
-  #tell;
+  #warn;
   /**
-   * What is opaque, with its place in the border box as shares; null if nothing is, `box` if that counts,
+   * What is opaque, with its sides as shares of the border box; null if nothing is, `box` if the box replaces it,
    * undefined until it is known.
    * @type {{mask: string, left: number, right: number, top: number, bottom: number} | 'box' | null | undefined}
    */
-  made;
+  opacity;
   /** Whether it has changed since the mask was made. */
   #stale = true;
-  /** The style and the lengths that it had last. */
+  /** The style and the lengths of the last look. */
   #style = '';
   #since = performance.now();
   /** When a mask was made last, and how often one was begun. */
@@ -63,11 +66,15 @@ export class Picture {
     this.#stale ||= records.some(({ attributeName, target }) => target !== this.target || !MOVING.test(attributeName ?? ''));
   });
 
-  /** @param {Element} target @param {boolean} glyphs whether it is a text @param {(why: string) => void} tell says why its box counts */
-  constructor(target, glyphs, tell) {
+  /**
+   * @param {Element} target
+   * @param {boolean} glyphs whether it is a text
+   * @param {(why: string) => void} warn reports why its box replaces its pixels
+   */
+  constructor(target, glyphs, warn) {
     this.target = target;
     this.glyphs = glyphs;
-    this.#tell = tell;
+    this.#warn = warn;
     this.#observer.observe(target, { attributes: true, characterData: true, childList: true, subtree: true });
     const change = () => {
       this.#stale = true;
@@ -94,20 +101,20 @@ export class Picture {
         this.#stale = false;
         this.#last = now;
         this.#make();
-      } else if (!waits && this.made === undefined) {
+      } else if (!waits && this.opacity === undefined) {
         this.#resort('it has not loaded');
       }
     }
-    const made = this.made;
-    if (made === 'box') return box;
-    if (!made) return made;
+    const opacity = this.opacity;
+    if (opacity === 'box') return box;
+    if (!opacity) return opacity;
     const [width, height] = [box.right - box.left, box.bottom - box.top];
     return {
-      mask: made.mask,
-      left: box.left + made.left * width,
-      right: box.left + made.right * width,
-      top: box.top + made.top * height,
-      bottom: box.top + made.bottom * height,
+      mask: opacity.mask,
+      left: box.left + opacity.left * width,
+      right: box.left + opacity.right * width,
+      top: box.top + opacity.top * height,
+      bottom: box.top + opacity.bottom * height,
       radius: 0,
     };
   }
@@ -150,20 +157,20 @@ export class Picture {
     if (typeof drawing === 'string') {
       this.#resort(drawing);
     } else if (OPAQUE.test(mask)) {
-      this.made = 'box';
+      this.opacity = 'box';
     } else if (drawing && mask) {
       const { box, outer } = drawing;
       const [left, top] = [(box.left - outer.left) / outer.width, (box.top - outer.top) / outer.height];
-      this.made = { mask, left, top, right: left + box.width / outer.width, bottom: top + box.height / outer.height };
+      this.opacity = { mask, left, top, right: left + box.width / outer.width, bottom: top + box.height / outer.height };
     } else {
-      this.made = null;
+      this.opacity = null;
     }
   }
 
-  /** Its box counts for a reason. @param {string} why */
+  /** Its box replaces its pixels for a reason. @param {string} why */
   #resort(why) {
-    this.made = 'box';
-    this.#tell(why);
+    this.opacity = 'box';
+    this.#warn(why);
   }
 }
 

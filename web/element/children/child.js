@@ -1,12 +1,12 @@
 /**
- * A child of a fire with its object: what its attributes say, and the calls that they cause.
+ * A child of a fire and its object: the values of its attributes, and the calls that they cause.
  *
  * @typedef {import('../../generated/properties.js').Domain} Domain
  * @typedef {{[property: string]: unknown}} Values
  */
 
 import { PROPERTIES } from '../../generated/properties.js';
-import { NO_MASK, PLACED, boxOf, inMetres, solidOf, sourceOf, targetOf } from './child-box.js';
+import { NO_MASK, TARGET_PROPERTIES, boxOf, inMetres, solidOf, sourceOf, targetOf } from './child-box.js';
 import { Look } from './child-look.js';
 
 /** The kind of object of each element. @type {{[name: string]: 'source' | 'solid'}} */
@@ -24,7 +24,7 @@ const OF_TEXT = 'of-text';
 /** The property that names the solid that a source is on, and that which names the solid that another hangs from. */
 const REFERENCES = { source: 'solid', solid: 'hangs_from' };
 
-/** The maximum length of an id in words. */
+/** The maximum length of an id in a message. */
 const MAX_SHOWN = 40;
 
 /** The maximum length of a value, and of one that draws an outline; wasm would keep the memory of longer ones. */
@@ -44,63 +44,69 @@ export const attributesOf = (/** @type {string} */ kind) => [OF, ...(kind === 's
 /** A child of one fire. */
 export class Child {
   #owner;
-  /** The id of its object; undefined while it is not known which source the settings describe. @type {number | undefined} */
+  /**
+   * The id of its object; undefined while it is not known which source the settings describe.
+   * @type {number | undefined}
+   */
   id;
   /** Whether its object is the source that the settings describe. */
-  adopts = false;
-  /** Whether the fire has its object, as the engine reported last, and that object. */
-  live = false;
+  isSettingsSource = false;
+  /** Whether the fire has its object by the last report of the engine, and the properties in that report. */
+  exists = false;
   /** @type {Values} */
-  last = {};
-  /** Whether its object is added again, because settings replaced all objects, and the values that it keeps. */
-  lost = false;
+  reported = {};
+  /**
+   * Whether settings have replaced its object, which is to be added again, and values that override its attributes
+   * then.
+   */
+  isReplaced = false;
   /** @type {Values} */
-  kept = {};
-  /** Whether a call found its object removed, and it is added again. */
-  gone = false;
-  /** Whether there is no room for its object. */
-  refused = false;
+  overrides = {};
+  /** Whether a call has found its object removed, which is to be added again. */
+  isMissing = false;
+  /** Whether the fire has no room for its object. */
+  lacksRoom = false;
   /** Whether another object has its id. */
-  taken = false;
-  /** Whether the engine has stopped before it answered. */
-  dropped = false;
+  idIsTaken = false;
+  /** Whether the engine has stopped before an answer. */
+  isUnanswered = false;
   /** The values of the unanswered calls. @type {Set<Values>} */
   #sent = new Set();
   /** Whether its object is being added, and the properties whose attributes changed meanwhile. */
-  #adding = false;
+  #isAdding = false;
   /** @type {Set<string>} */
-  #stale = new Set();
-  /** The id of the target, the element whose box it has; empty without one. */
+  #staleProperties = new Set();
+  /** The id of the target, the element whose box its object has; empty without a target. */
   of = '';
-  /** Whether the target has no box, and whether the console has told so. */
-  hidden = false;
-  #warned = false;
-  /** Whether its values wait until it is known how the target looks. */
-  #waits = false;
-  /** What of the target counts. @type {Look} */
+  /** Whether the target has no box, and whether the console has a warning about that. */
+  lacksBox = false;
+  #hasWarned = false;
+  /** Whether its values wait until the look of the target is known. */
+  #awaitsLook = false;
+  /** The look of the target. @type {Look} */
   look;
-  /** The id of the solid that was named when the fire was told last, and the name of none that the console has told. */
-  #solid = 0;
-  #unknown = '';
-  /** Whether it has left its fire. */
-  left = false;
+  /** The id of the solid in the last call that names it, and the name in the last warning about an unknown solid. */
+  #sentSolidId = 0;
+  #unknownSolid = '';
+  /** Whether it is no child of its fire any more. */
+  isRemoved = false;
 
   /** @param {import('./children.js').Children} owner @param {Element} element */
   constructor(owner, element) {
     this.#owner = owner;
     this.element = element;
     this.kind = KINDS[element.localName];
-    this.look = new Look(owner.session, () => `${this.name}: ${OF} = ${this.#shown}`);
+    this.look = new Look(owner.session, () => `${this.name}: ${OF} = ${this.#shownTarget}`);
   }
 
-  /** The element in words. */
+  /** The element as messages name it. */
   get name() {
     const { localName, id } = this.element;
     return id ? `<${localName} id="${id.slice(0, MAX_SHOWN)}">` : `<${localName}>`;
   }
 
-  /** The value of `of` in words. */
-  get #shown() {
+  /** The value of `of` as messages show it. */
+  get #shownTarget() {
     return `#${this.of.slice(0, MAX_SHOWN)}`;
   }
 
@@ -109,36 +115,36 @@ export class Child {
     return this.#sent.size > 0;
   }
 
-  /** Whether the fire has its object, or is to have it. */
-  get present() {
-    return !this.hidden && (this.live || this.busy || this.dropped);
+  /** Whether the fire has its object, or will have it after the answers to calls. */
+  get isExpected() {
+    return !this.lacksBox && (this.exists || this.busy || this.isUnanswered);
   }
 
-  /** The last values of its object, without those that a call sets. @returns {Values} */
-  get lasting() {
+  /** The reported values of its object, without those that a call sets. @returns {Values} */
+  get lastingValues() {
     const sent = Object.assign({}, ...this.#sent);
-    return Object.fromEntries(Object.entries(this.last).filter(([property]) => !(property in sent)));
+    return Object.fromEntries(Object.entries(this.reported).filter(([property]) => !(property in sent)));
   }
 
   /** An attribute has changed. @param {string} attribute */
   attribute(attribute) {
     const property = propertyOf(attribute);
     if (attribute === OF || attribute === OF_TEXT) {
-      if (this.target()) this.put();
-    } else if (this.#adding) {
-      this.#stale.add(property);
-    } else if (this.hidden || (this.of && PLACED[this.kind].includes(property))) {
-      // The target decides.
-    } else if (this.live || (this.adopts && this.id === undefined)) {
+      if (this.readTarget()) this.synchronise();
+    } else if (this.#isAdding) {
+      this.#staleProperties.add(property);
+    } else if (this.lacksBox || (this.of && TARGET_PROPERTIES[this.kind].includes(property))) {
+      // The target sets it.
+    } else if (this.exists || (this.isSettingsSource && this.id === undefined)) {
       this.#write({ [property]: this.#valueOf(property) }, true);
     } else {
-      // It was refused, or a call has removed the object.
-      this.put();
+      // The fire had no room, or a call has removed the object.
+      this.synchronise();
     }
   }
 
   /** Reads `of`. Returns whether it is valid. */
-  target() {
+  readTarget() {
     const text = this.element.getAttribute(OF);
     const id = text === null ? '' : /^\s*#(\S+)\s*$/.exec(text)?.[1];
     if (id === undefined) {
@@ -147,42 +153,45 @@ export class Child {
       return false;
     }
     this.of = id;
-    this.hidden = this.#warned = false;
+    this.lacksBox = this.#hasWarned = false;
     this.look.close();
     if (id) this.#owner.watch();
     return true;
   }
 
   /**
-   * Gives the fire its object or, if the fire has it, the values of its attributes.
-   * @param {Values} [kept] values that override those of the attributes
+   * Adds its object to the fire or, if the fire has it, sets the values of its attributes.
+   * @param {Values} [overrides] values that override those of the attributes
    */
-  put(kept = {}) {
-    if (this.#adding || this.left) return;
-    const place = this.#place();
-    this.lost = this.dropped = false;
-    this.#waits = place === undefined;
-    this.hidden = !place && !(this.#waits && this.live);
-    if (!place) {
-      if (this.live && !this.#waits) this.#hide();
-    } else if (this.live || (this.adopts && this.id === undefined)) {
-      // Those of the source that the settings describe are left alone unless a child has set them.
+  synchronise(overrides = {}) {
+    if (this.#isAdding || this.isRemoved) return;
+    const placed = this.#targetValues();
+    this.isReplaced = this.isUnanswered = false;
+    this.#awaitsLook = placed === undefined;
+    this.lacksBox = !placed && !(this.#awaitsLook && this.exists);
+    if (!placed) {
+      if (this.exists && !this.#awaitsLook) this.#hide();
+    } else if (this.exists || (this.isSettingsSource && this.id === undefined)) {
+      // Those of the source of the settings change only if a child has set them.
       const names = Object.keys(PROPERTIES[this.kind]).filter((property) => (
-        this.adopts ? this.#sets(property) || this.#owner.changed(property) : property in this.last
+        this.isSettingsSource ? this.#sets(property) || this.#owner.changed(property) : property in this.reported
       ));
-      this.#write({ ...Object.fromEntries(names.map((property) => [property, this.#valueOf(property)])), ...kept, ...place });
+      this.#write({ ...Object.fromEntries(names.map((property) => [property, this.#valueOf(property)])), ...overrides, ...placed });
     } else {
-      this.#add({ ...this.attributes(), ...kept, ...place });
+      this.#add({ ...this.statedValues(), ...overrides, ...placed });
     }
   }
 
   /** The values that the attributes state. @returns {Values} */
-  attributes() {
+  statedValues() {
     const names = Object.keys(PROPERTIES[this.kind]).filter((property) => this.#sets(property));
     return Object.fromEntries(names.map((property) => [property, this.#valueOf(property)]));
   }
 
-  /** Whether an attribute states a property. A body with the box of an element is invisible, because that element is seen. */
+  /**
+   * Whether an attribute states a property. A body with the box of an element is invisible, because that element is
+   * seen.
+   */
   #sets(/** @type {string} */ property) {
     return this.element.hasAttribute(attributeOf(property)) || (this.of !== '' && property === 'material');
   }
@@ -194,7 +203,7 @@ export class Child {
     const longest = OUTLINES.includes(property) ? MAX_OUTLINE : MAX_VALUE;
     if (text !== null) return text.length > longest ? `a text of more than ${longest} letters` : text;
     if (this.of && property === 'material') return 'none';
-    return this.adopts ? this.#owner.setting(property) : this.#owner.domain(this.kind, property)[0];
+    return this.isSettingsSource ? this.#owner.setting(property) : this.#owner.domain(this.kind, property)[0];
   }
 
   /** The property that names a solid. */
@@ -217,28 +226,28 @@ export class Child {
     return child.id;
   }
 
-  /** Follows the solid that it names: tells the fire when its id comes or changes. */
-  refer() {
+  /** Sends the id of the solid that it names, when that appears or changes. */
+  updateReference() {
     const name = this.#solidName;
     if (!name) return;
     const id = this.#solidOf(name);
-    if (id === 0 && name !== this.#unknown && document.readyState !== 'loading') {
-      this.#unknown = name;
+    if (id === 0 && name !== this.#unknownSolid && document.readyState !== 'loading') {
+      this.#unknownSolid = name;
       console.warn(`<hearth-fire>: ${this.name}: ${attributeOf(this.#reference)} = #${name.slice(0, MAX_SHOWN)} has no effect now: no <hearth-solid> of this fire has that id.`);
     }
-    if (id !== this.#solid && this.live && !this.busy) this.#write({ [this.#reference]: id });
+    if (id !== this.#sentSolidId && this.exists && !this.busy) this.#write({ [this.#reference]: id });
   }
 
   /** @param {Values} values */
   async #add(values) {
     const { session } = this.#owner;
-    this.#adding = true;
+    this.#isAdding = true;
     this.id ??= this.#owner.freeId();
-    const added = await this.#ask(values, (rest) => session.call('addObject', { kind: this.kind, id: this.id, ...rest }, ORIGIN));
-    this.refused = !added && !this.dropped;
-    const stale = [...this.#stale];
-    this.#stale.clear();
-    if (added && !this.left && stale.length > 0) {
+    const added = await this.#call(values, (accepted) => session.call('addObject', { kind: this.kind, id: this.id, ...accepted }, ORIGIN));
+    this.lacksRoom = !added && !this.isUnanswered;
+    const stale = [...this.#staleProperties];
+    this.#staleProperties.clear();
+    if (added && !this.isRemoved && stale.length > 0) {
       this.#write(Object.fromEntries(stale.map((property) => [property, this.#valueOf(property)])));
     }
   }
@@ -246,25 +255,25 @@ export class Child {
   /** Sets properties of its object; adds it `again` if a call has removed it. @param {Values} values */
   #write(values, again = false) {
     this.#owner.note(this, values);
-    return this.#ask(values, (rest) => this.#owner.set(this, rest), again);
+    return this.#call(values, (accepted) => this.#owner.set(this, accepted), again);
   }
 
   /** Removes its object, because its target has no box. */
   #hide() {
-    this.hidden = true;
-    this.#ask({}, () => this.#owner.session.call('removeObject', this.id, ORIGIN));
+    this.lacksBox = true;
+    this.#call({}, () => this.#owner.session.call('removeObject', this.id, ORIGIN));
   }
 
   /**
    * Calls the engine without the values that it refuses. Resolves to whether it accepted a call.
    * @type {(values: Values, send: (values: Values) => Promise<unknown>, again?: boolean) => Promise<boolean>}
    */
-  async #ask(values, send, again = false) {
+  async #call(values, send, again = false) {
     this.#sent.add(values);
-    if (this.#solidName && this.#reference in values) this.#solid = this.#solidOf(this.#solidName);
+    if (this.#solidName && this.#reference in values) this.#sentSolidId = this.#solidOf(this.#solidName);
     let accepted = false;
-    for (let rest = values; !accepted; ) {
-      const answer = send(rest);
+    for (let remaining = values; !accepted; ) {
+      const answer = send(remaining);
       this.#owner.calls.set(answer, { child: this, again });
       try {
         await answer;
@@ -272,59 +281,62 @@ export class Child {
       } catch (error) {
         const { errors } = /** @type {{errors?: {id: string}[]}} */ (error);
         const refused = errors?.map(({ id }) => propertyOf(id)) ?? [];
-        const left = Object.entries(rest).filter(([property]) => !refused.includes(property));
-        this.dropped ||= !errors;
-        if (this.taken) {
+        const valid = Object.entries(remaining).filter(([property]) => !refused.includes(property));
+        this.isUnanswered ||= !errors;
+        if (this.idIsTaken) {
           // Settings may hold the object of this child.
-          this.taken = false;
-          accepted = this.live;
+          this.idIsTaken = false;
+          accepted = this.exists;
           this.id = accepted ? this.id : this.#owner.freeId();
-        } else if (refused.includes('mask') && this.of && rest.mask !== NO_MASK) {
+        } else if (refused.includes('mask') && this.of && remaining.mask !== NO_MASK) {
           // There is no room for its pixels.
-          if (this.look.picture) this.look.picture.made = 'box';
-          rest = { ...rest, ...this.#place(), mask: NO_MASK };
-        } else if (left.length < Object.keys(rest).length) {
-          rest = Object.fromEntries(left);
+          if (this.look.picture) this.look.picture.opacity = 'box';
+          remaining = { ...remaining, ...this.#targetValues(), mask: NO_MASK };
+        } else if (valid.length < Object.keys(remaining).length) {
+          remaining = Object.fromEntries(valid);
         } else {
-          if (!this.lost) this.kept = {};
-          this.lost = this.gone;
-          this.gone = false;
+          if (!this.isReplaced) this.overrides = {};
+          this.isReplaced = this.isMissing;
+          this.isMissing = false;
           break;
         }
       }
     }
     this.#sent.delete(values);
-    this.#adding = false;
+    this.#isAdding = false;
     // The caller goes on first.
     queueMicrotask(() => this.#owner.settle(this));
     return accepted;
   }
 
-  /** Follows the target: moves the object, removes it while the target has no box, and adds it again. */
-  follow() {
+  /** Moves its object to the box of the target, removes it while the target has none, and adds it again. */
+  followTarget() {
     if (!this.of || this.busy) return;
-    const place = this.#place();
-    if (place === undefined) return;
+    const placed = this.#targetValues();
+    if (placed === undefined) return;
     // A mask is long.
-    const moved = Object.entries(place ?? {}).filter(([property, value]) => this.last[property] !== value);
-    if (!place) this.#miss();
-    else if (this.hidden || this.#waits) this.put();
-    else if (this.live && moved.length > 0) this.#write(Object.fromEntries(moved));
+    const moved = Object.entries(placed ?? {}).filter(([property, value]) => this.reported[property] !== value);
+    if (!placed) this.#loseTarget();
+    else if (this.lacksBox || this.#awaitsLook) this.synchronise();
+    else if (this.exists && moved.length > 0) this.#write(Object.fromEntries(moved));
   }
 
   /** The target has no box. */
-  #miss() {
-    if (this.live) this.#hide();
-    this.hidden = true;
-    if (this.#warned || document.readyState === 'loading') return;
-    this.#warned = true;
-    const box = this.look.picture?.made === null ? 'nothing of that element is opaque' : 'that element has no visible box';
+  #loseTarget() {
+    if (this.exists) this.#hide();
+    this.lacksBox = true;
+    if (this.#hasWarned || document.readyState === 'loading') return;
+    this.#hasWarned = true;
+    const box = this.look.picture?.opacity === null ? 'nothing of that element is opaque' : 'that element has no visible box';
     const why = targetOf(this.element, this.of) ? box : 'no element has that id';
-    console.warn(`<hearth-fire>: ${this.name}: ${OF} = ${this.#shown} has no effect now: ${why}.`);
+    console.warn(`<hearth-fire>: ${this.name}: ${OF} = ${this.#shownTarget} has no effect now: ${why}.`);
   }
 
-  /** What the target sets: nothing without `of`, null if nothing of it counts, undefined until that is known. @returns {Values | null | undefined} */
-  #place() {
+  /**
+   * The values that the target sets: none without `of`, null if nothing of it is seen, undefined until that is known.
+   * @returns {Values | null | undefined}
+   */
+  #targetValues() {
     if (!this.of) return {};
     const { fire, view, state } = this.#owner.session;
     const viewport = state.started && view.viewport(state.params);

@@ -16,7 +16,7 @@ import { Child, KINDS, ORIGIN, attributeOf, attributesOf } from './child.js';
 /** The first id of a child's object. Scenes count theirs from 1. */
 const FIRST_ID = 1001;
 
-/** How often, at most, a list of objects waits for the calls of a page that never rests. */
+/** How often, at most, a list of objects waits for the calls of a page that calls without a pause. */
 const MAX_TRIES = 100;
 
 /** The child that an element is of a fire. @type {WeakMap<Element, Child>} */
@@ -29,11 +29,14 @@ const propertiesOf = ({ kind, id, ...properties } = {}) => properties;
 export class Children {
   /** In their order in the document. @type {Child[]} */
   #children = [];
-  /** The child of each call, and whether its object is added again if it is gone. @type {WeakMap<Promise<unknown>, {child: Child, again: boolean}>} */
+  /**
+   * The child of each call, and whether its object is added again if it is gone.
+   * @type {WeakMap<Promise<unknown>, {child: Child, again: boolean}>}
+   */
   calls = new WeakMap();
   /**
-   * The source that the settings describe as it was before a child took its place, if that is known, and the
-   * properties that children have set since.
+   * The source that the settings describe before a child replaced it, if that is known, and the properties that
+   * children have set since.
    * @type {{values: Values | undefined, changed: Set<string>} | undefined}
    */
   #own;
@@ -70,8 +73,8 @@ export class Children {
     });
     // A child may name a solid after it.
     for (const child of this.#children.filter(({ element }) => joined.includes(element))) {
-      child.target();
-      child.put();
+      child.readTarget();
+      child.synchronise();
     }
     for (const child of before) if (!this.#children.includes(child)) this.#leave(child);
     this.settle();
@@ -82,11 +85,11 @@ export class Children {
     const child = new Child(this, element);
     const first = this.#adoptable();
     if (child.kind === 'source' && first !== null && !this.#children.some(({ kind }) => kind === 'source')) {
-      child.adopts = true;
+      child.isSettingsSource = true;
       child.id = first?.id;
-      child.live = Boolean(first);
-      child.last = propertiesOf(first);
-      this.#own ??= { values: first && child.last, changed: new Set() };
+      child.exists = Boolean(first);
+      child.reported = propertiesOf(first);
+      this.#own ??= { values: first && child.reported, changed: new Set() };
     }
     this.#children.splice(at, 0, child);
     CHILDREN.set(element, child);
@@ -98,33 +101,36 @@ export class Children {
   #adoptable(/** @type {any[]} */ objects = this.session.state.objects) {
     if (!this.session.state.started) return undefined;
     const first = objects.find(({ kind }) => kind === 'source');
-    return first && !this.#children.some(({ id, adopts }) => id === first.id && !adopts) ? first : null;
+    return first && !this.#children.some(({ id, isSettingsSource }) => id === first.id && !isSettingsSource) ? first : null;
   }
 
   /** A child is no child of this fire any more. @param {Child} child */
   #leave(child) {
-    child.left = true;
+    child.isRemoved = true;
     child.look.close();
     if (CHILDREN.get(child.element) === child) CHILDREN.delete(child.element);
     if (!child.busy) this.#depart(child);
   }
 
-  /** Removes the object of a child that has left, or restores the source that the settings describe. @param {Child} child */
+  /**
+   * Removes the object of a child that has left, or restores the source that the settings describe.
+   * @param {Child} child
+   */
   #depart(child) {
     const own = this.#own;
-    // Another child has taken its place.
+    // Another child has replaced it.
     if (this.#children.some(({ id }) => id !== undefined && id === child.id)) return;
     if (own && child.kind === 'source' && !this.#children.some(({ kind }) => kind === 'source')) {
-      const names = child.adopts ? [...own.changed] : Object.keys(own.values ?? {});
+      const names = child.isSettingsSource ? [...own.changed] : Object.keys(own.values ?? {});
       const values = Object.fromEntries(names.map((property) => [property, this.setting(property)]));
       this.#own = undefined;
-      if (child.live) this.set(child, values);
-      else if (child.hidden) this.session.call('addObject', { kind: 'source', ...own.values, ...values }, ORIGIN);
-    } else if (child.live) {
+      if (child.exists) this.set(child, values);
+      else if (child.lacksBox) this.session.call('addObject', { kind: 'source', ...own.values, ...values }, ORIGIN);
+    } else if (child.exists) {
       this.session.call('removeObject', child.id, ORIGIN);
     }
     // There may be room for one that was refused.
-    this.#children.find(({ refused, kind }) => refused && kind === child.kind)?.put();
+    this.#children.find(({ lacksRoom, kind }) => lacksRoom && kind === child.kind)?.synchronise();
   }
 
   /** Sets properties of the object of a child. @type {(child: Child, values: Values) => Promise<unknown>} */
@@ -139,9 +145,12 @@ export class Children {
     return this.session.call('set', Object.fromEntries(parameters), ORIGIN);
   }
 
-  /** Notes the properties that a child sets of the source of the settings. @type {(child: Child, values: Values) => void} */
+  /**
+   * Notes the properties that a child sets of the source of the settings.
+   * @type {(child: Child, values: Values) => void}
+   */
   note(child, values) {
-    for (const property in values) if (child.adopts) this.#own?.changed.add(property);
+    for (const property in values) if (child.isSettingsSource) this.#own?.changed.add(property);
   }
 
   /** Whether a child has set a property of the source of the settings. @param {string} property */
@@ -149,13 +158,21 @@ export class Children {
     return Boolean(this.#own?.changed.has(property));
   }
 
-  /** What the settings say of a property of their source: before a child took its place, else the attribute of the fire or the default. @param {string} property */
+  /**
+   * The value of a property of the source of the settings: before a child replaced it, else the attribute of the fire
+   * or
+   * the default.
+   * @param {string} property
+   */
   setting(property) {
     const attribute = attributeOf(PROPERTIES.source[property].parameter ?? '');
     return this.#own?.values?.[property] ?? this.session.fire.getAttribute(attribute) ?? this.domain('source', property)[0];
   }
 
-  /** The default and the range of a property in the present model. @type {(kind: string, property: string) => import('./child.js').Domain} */
+  /**
+   * The default and the range of a property in the present model.
+   * @type {(kind: string, property: string) => import('./child.js').Domain}
+   */
   domain(kind, property) {
     const { every, combustion, classic } = PROPERTIES[kind][property];
     const [own, other] = this.session.state.params.model === 'classic' ? [classic, combustion] : [combustion, classic];
@@ -181,10 +198,10 @@ export class Children {
     const asked = call && this.calls.get(call);
     if (!asked) return undefined;
     const { child, again } = asked;
-    child.taken = errors.some(({ id }) => /^objects\[\d+\]\.id$/.test(id));
-    child.gone = (child.lost || again) && errors.some(({ id }) => id === 'id');
+    child.idIsTaken = errors.some(({ id }) => /^objects\[\d+\]\.id$/.test(id));
+    child.isMissing = (child.isReplaced || again) && errors.some(({ id }) => id === 'id');
     const sources = Object.entries(PROPERTIES.source);
-    return child.taken || child.gone ? [] : errors.map((error) => {
+    return child.idIsTaken || child.isMissing ? [] : errors.map((error) => {
       const property = /^objects\[\d+\]\.(.*)$/.exec(error.id)?.[1] ?? sources.find(([, { parameter }]) => parameter === error.id)?.[0];
       const id = property ? attributeOf(property) : error.id;
       return { ...error, id, message: `${child.name}: ${error.message.replace(error.id, id)}` };
@@ -198,9 +215,9 @@ export class Children {
     if (objects) {
       // These keep the objects of the children.
       const keeps = begins || replaced || source === 'attribute';
-      const child = this.#children.find(({ adopts }) => adopts) ?? this.#children.find(({ kind }) => kind === 'source');
+      const child = this.#children.find(({ isSettingsSource }) => isSettingsSource) ?? this.#children.find(({ kind }) => kind === 'source');
       const known = objects.some((/** @type {any} */ { id }) => id === child?.id);
-      const again = child?.adopts ? replaced || child.id === undefined || !known : !known && child?.present && this.#adoptable(objects);
+      const again = child?.isSettingsSource ? replaced || child.id === undefined || !known : !known && child?.isExpected && this.#adoptable(objects);
       if (child && keeps && again) this.#adopt(child, objects, replaced);
       for (const other of this.#children) this.#compare(other, objects, keeps);
     }
@@ -208,16 +225,19 @@ export class Children {
     this.#follow();
   }
 
-  /** The settings have another source: a child takes its place. @type {(child: Child, objects: any[], replaced: boolean) => void} */
+  /**
+   * The settings have another source: a child takes its place.
+   * @type {(child: Child, objects: any[], replaced: boolean) => void}
+   */
   #adopt(child, objects, replaced) {
     const first = this.#adoptable(objects);
     if (!first) this.#own = undefined;
     else if (!this.#own) this.#own = { values: propertiesOf(first), changed: new Set() };
     else if (replaced || !this.#own.values) this.#own.values = propertiesOf(first);
-    // The fire did not know the id of the source whose name this is.
-    child.lost = !first || child.id !== undefined || 'name' in child.attributes();
-    child.kept = Object.fromEntries(Object.entries(child.lasting).filter(([property]) => property in child.attributes()));
-    child.adopts = Boolean(first);
+    // The fire had no id for the source of that name.
+    child.isReplaced = !first || child.id !== undefined || 'name' in child.statedValues();
+    child.overrides = Object.fromEntries(Object.entries(child.lastingValues).filter(([property]) => property in child.statedValues()));
+    child.isSettingsSource = Boolean(first);
     child.id = first?.id;
   }
 
@@ -225,22 +245,22 @@ export class Children {
   #compare(child, objects, keeps) {
     const object = objects.find(({ id, kind }) => id === child.id && kind === child.kind);
     if (object) {
-      child.last = propertiesOf(object);
-      child.lost &&= child.adopts;
-    } else if (keeps && child.present) {
-      child.kept = child.lasting;
-      child.lost = true;
+      child.reported = propertiesOf(object);
+      child.isReplaced &&= child.isSettingsSource;
+    } else if (keeps && child.isExpected) {
+      child.overrides = child.lastingValues;
+      child.isReplaced = true;
     }
-    child.live = Boolean(object);
-    if (child.live && child.dropped) [child.lost, child.kept] = [true, {}];
+    child.exists = Boolean(object);
+    if (child.exists && child.isUnanswered) [child.isReplaced, child.overrides] = [true, {}];
   }
 
   /** Adds lost objects again, and puts the objects in order when no call is unanswered. @param {Child} [answered] */
   settle(answered) {
-    if (answered?.left && !answered.busy) this.#depart(answered);
+    if (answered?.isRemoved && !answered.busy) this.#depart(answered);
     for (const child of this.#children) {
-      if (child.lost && !child.busy) child.put(child.kept);
-      child.refer();
+      if (child.isReplaced && !child.busy) child.synchronise(child.overrides);
+      child.updateReference();
     }
     if (!this.#sorting && this.#children.every(({ busy }) => !busy) && this.#sorted()) this.#sort();
   }
@@ -248,10 +268,10 @@ export class Children {
   /** The objects of the fire, those of the children in the order of the children; undefined if they are. */
   #sorted() {
     const { objects } = this.session.state;
-    const ids = this.#children.filter(({ live }) => live).map(({ id }) => id);
-    const places = objects.filter(({ id }) => ids.includes(id));
-    if (places.every(({ id }, at) => id === ids[at])) return undefined;
-    const next = ids.map((nextId) => places.find(({ id }) => id === nextId));
+    const ids = this.#children.filter(({ exists }) => exists).map(({ id }) => id);
+    const owned = objects.filter(({ id }) => ids.includes(id));
+    if (owned.every(({ id }, at) => id === ids[at])) return undefined;
+    const next = ids.map((nextId) => owned.find(({ id }) => id === nextId));
     return objects.map((object) => (ids.includes(object.id) ? next.shift() ?? object : object));
   }
 
@@ -297,7 +317,7 @@ export class Children {
     const { view, state, fire } = this.session;
     // Without a picture, boxes have no place in the world.
     if (!state.started || !this.#children.some(({ of }) => of) || !fire.isConnected || !view.viewport(state.params)) return;
-    for (const child of this.#children) child.follow();
+    for (const child of this.#children) child.followTarget();
   }
 }
 
@@ -315,7 +335,7 @@ for (const [name, kind] of Object.entries(globalThis.customElements ? KINDS : {}
     /** The id of its object; null while the fire has none. */
     get objectId() {
       const child = CHILDREN.get(this);
-      return child?.live ? child.id : null;
+      return child?.exists ? child.id : null;
     }
 
     /** @param {string} attribute */

@@ -10,14 +10,14 @@ const MAX_PIXELS = 2 ** 26;
 /** The most elements of an SVG element. */
 const MAX_ELEMENTS = 1000;
 
-/** What an SVG element has of the style of the page. */
+/** The properties of the page's style that an SVG element inherits. */
 const STYLES = /^(clip-|display|fill|font-[fsw]|letter|opacity|stop-o|stroke|text-anchor|visibility)/;
 
 /** Whether an image has loaded or cannot. @param {Element} element */
 export const isComplete = (element) => !('complete' in element) || Boolean(element.complete);
 
 /**
- * How to draw a picture; in words why it cannot be drawn.
+ * How to draw a picture; as a string, the reason why it cannot be drawn.
  * @param {Element} element
  * @returns {Promise<Drawing | string>}
  */
@@ -39,7 +39,8 @@ export async function imageIn(element) {
 }
 
 /**
- * The border box and the content box of an element in pixels of the window, the pixels of one of the style, and the style.
+ * The border box and the content box of an element in pixels of the window, the pixels of one of the style, and the
+ * style.
  * @param {Element} element
  */
 function contentOf(element) {
@@ -68,7 +69,10 @@ function fitted(fit, [across, up], [width, height]) {
   return scale ? [across * scale, up * scale] : [width, height];
 }
 
-/** A length or a share of the room as pixels; the middle where it is a sum. @type {(text: string, room: number, scale: number) => number} */
+/**
+ * A length or a share of the room as pixels; the middle where it is a sum.
+ * @type {(text: string, room: number, scale: number) => number}
+ */
 function offset(text, room, scale) {
   const number = parseFloat(text);
   if (Number.isNaN(number)) return room / 2;

@@ -3,7 +3,7 @@
  *
  * @typedef {import('./child-picture.js').Drawing} Drawing
  * @typedef {import('../../mask/opacity.js').Context} Context
- * @typedef {{text: string, css: CSSStyleDeclaration, place: DOMRect}} Piece a word or a part of it on one line
+ * @typedef {{text: string, css: CSSStyleDeclaration, rect: DOMRect}} Piece a word or a part of it on one line
  */
 
 import { contextOf } from '../../mask/opacity.js';
@@ -20,7 +20,7 @@ export function extentOf(element) {
 }
 
 /**
- * How to draw the glyphs of a text; null without one, in words why it cannot be drawn.
+ * How to draw the glyphs of a text; null without one, as a string, the reason why it cannot be drawn.
  * @param {Element} element
  * @returns {Drawing | string | null}
  */
@@ -68,9 +68,9 @@ function piecesOf(element) {
     if (css.visibility !== 'visible' || (parent !== element && parent.offsetWidth <= 1)) continue;
     for (const { 0: word, index } of (node.nodeValue ?? '').matchAll(/\S+/g)) {
       let at = index;
-      for (const text of placeOf(node, index, word) ? [word] : lettersOf(word)) {
-        const place = placeOf(node, at, text);
-        if (place) pieces.push({ text: transformed(text, css, at > index), css, place });
+      for (const text of rectOf(node, index, word) ? [word] : lettersOf(word)) {
+        const rect = rectOf(node, at, text);
+        if (rect) pieces.push({ text: transformed(text, css, at > index), css, rect });
         at += text.length;
       }
     }
@@ -78,8 +78,11 @@ function piecesOf(element) {
   return pieces;
 }
 
-/** The box of a part of a text on one line; undefined without one. @type {(node: Node, from: number, part: string) => DOMRect | undefined} */
-function placeOf(node, from, { length }) {
+/**
+ * The box of a text on one line; undefined if it takes several.
+ * @type {(node: Node, from: number, text: string) => DOMRect | undefined}
+ */
+function rectOf(node, from, { length }) {
   const range = rangeOf(node, from, from + length);
   const [first, ...more] = [...range.getClientRects()].filter(({ width, height }) => width > 0 && height > 0);
   return first && more.every(({ top }) => Math.abs(top - first.top) < 1) ? range.getBoundingClientRect() : undefined;
@@ -97,7 +100,7 @@ function transformed(text, { textTransform }, inWord = false) {
   return textTransform === 'capitalize' && !inWord ? text.replace(/\p{L}/u, (letter) => letter.toUpperCase()) : text;
 }
 
-/** Draws as a style says from now on. @param {Context} context @param {CSSStyleDeclaration} css */
+/** Sets the font of a style for later drawing. @param {Context} context @param {CSSStyleDeclaration} css */
 function dress(context, css) {
   const caps = css.fontVariantCaps === 'small-caps' ? 'small-caps' : '';
   context.font = `${css.fontStyle} ${caps} ${css.fontWeight} ${css.fontSize} ${css.fontFamily}`;
@@ -113,15 +116,16 @@ function dress(context, css) {
  * Where a piece is drawn, and its ink, in pixels of the window.
  * @param {Piece} piece @param {Context} measure
  */
-function laidOut({ text, css, place }, measure) {
+function laidOut({ text, css, rect }, measure) {
   dress(measure, css);
   const {
     width, fontBoundingBoxAscent: ascent, fontBoundingBoxDescent: descent, actualBoundingBoxLeft: left,
     actualBoundingBoxRight: right, actualBoundingBoxAscent: above, actualBoundingBoxDescent: below,
   } = measure.measureText(text);
-  // The box of a text on a line is as high as its font, whatever the height of the line. A drop cap and a transform have other sizes.
-  const high = place.height / (ascent + descent);
-  const wide = width > 0 ? place.width / width : high;
-  const [x, y] = [place.left, place.top + ascent * high];
+  // The box of a text on a line is as high as its font, whatever the height of the line. A drop cap and a transform
+  // have other sizes.
+  const high = rect.height / (ascent + descent);
+  const wide = width > 0 ? rect.width / width : high;
+  const [x, y] = [rect.left, rect.top + ascent * high];
   return { text, css, x, y, wide, high, ink: [x - left * wide, y - above * high, x + right * wide, y + below * high] };
 }

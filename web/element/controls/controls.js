@@ -1,5 +1,6 @@
 /**
- * The panel and the button of the toolbar inside their fire. This code is loaded when a fire with the attribute `controls` burns.
+ * The panel and the button of the toolbar inside their fire. This code is loaded when a fire with the attribute
+ * `controls` burns.
  */
 
 import { DEFAULTS } from '../../generated/defaults.js';

@@ -2,7 +2,7 @@
  * A frame for a saved picture, in another width or over another background. This code is loaded by the first such
  * picture.
  *
- * The engine draws it in place of the next frame. A copy of the last one hides it, and no event tells of its values.
+ * The engine draws it in place of the next frame. A copy of the last one hides it, and no event reports its values.
  */
 
 import { countdown } from '../../engine/time-limit.js';
@@ -10,7 +10,9 @@ import { countdown } from '../../engine/time-limit.js';
 /** Maximum time until the frame is drawn [s]. */
 const FRAME_S = 10;
 
-/** Maximum time until a frame as before is drawn, which there is none of if the element has another size meanwhile [s]. */
+/**
+ * Maximum time until a frame as before is drawn, which there is none of if the element has another size meanwhile [s].
+ */
 const BACK_S = 2;
 
 /** Limits of a side and of the pixels of a picture: those of nearly every graphics card, and of `max-pixels`. */
@@ -38,7 +40,10 @@ export function redraw(session, canvas, how, take) {
   });
 }
 
-/** @type {(session: import('../session/session.js').FireSession, canvas: HTMLCanvasElement, how: {width?: number, background?: string}, take: () => Promise<void>) => Promise<void>} */
+/**
+ * @type {(session: import('../session/session.js').FireSession, canvas: HTMLCanvasElement, how: {width?: number,
+ *   background?: string}, take: () => Promise<void>) => Promise<void>}
+ */
 async function draw(session, canvas, { width = canvas.width, background = 'scene' }, take) {
   const height = Math.round(canvas.height * width / canvas.width);
   const fits = [width, height].every((side) => side >= MIN_SIDE && side <= MAX_SIDE) && width * height <= MAX_PIXELS;
@@ -67,7 +72,7 @@ async function draw(session, canvas, { width = canvas.width, background = 'scene
     session.send('max_pixels', limitOf(fire));
     // A value that has changed meanwhile is the present one.
     await session.set(Object.fromEntries(Object.keys(values).map((id) => [id, session.state.params[/** @type {keyof typeof session.state.params} */ (id)]])), 'picture').catch(() => {});
-    await observedAnew(view, canvas, copy.width);
+    await observedAgain(view, canvas, copy.width);
     copy.remove();
   }
 }
@@ -78,13 +83,13 @@ function displayed() {
 }
 
 /**
- * Makes the element observe its size anew and send it to the engine, and waits for a frame of that size: a size that has not
- * changed is not observed.
+ * Makes the element observe its size again and send it to the engine, and waits for a frame of that size. A size that
+ * has not changed is not observed.
  * @param {import('../view/view.js').FireView} view
  * @param {HTMLCanvasElement} canvas
  * @param {number} width that of the frame
  */
-async function observedAnew(view, canvas, width) {
+async function observedAgain(view, canvas, width) {
   canvas.style.inlineSize = 'calc(100% - 8px)';
   await displayed();
   await displayed();

@@ -1,29 +1,30 @@
 /**
- * A pointer on a fire: it carries gas along, twice as fast while it is pressed; a click throws sparks;
- * a drag that begins on the source moves the source and what lies with it, or the solid that the source is on. Other
- * gestures enlarge the picture.
+ * A pointer on a fire: it moves gas along, twice as fast while it is pressed; a click throws sparks;
+ * a drag that begins on the source moves the source and the objects attached to it, or the solid that the source is
+ * on. Other gestures enlarge the picture.
  *
  * @typedef {import('../../hearth-fire.js').HearthPoint} Point
  * @typedef {Point & {id?: number}} Grip  A distance from the middle of the source [m], and the solid that it is on.
- * @typedef {{start: number, all: import('./attached-objects.js').Fields[]}} Group  Where the source was, and what lay with it.
+ * @typedef {{start: number, all: import('./attached-objects.js').Fields[]}} Group  Where the source was, and the
+ *   objects attached to it.
  * @typedef {{x: number, y: number, held: Grip | undefined, group?: Group, clicks: boolean}} Press
  */
 
-import { companionsOf, halvesOf } from './attached-objects.js';
+import { attachedObjects, halvesOf } from './attached-objects.js';
 import { listenToZoom } from './zoom.js';
 
 /** Maximum time between two events of one movement [ms]. */
 const PAUSE_MS = 200;
 
-/** Maximum speed of the gas that a pointer carries along [m/s]. */
+/** Maximum speed of the gas that a pointer moves along [m/s]. */
 const MAX_SPEED = 20;
 
 /** Maximum movement of a click, and minimum half-width of a source's grip area [px]. */
 const CLICK_PX = 6;
 const GRIP_PX = 16;
 
-/** The largest place of a solid [m]. */
-const FARTHEST = 10;
+/** The largest coordinate of a solid [m]. */
+const MAX_COORDINATE = 10;
 
 /** Sparks of a click. */
 const SPARKS = 24;
@@ -38,9 +39,15 @@ const OTHERS = '.panel, .tools, .message, a, button, input, select, textarea, la
  */
 export function listenToPointer(session, signal) {
   const { fire, view: { root } } = session;
-  /** The last position of each pointer; there are several with several fingers. @type {Map<number, Point & {time: number}>} */
+  /**
+   * The last position of each pointer; there are several with several fingers.
+   * @type {Map<number, Point & {time: number}>}
+   */
   const last = new Map();
-  /** Where each was pressed, and its distance from the middle of the source that it holds [m]. @type {Map<number, Press>} */
+  /**
+   * Where each was pressed, and its distance from the middle of the source that it drags [m].
+   * @type {Map<number, Press>}
+   */
   const pressed = new Map();
 
   /** Its position in the element [px] and in the domain [m]. */
@@ -69,10 +76,10 @@ export function listenToPointer(session, signal) {
     const half = (fire.toPixels(source.x + source.half, source.y)?.x ?? base.x) - base.x;
     const near = Math.abs(x - base.x) <= Math.max(half, GRIP_PX) && Math.abs(y - base.y) <= GRIP_PX;
     // The box of another shape may be mostly empty.
-    const onThing = () => companionsOf(fire).some((solid) => (
+    const isOnAttached = () => attachedObjects(fire).some((solid) => (
       /^(line|box|circle)$/.test(solid.shape) && solid.kind === 'solid' && isOn(solid, { x: metres.x - solid.x, y: metres.y - solid.y }, 0)
     ));
-    return near || onThing() ? { x: metres.x - source.x, y: 0 } : undefined;
+    return near || isOnAttached() ? { x: metres.x - source.x, y: 0 } : undefined;
   };
 
   const movesPicture = listenToZoom(session, isForFire, signal);
@@ -81,7 +88,7 @@ export function listenToPointer(session, signal) {
     if (event.button !== 0 || !isForFire(event)) return;
     const { x, y, inside } = locate(event);
     if (!inside) return;
-    // What moves the picture holds nothing and is no click.
+    // A pointer that moves the picture neither drags nor clicks.
     if (movesPicture(event)) return pressed.clear();
     const held = grip(event);
     pressed.set(event.pointerId, { x, y, held, clicks: true });
@@ -101,16 +108,16 @@ export function listenToPointer(session, signal) {
     const visible = within(metres.x - held.x, upper.x, lower.x);
     if (held.id !== undefined) {
       const y = within(metres.y - held.y, lower.y, upper.y);
-      const place = { x: rounded(visible, FARTHEST), y: rounded(y, FARTHEST) };
-      session.call('changeObject', held.id, place, 'pointer').catch(() => {});
+      const position = { x: rounded(visible, MAX_COORDINATE), y: rounded(y, MAX_COORDINATE) };
+      session.call('changeObject', held.id, position, 'pointer').catch(() => {});
       return;
     }
     const x = rounded(visible, Math.min(sourceOf(fire.params).max, 3));
-    press.group ??= { start: sourceOf(fire.params).x, all: companionsOf(fire) };
+    press.group ??= { start: sourceOf(fire.params).x, all: attachedObjects(fire) };
     session.call('set', { source_x: x }, 'pointer').catch(() => {});
     for (const object of press.group.all) {
-      const place = { x: rounded(object.x + x - press.group.start, FARTHEST) };
-      session.call('changeObject', object.id, place, 'pointer').catch(() => {});
+      const position = { x: rounded(object.x + x - press.group.start, MAX_COORDINATE) };
+      session.call('changeObject', object.id, position, 'pointer').catch(() => {});
     }
   };
   const follow = (/** @type {PointerEvent} */ event) => {
@@ -149,8 +156,8 @@ export function listenToPointer(session, signal) {
       session.send('sparks', metres.x, metres.y, SPARKS);
     }
   };
-  // A drag of the source selects no text. A finger still scrolls the page: `touch-action` tells a
-  // scroll from a drag.
+  // A drag of the source selects no text. A finger still scrolls the page: `touch-action`
+  // separates a scroll from a drag.
   const hold = (/** @type {MouseEvent} */ event) => {
     if (grip(event) !== undefined) event.preventDefault();
   };
@@ -165,7 +172,7 @@ export function listenToPointer(session, signal) {
 }
 
 /**
- * The source as the engine places it: middle and height of its base, half of its width, and its maximum
+ * The source as the engine positions it: middle and height of its base, half of its width, and its maximum
  * distance from the middle of the domain [m].
  * @param {import('../../parameters.js').HearthParameters} params
  */
@@ -182,13 +189,19 @@ function sourceOf(params) {
   };
 }
 
-/** The solid that the first source is on; undefined if the source is a line. @param {import('../../hearth-fire.js').HearthFire} fire */
+/**
+ * The solid that the first source is on; undefined if the source is a line.
+ * @param {import('../../hearth-fire.js').HearthFire} fire
+ */
 function solidOf({ params, objects }) {
   if (params.source_shape !== 'solid') return undefined;
   return /** @type {any[]} */ (objects).find(({ kind, id }) => kind === 'solid' && id === params.source_solid);
 }
 
-/** Whether a point relative to the centre of a solid is in the box of the solid, or so near to it. @type {(solid: any, from: Point, near: number) => boolean} */
+/**
+ * Whether a point relative to the centre of a solid is in the box of the solid, or so near to it.
+ * @type {(solid: any, from: Point, near: number) => boolean}
+ */
 function isOn(solid, { x, y }, near) {
   const turn = solid.shape === 'circle' ? 0 : (solid.angle * Math.PI) / 180;
   const [along, across] = [x * Math.cos(turn) + y * Math.sin(turn), y * Math.cos(turn) - x * Math.sin(turn)].map(Math.abs);

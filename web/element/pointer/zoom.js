@@ -21,12 +21,12 @@ export function listenToZoom({ fire, view }, isForFire, signal) {
   /** The positions of the fingers, and of a mouse with Shift. @type {Map<number, {x: number, y: number}>} */
   const moving = new Map();
 
-  /** The place of a position in the picture: shares from the left and from below. */
+  /** A position in the picture as shares from the left and from below. */
   const share = (/** @type {{x: number, y: number}} */ { x, y }) => {
     const { left, bottom, width, height } = /** @type {HTMLCanvasElement} */ (view.canvas).getBoundingClientRect();
     return [(x - left) / width, (bottom - y) / height];
   };
-  /** Enlarges the picture; what was at the place `from` comes to the place `to`. */
+  /** Enlarges the picture; what was at the share `from` moves to the share `to`. */
   const enlarge = (/** @type {number} */ factor, /** @type {number[]} */ from, to = from) => {
     const { zoom, panX, panY } = view.camera;
     const next = Math.max(1, Math.min(view.maxZoom, zoom * factor));
@@ -51,7 +51,7 @@ export function listenToZoom({ fire, view }, isForFire, signal) {
   fire.addEventListener('wheel', (event) => {
     if (!event.ctrlKey || !isForFire(event) || !view.canvas) return;
     const pixels = event.deltaY * (event.deltaMode ? LINE_PX : 1);
-    // A picture that is not enlarged leaves the rest to the page.
+    // The page gets the wheel over a picture that is not enlarged.
     if (enlarge(PER_PIXEL ** -pixels, share({ x: event.clientX, y: event.clientY })) || view.camera.zoom > 1) event.preventDefault();
   }, { signal, passive: false });
   fire.addEventListener('pointerdown', (event) => {

@@ -15,7 +15,10 @@ export class OnDemandCode {
   #css;
   /** @type {Promise<void> | undefined} */
   #cssLoading;
-  /** The children that are objects, once their code is loaded. @type {import('../children/children.js').Children | undefined} */
+  /**
+   * The children that are objects, once their code is loaded.
+   * @type {import('../children/children.js').Children | undefined}
+   */
   #children;
   /** @type {Promise<void> | undefined} */
   #childrenLoading;
@@ -80,7 +83,10 @@ export class OnDemandCode {
     this.#children?.report(message);
   }
 
-  /** Refused values, which name the child if a child has sent them. @type {(errors: Refusal[], call: Promise<unknown> | undefined) => Refusal[]} */
+  /**
+   * Refused values, which name the child if a child has sent them.
+   * @type {(errors: Refusal[], call: Promise<unknown> | undefined) => Refusal[]}
+   */
   named(errors, call) {
     return this.#children?.named(errors, call) ?? errors;
   }
@@ -98,7 +104,10 @@ export class OnDemandCode {
     this.#css?.burning(burning);
   }
 
-  /** Sets the custom properties of light, or removes them. @type {(power?: number, values?: import('../../parameters.js').HearthParameters) => void} */
+  /**
+   * Sets the custom properties of light, or removes them.
+   * @type {(power?: number, values?: import('../../parameters.js').HearthParameters) => void}
+   */
   setLight(power, values) {
     this.#css?.light(power, values);
   }

@@ -13,13 +13,16 @@ export class Playback {
   #still = false;
   /** Whether the fire plays because the visitor pressed the button, despite that preference. */
   #stoppable = false;
-  /** The button, once it is loaded. @type {Promise<import('../controls/playback-button.js').PlaybackButton> | undefined} */
+  /**
+   * The button, once it is loaded.
+   * @type {Promise<import('../controls/playback-button.js').PlaybackButton> | undefined}
+   */
   #button;
   paused = false;
 
   /**
    * @param {import('./session.js').FireSession} session
-   * @param {(paused: boolean) => Promise<void>} changed tells the engine
+   * @param {(paused: boolean) => Promise<void>} changed sends it to the engine
    */
   constructor(session, changed) {
     this.#session = session;

@@ -24,13 +24,19 @@ export class Reports {
     this.#fire.dispatchEvent(new CustomEvent(type, { detail }));
   }
 
-  /** Reports an error as a warning in the console and as an event. @type {(kind: string, message: string, more?: object) => void} */
+  /**
+   * Reports an error as a warning in the console and as an event.
+   * @type {(kind: string, message: string, more?: object) => void}
+   */
   warn(kind, message, more) {
     console.warn(`<hearth-fire>: ${message}`);
     this.failure(kind, message, more);
   }
 
-  /** Reports an error as an event, by default with what shows the same fire to a maintainer. @type {(kind: string, message: string, more?: object) => void} */
+  /**
+   * Reports an error as an event, by default with what shows the same fire to a maintainer.
+   * @type {(kind: string, message: string, more?: object) => void}
+   */
   failure(kind, message, more = this.#same()) {
     this.emit('error', { kind, message, ...more });
   }

@@ -8,7 +8,8 @@
  *
  * @typedef {import('../../engine/engine.js').Call} Call
  * @typedef {{id: string, value: unknown, message: string, min?: number, max?: number}} Refusal
- * @typedef {{promise: Promise<any>, resolve: (value?: unknown) => void, reject: (error: Error) => void, failed: boolean}} Deferred
+ * @typedef {{promise: Promise<any>, resolve: (value?: unknown) => void, reject: (error: Error) => void, failed:
+ *   boolean}} Deferred
  */
 
 /**

@@ -255,7 +255,7 @@ export class FireSession {
    */
   #present(connection) {
     if (!this.#ready.awaited || !this.drawable || !(connection.pictured || connection.unseen)) return;
-    // Later fires of this element are as warm as its attribute says.
+    // Later fires of this element are as warm as its attribute.
     if (this.#returns) this.send('warm', this.fire.warm);
     this.#returns = false;
     const { announced } = this.#ready;
@@ -300,7 +300,7 @@ export class FireSession {
       this.code.adopt();
       this.code.reportToChildren(message);
     } else if (type === 'changed') {
-      // Values of a saved picture alone are nobody else's.
+      // These values apply to a saved picture alone.
       if (message.source === 'picture') return;
       state.take(message);
       this.code.reportToChildren(message);

@@ -140,11 +140,11 @@ class Transitions {
     /** @type {Promise<unknown>} */
     let last = Promise.resolve();
     let wake = () => {};
-    const step = (/** @type {number} */ part) => {
+    const step = (/** @type {number} */ progress) => {
       const free = [...transition.ids].filter((id) => !transition.held.includes(id));
       // A call that sets a value after its last step does not interrupt the transition.
-      if (part === 1) for (const id of free) transition.ids.delete(id);
-      const values = free.map((id) => [id, part === 1 ? transition.to[id] : this.#between(id, from[id], transition.to[id], part)]);
+      if (progress === 1) for (const id of free) transition.ids.delete(id);
+      const values = free.map((id) => [id, progress === 1 ? transition.to[id] : this.#between(id, from[id], transition.to[id], progress)]);
       if (free.length > 0) last = set(Object.fromEntries(values));
     };
     transition.end = () => {
@@ -174,13 +174,13 @@ class Transitions {
     }
   }
 
-  /** @type {(id: string, from: any, to: any, part: number) => unknown} */
-  #between(id, from, to, part) {
+  /** @type {(id: string, from: any, to: any, progress: number) => unknown} */
+  #between(id, from, to, progress) {
     if (typeof from === 'number') {
-      return LOGARITHMIC.includes(id) ? from * (to / from) ** part : from + (to - from) * part;
+      return LOGARITHMIC.includes(id) ? from * (to / from) ** progress : from + (to - from) * progress;
     }
     const { hexOf, fire } = this.#session;
-    const hex = hexOf(`color-mix(in oklab, ${to} ${part * 100}%, ${from})`, fire);
+    const hex = hexOf(`color-mix(in oklab, ${to} ${progress * 100}%, ${from})`, fire);
     // Browsers before 2023 have no `color-mix`.
     return isColour(hex) ? hex : from;
   }
@@ -196,9 +196,9 @@ function isColour(value) {
   return /^(#|transparent$)/.test(String(value));
 }
 
-/** An easing may overshoot; the engine would refuse values out of range. @param {number} part */
-function clamped(part) {
-  return Math.min(Math.max(part, 0), 1);
+/** An easing may overshoot; the engine would refuse values out of range. @param {number} progress */
+function clamped(progress) {
+  return Math.min(Math.max(progress, 0), 1);
 }
 
 /** @type {(values: Values, ids: string[]) => Values} */

@@ -117,9 +117,9 @@ export function ticks(min, max, whole) {
   let best = [];
   let widest = Infinity;
   for (let power = Math.ceil(Math.log10(span)); power > Math.log10(span) - 2; power -= 1) {
-    for (const part of [5, 2, 1]) {
+    for (const digit of [5, 2, 1]) {
       // Dividing by a power of ten rounds less than multiplying by its inverse.
-      const step = power < 0 ? part / 10 ** -power : part * 10 ** power;
+      const step = power < 0 ? digit / 10 ** -power : digit * 10 ** power;
       const first = Math.ceil((min + TICK_MARGIN * span) / step);
       const last = Math.floor((max - TICK_MARGIN * span) / step);
       const count = last - first + 1;
@@ -141,9 +141,9 @@ export function formatNumber(value) {
   const sign = value < 0 ? '−' : '';
   const digits = Number(size.toPrecision(4));
   if (digits !== 0 && (digits < 1e-3 || digits >= 1e7)) {
-    const [part, power] = digits.toExponential().split('e');
+    const [mantissa, power] = digits.toExponential().split('e');
     const raised = power.replace('+', '').replace('-', '⁻').replace(/\d/g, (digit) => SUPERSCRIPTS[Number(digit)]);
-    return `${sign}${part === '1' ? '' : `${part}·`}10${raised}`;
+    return `${sign}${mantissa === '1' ? '' : `${mantissa}·`}10${raised}`;
   }
   const text = String(digits);
   return sign + (digits < 1e4 ? text : text.replace(/\B(?=(\d{3})+$)/g, '\u202f'));

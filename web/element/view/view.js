@@ -1,6 +1,6 @@
 /**
  * The shadow tree of `<hearth-fire>`: canvas, poster, and the message for a browser that cannot show
- * the fire. Code that is loaded on request adds parts of its own, with their styles.
+ * the fire. Code that is loaded on request adds elements and their styles.
  */
 
 import { setOrRemove } from '../attributes/attributes.js';
@@ -37,7 +37,10 @@ canvas { display: block; }
 .root:not([data-state='failed']) .message { display: none; }
 `;
 
-/** The constructed style sheets of each document, by their text. @type {WeakMap<Document, Map<string, CSSStyleSheet>>} */
+/**
+ * The constructed style sheets of each document, by their text.
+ * @type {WeakMap<Document, Map<string, CSSStyleSheet>>}
+ */
 const SHEETS = new WeakMap();
 
 /**

@@ -11,12 +11,12 @@ const OF_PLACE = QUANTITIES.length + 1;
  * @returns {import('./element/types.js').HearthMeasures}
  */
 export function measuresOf(numbers, y) {
-  const [seconds, rest, height, power, flameHeight, luminosity, ...places] = Array.from(numbers);
+  const [seconds, fraction, height, power, flameHeight, luminosity, ...places] = Array.from(numbers);
   const rows = places.length / OF_PLACE - 1;
   const [place, ...profile] = Array.from({ length: rows + 1 }, (_, row) => {
     const read = places.slice(OF_PLACE * row);
     const known = QUANTITIES.map((name, at) => [name, read[at]]).filter(([, value]) => !Number.isNaN(value));
     return { y: row ? (height * (row - 0.5)) / rows : y, gas: known.length > 0, solid: read[OF_PLACE - 1] < 0, ...Object.fromEntries(known) };
   });
-  return { time: seconds + rest, ...(Number.isNaN(power) ? {} : { power }), flameHeight, luminosity, place, profile };
+  return { time: seconds + fraction, ...(Number.isNaN(power) ? {} : { power }), flameHeight, luminosity, place, profile };
 }

@@ -4,7 +4,7 @@
  * `mountPanel` makes a canvas in `host`, loads the panel's wasm on demand, and adds the accessible
  * controls, which are native controls of the page (panel/accessible-controls.js). If the panel cannot
  * start, a message gives the reason and the accessible controls become visible instead. In the shadow root
- * of its own fire the panel places itself and can be folded away.
+ * of its own fire the panel has a position of its own and can be folded.
  */
 
 import { mountAccessibleControls } from './panel/accessible-controls.js';

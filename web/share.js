@@ -109,14 +109,14 @@ export function elementCode(config, scriptUrl) {
  * @param {string | URL} embedUrl  The absolute URL of `embed.html`.
  */
 export function iframeCode(config, embedUrl) {
-  const parts = [
+  const attributes = [
     attribute('src', urlOf(embedUrl, toQuery(config))),
     attribute('width', String(SIZE.width)),
     attribute('height', String(SIZE.height)),
     // An iframe with another colour scheme than its page gets an opaque background.
     'style="border: 0; color-scheme: light" loading="lazy" title="A fire"',
   ];
-  return `<iframe ${parts.join(' ')}></iframe>`;
+  return `<iframe ${attributes.join(' ')}></iframe>`;
 }
 
 /**

@@ -105,11 +105,11 @@ function filled(report) {
 /** @param {Report} report */
 export function toMarkdown(report) {
   const line = (/** @type {string[]} */ cells) => `| ${cells.join(' | ')} |`;
-  const parts = filled(report).map(({ title, cells: [names, ...rows] }) => (
+  const tables = filled(report).map(({ title, cells: [names, ...rows] }) => (
     [`**${title}**`, '', line(names), `|${'--:|'.repeat(names.length)}`, ...rows.map(line)].join('\n')
   ));
   const failed = report.speeds.flatMap(({ count, model, failed: why }) => (why ? [`- ${count}, ${model}: ${why}`] : []));
-  return [`Measured with ${machineOf(report.machine)}.`, ...parts, ...(failed.length > 0 ? [failed.join('\n')] : []), '']
+  return [`Measured with ${machineOf(report.machine)}.`, ...tables, ...(failed.length > 0 ? [failed.join('\n')] : []), '']
     .join('\n\n').trimEnd().concat('\n');
 }
 

@@ -83,8 +83,8 @@ function named(list, all) {
 
 /** The query that names a choice; empty for all rows. @param {Choice} choice */
 export function queryOf(choice) {
-  const parts = /** @type {(keyof Choice)[]} */ (Object.keys(NAMES))
+  const terms = /** @type {(keyof Choice)[]} */ (Object.keys(NAMES))
     .filter((key) => choice[key].length < ALL[key].length)
     .map((key) => `${NAMES[key]}=${choice[key].join(',')}`);
-  return parts.length > 0 ? `?${parts.join('&')}` : '';
+  return terms.length > 0 ? `?${terms.join('&')}` : '';
 }

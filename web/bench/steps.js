@@ -119,8 +119,8 @@ export async function combustionSteps(count, pause) {
 }
 
 /**
- * The median times of a step of each [ms]. They run in turn, a batch of each, so that the fast and slow phases of a
- * machine meet all of them.
+ * The median times of a step of each [ms]. They run in turn, a batch of each, so that fast and slow phases of a
+ * machine affect all of them.
  * @param {Stepper[]} fires
  * @param {() => Promise<void>} pause  Lets the page show something; throws once it is cancelled.
  */

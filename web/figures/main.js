@@ -1,6 +1,6 @@
 /**
  * The page of the paper's figures. A figure is measured when it first comes into sight, by the library, so its numbers
- * are the same on every machine; a fire out of sight rests.
+ * are the same on every machine; a fire out of sight does not run.
  */
 
 import '../hearth-fire.js';

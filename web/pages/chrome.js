@@ -1,6 +1,6 @@
 /**
  * The chrome around the fire fades after a time without input and returns with the next input. The
- * attribute `data-chrome` holds the state, and CSS does the rest.
+ * attribute `data-chrome` is the state; CSS fades the chrome.
  */
 
 /** The time without input after which the chrome fades [ms]. */
@@ -9,8 +9,8 @@ const IDLE_MS = 6000;
 /** The events that bring the chrome back. */
 const INPUT = ['pointermove', 'pointerdown', 'keydown', 'focusin', 'wheel', 'touchstart'];
 
-/** What keeps the chrome: an open dialog, the pointer or the keyboard's focus in it. */
-const HELD = 'dialog[open], #head:hover, #scenes:hover, #head :focus-visible, #scenes :focus-visible';
+/** What keeps the chrome visible: an open dialog, the pointer or the keyboard's focus in it. */
+const KEEPS = 'dialog[open], #head:hover, #scenes:hover, #head :focus-visible, #scenes :focus-visible';
 
 /**
  * Starts to observe input.
@@ -24,15 +24,15 @@ export function fadeChrome(root) {
     planned = undefined;
     const left = last + IDLE_MS - performance.now();
     if (left > 0) planned = setTimeout(check, left);
-    else if (root.querySelector(HELD)) planned = setTimeout(check, IDLE_MS);
+    else if (root.querySelector(KEEPS)) planned = setTimeout(check, IDLE_MS);
     else root.dataset.chrome = 'back';
   };
-  const wake = () => {
+  const show = () => {
     last = performance.now();
     root.dataset.chrome = 'near';
     if (planned === undefined) planned = setTimeout(check, IDLE_MS);
   };
-  for (const name of INPUT) root.addEventListener(name, wake, { passive: true, capture: true });
-  document.addEventListener('fullscreenchange', wake);
-  wake();
+  for (const name of INPUT) root.addEventListener(name, show, { passive: true, capture: true });
+  document.addEventListener('fullscreenchange', show);
+  show();
 }

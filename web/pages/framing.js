@@ -1,5 +1,5 @@
 /**
- * The framing of scenes whose things are as wide as their frame: a narrow stage would cut a word to two
+ * The fit of scenes whose objects are as wide as the domain: a narrow stage would cut a word to two
  * letters. The other scenes fill the height of the stage, and their fire is large on a phone too.
  */
 
@@ -12,10 +12,10 @@ export const WHOLE = ['burning-word', 'curtains', 'fireplace', 'house-of-cards',
  */
 export function frameScenes(fire) {
   if (fire.hasAttribute('fit')) return;
-  const frame = () => {
+  const fit = () => {
     if (WHOLE.includes(fire.preset)) fire.fit = 'contain';
     else fire.removeAttribute('fit');
   };
-  fire.addEventListener('params-change', frame);
-  frame();
+  fire.addEventListener('params-change', fit);
+  fit();
 }

@@ -15,19 +15,19 @@ const TOUCH = 'Swipe to blow, tap for sparks, drag the fire';
 
 /**
  * Shows the hint if this browser has not shown it before and the fire plays.
- * @param {HTMLElement} place
+ * @param {HTMLElement} element
  * @param {import('../hearth-fire.js').HearthFire} fire
  */
-export function showHint(place, fire) {
+export function showHint(element, fire) {
   // A fire that is paused for reduced motion does not react to a pointer.
   if (recall('hint') || fire.paused || !fire.interactive) return;
   remember('hint', 'shown');
-  place.textContent = matchMedia('(pointer: coarse)').matches ? TOUCH : MOUSE;
+  element.textContent = matchMedia('(pointer: coarse)').matches ? TOUCH : MOUSE;
   const ended = new AbortController();
   const end = () => {
     ended.abort();
     clearTimeout(ends);
-    place.replaceChildren();
+    element.replaceChildren();
   };
   const ends = setTimeout(end, HINT_MS);
   let moved = 0;

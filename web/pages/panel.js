@@ -82,8 +82,8 @@ export class PagePanel {
     const { key, ctrlKey, metaKey, altKey, shiftKey, repeat } = event;
     if (ctrlKey || metaKey || altKey || repeat || event.defaultPrevented || isTyping(event)) return;
     const [target, ...around] = event.composedPath();
-    const near = [document.body, this.#root, this.#toggle].some((place) => place === target)
-      || [this.#host, this.#fire].some((place) => around.includes(place) || place === target);
+    const near = [document.body, this.#root, this.#toggle].some((element) => element === target)
+      || [this.#host, this.#fire].some((element) => around.includes(element) || element === target);
     if (!near || shortcutsOff(this.#host, this.#fire)) return;
     if (key.toLowerCase() === 'h') this.#choose(!this.#shown);
     // The panel handles the other keys once it is loaded.

@@ -40,11 +40,11 @@ const DEFAULT_MODEL = /** @type {ModelName} */ (PARAMETERS.find(({ id }) => id =
  */
 
 /**
- * @param {object} parts
- * @param {HTMLElement} parts.host
- * @param {HearthFire} parts.fire  The source of the values.
- * @param {import('./controller.js').PanelController} parts.controller  The receiver of the commands.
- * @param {(id: string) => void} parts.reveal  Scrolls the panel to a parameter, or opens a group of buttons.
+ * @param {object} options
+ * @param {HTMLElement} options.host
+ * @param {HearthFire} options.fire  The source of the values.
+ * @param {import('./controller.js').PanelController} options.controller  The receiver of the commands.
+ * @param {(id: string) => void} options.reveal  Scrolls the panel to a parameter, or opens a group of buttons.
  * @returns {AccessibleControls}
  */
 export function mountAccessibleControls({ host, fire, controller, reveal }) {

@@ -19,14 +19,14 @@ export const OBJECTS = 'Objects';
  */
 
 /**
- * @param {object} parts
- * @param {HTMLElement} parts.root
- * @param {import('../hearth-fire.js').HearthFire} parts.fire
- * @param {import('./controller.js').PanelController} parts.controller
- * @param {(id: string) => void} parts.reveal
+ * @param {object} options
+ * @param {HTMLElement} options.root
+ * @param {import('../hearth-fire.js').HearthFire} options.fire
+ * @param {import('./controller.js').PanelController} options.controller
+ * @param {(id: string) => void} options.reveal
  * @param {(action: string, text: string, press: () => unknown, parent: HTMLElement) => HTMLButtonElement}
- *   parts.addButton
- * @param {Map<string, HTMLElement>} parts.counterparts  The controls by the names of their counterparts on the panel.
+ *   options.addButton
+ * @param {Map<string, HTMLElement>} options.counterparts  The controls by the names of their counterparts on the panel.
  * @returns {AccessibleObjects}
  */
 export function mountAccessibleObjects({ root, fire, controller, reveal, addButton, counterparts }) {

@@ -30,15 +30,15 @@ export class CardCommands {
   #card;
 
   /**
-   * @param {object} parts
-   * @param {HearthFire} parts.fire
-   * @param {HTMLElement} parts.host  The parent of the cards.
-   * @param {{page?: string | URL, script?: string | URL, embed?: string | URL}} parts.addresses  For the texts of
+   * @param {object} options
+   * @param {HearthFire} options.fire
+   * @param {HTMLElement} options.host  The parent of the cards.
+   * @param {{page?: string | URL, script?: string | URL, embed?: string | URL}} options.addresses  For the texts of
    *   copies.
-   * @param {(config: HearthConfig | string) => Promise<void>} parts.replace  Shows the fire of settings: one step.
-   * @param {<T>(act: () => T | Promise<T>) => Promise<T | undefined>} parts.attempt  Runs what the fire or the browser
+   * @param {(config: HearthConfig | string) => Promise<void>} options.replace  Shows the fire of settings: one step.
+   * @param {<T>(act: () => T | Promise<T>) => Promise<T | undefined>} options.attempt  Runs what the fire or the browser
    *   may refuse; a refusal becomes a message.
-   * @param {(done: string, message: string) => void} parts.notify  Reports success: the button, and a message.
+   * @param {(done: string, message: string) => void} options.notify  Reports success: the button, and a message.
    */
   constructor({ fire, host, addresses, replace, attempt, notify }) {
     this.#fire = fire;

@@ -65,13 +65,13 @@ export class PanelController extends EventTarget {
   hovered = () => undefined;
 
   /**
-   * @param {object} parts
-   * @param {HearthFire} parts.fire
-   * @param {HTMLElement} parts.host  The element of the panel and its cards.
-   * @param {string | URL} [parts.page]  The URL of a page that applies its URL parameters.
-   * @param {string | URL} [parts.script]  The URL of `hearth-fire.js` for other pages.
-   * @param {string | URL} [parts.embed]  The URL of `embed.html` for other pages.
-   * @param {string[]} [parts.only]  The parameters that the panel shows.
+   * @param {object} options
+   * @param {HearthFire} options.fire
+   * @param {HTMLElement} options.host  The element of the panel and its cards.
+   * @param {string | URL} [options.page]  The URL of a page that applies its URL parameters.
+   * @param {string | URL} [options.script]  The URL of `hearth-fire.js` for other pages.
+   * @param {string | URL} [options.embed]  The URL of `embed.html` for other pages.
+   * @param {string[]} [options.only]  The parameters that the panel shows.
    */
   constructor({ fire, host, page, only, script = beside('hearth-fire.js'), embed = beside('embed.html') }) {
     super();

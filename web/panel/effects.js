@@ -10,7 +10,7 @@ export const SPEED = 16;
 /** How often air and water are called for anew [ms]: one call acts for a twentieth of a second. */
 export const EVERY_MS = 40;
 
-/** Speed of the water downwards [m/s], and its mass in a call for each metre of the frame's height [g/m]. */
+/** Speed of the water downwards [m/s], and its mass in a call for each metre of the domain's height [g/m]. */
 const FALL = 3;
 const GRAMS = 4;
 

@@ -33,13 +33,13 @@ const PRESSED = 'button, summary, a[href], input[type=checkbox], input[type=radi
 
 /**
  * Starts to listen.
- * @param {object} parts
- * @param {EventTarget[]} parts.own  The panel's host, and the fire.
- * @param {boolean} parts.page  Whether the page is about this fire.
- * @param {import('../hearth-fire.js').HearthFire} parts.fire
- * @param {import('./controller.js').PanelController} parts.controller
- * @param {() => void} [parts.hide]  Hides or shows the panel, unless the page does.
- * @param {typeof import('./zoom-keys.js').zoomKey} parts.zoomKey  What a key does to the picture.
+ * @param {object} options
+ * @param {EventTarget[]} options.own  The panel's host, and the fire.
+ * @param {boolean} options.page  Whether the page is about this fire.
+ * @param {import('../hearth-fire.js').HearthFire} options.fire
+ * @param {import('./controller.js').PanelController} options.controller
+ * @param {() => void} [options.hide]  Hides or shows the panel, unless the page does.
+ * @param {typeof import('./zoom-keys.js').zoomKey} options.zoomKey  What a key does to the picture.
  * @returns {() => void} stops
  */
 export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {

@@ -5,7 +5,7 @@
 import { openCard } from './cards.js';
 import { remember, remembered } from './memory.js';
 
-/** The sizes: how many times as wide as the frame. */
+/** The sizes: multiples of the width of the picture on the page. */
 const SCALES = [1, 2, 3, 4];
 
 /** The backgrounds, by their names in `toBlob`, with their labels. */

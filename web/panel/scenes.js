@@ -18,14 +18,14 @@ import { openCard } from './cards.js';
 import { MAX_NAME } from './own-scenes.js';
 
 /**
- * @param {object} parts
- * @param {HTMLElement} parts.host
- * @param {Scene[]} parts.scenes
- * @param {(name: string) => URL | undefined} parts.pictureOf  The URL of its picture. Without one, and if it
+ * @param {object} options
+ * @param {HTMLElement} options.host
+ * @param {Scene[]} options.scenes
+ * @param {(name: string) => URL | undefined} options.pictureOf  The URL of its picture. Without one, and if it
  *   does not load, the tile shows the label alone.
- * @param {() => string} parts.current  The name of the current scene.
- * @param {(name: string) => void} parts.choose
- * @param {Own} parts.own
+ * @param {() => string} options.current  The name of the current scene.
+ * @param {(name: string) => void} options.choose
+ * @param {Own} options.own
  * @returns {import('./cards.js').Card & {mark: () => void}}
  */
 export function showScenes({ host, scenes, pictureOf, current, choose, own }) {

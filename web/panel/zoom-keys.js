@@ -8,7 +8,7 @@ const STEP = 1.25;
 const MOST = 10;
 const MOVE = 0.1;
 
-/** The place that the first step enlarges, from the left and from below: flames are below the middle. */
+/** The position that the first step enlarges, from the left and from below: flames are below the middle. */
 const FIRST = [0.5, 0.25];
 
 /** Where an arrow key moves the view. @type {{[key: string]: [number, number]}} */
@@ -48,7 +48,7 @@ export function zoomKey(fire, { key, shiftKey }) {
 }
 
 /**
- * The place of the view in what is hidden, from the left and from below, 0–1.
+ * The position of the view in what is hidden, from the left and from below, 0–1.
  * @param {import('../hearth-fire.js').HearthFire} fire
  */
 function panOf(fire) {

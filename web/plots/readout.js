@@ -8,7 +8,7 @@
 
 import { element } from '../element/controls/icon-button.js';
 
-/** Distance of the values from the place, and of both from the edges [px]. */
+/** Distance of the values from the ring, and of both from the edges [px]. */
 const BESIDE = 18;
 const EDGE = 8;
 
@@ -79,7 +79,7 @@ export class Readout {
     const [before, behind] = [x - BESIDE - across, x + BESIDE];
     const isLeft = left ? before >= EDGE : behind + across + EDGE > width;
     const along = Math.max(EDGE, Math.min(isLeft ? before : behind, width - across - EDGE));
-    // Above the place, or a finger would cover them.
+    // Above the ring, or a finger would cover them.
     const top = Math.max(EDGE, Math.min(y - BESIDE - up, height - up - EDGE));
     this.#list.style.translate = `${along.toFixed(1)}px ${top.toFixed(1)}px`;
   }

@@ -143,7 +143,7 @@ export class Edits {
 
   /**
    * Changes of objects, within the ranges of the properties: one that is refused would leave the others. A free
-   * solid gets all of its place, and one that a pointer holds does not fall.
+   * solid gets its whole pose, and one that a pointer drags does not fall.
    * @type {(objects: Fields[], fields: Drawn[], held?: boolean) => Map<number, Drawn>}
    */
   changes(objects, fields, held = false) {

@@ -4,7 +4,7 @@
  *
  * @typedef {{x: number, y: number}} Point  [m], y upwards
  * @typedef {{[name: string]: any}} Fields  Properties of an object.
- * @typedef {Fields & Point} Placed  Those of an object at a place.
+ * @typedef {Fields & Point} Placed  Those of an object with a position.
  */
 
 import { boxOf } from '../panel/objects.js';
@@ -117,9 +117,9 @@ function outlined(points) {
 export function simplified(path, error) {
   const kept = new Set([0]);
   if (path.some((point) => apart(point, path[0]) > error)) kept.add(path.length - 1);
-  const parts = [[0, path.length - 1]];
-  for (let part = parts.pop(); part; part = parts.pop()) {
-    const [from, to] = part;
+  const segments = [[0, path.length - 1]];
+  for (let segment = segments.pop(); segment; segment = segments.pop()) {
+    const [from, to] = segment;
     let [farthest, most] = [0, error];
     for (let at = from + 1; at < to; at += 1) {
       const away = fromSegment(path[at], path[from], path[to]);
@@ -127,7 +127,7 @@ export function simplified(path, error) {
     }
     if (!farthest) continue;
     kept.add(farthest);
-    parts.push([from, farthest], [farthest, to]);
+    segments.push([from, farthest], [farthest, to]);
   }
   return [...kept].sort((a, b) => a - b).map((at) => path[at]);
 }
@@ -140,7 +140,7 @@ function fromSegment(point, a, b) {
   return apart(point, { x: a.x + share * (b.x - a.x), y: a.y + share * (b.y - a.y) });
 }
 
-/** The points of a polygon or a stroke, relative to its place. @param {Fields} object @returns {Point[]} */
+/** The points of a polygon or a stroke, relative to its position. @param {Fields} object @returns {Point[]} */
 function pointsOf({ points = '' }) {
   const all = (String(points).match(/[-+.\de]+/g) ?? []).map(Number);
   return Array.from({ length: all.length >> 1 }, (_, at) => ({ x: all[2 * at], y: all[2 * at + 1] }));

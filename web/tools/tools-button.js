@@ -4,13 +4,13 @@
 
 /**
  * Lets a button show and hide the toolbar.
- * @param {object} parts
- * @param {HTMLElement} parts.button
- * @param {HTMLElement} parts.host  Gets the toolbar.
- * @param {import('../hearth-fire.js').HearthFire} parts.fire
- * @param {boolean} [parts.page]  Whether the page is about this fire.
- * @param {(shown: boolean) => void} [parts.shown]
- * @param {(why: unknown) => void} parts.failed
+ * @param {object} options
+ * @param {HTMLElement} options.button
+ * @param {HTMLElement} options.host  Gets the toolbar.
+ * @param {import('../hearth-fire.js').HearthFire} options.fire
+ * @param {boolean} [options.page]  Whether the page is about this fire.
+ * @param {(shown: boolean) => void} [options.shown]
+ * @param {(why: unknown) => void} options.failed
  * @returns {() => void} removes the toolbar
  */
 export function offerTools({ button, host, fire, page, shown = () => {}, failed }) {

@@ -226,7 +226,7 @@ export class Children {
   }
 
   /**
-   * The settings have another source: a child takes its place.
+   * The settings have another source, which a child replaces.
    * @type {(child: Child, objects: any[], replaced: boolean) => void}
    */
   #adopt(child, objects, replaced) {
@@ -315,7 +315,7 @@ export class Children {
 
   #follow() {
     const { view, state, fire } = this.session;
-    // Without a picture, boxes have no place in the world.
+    // Without a picture, boxes have no position in the domain.
     if (!state.started || !this.#children.some(({ of }) => of) || !fire.isConnected || !view.viewport(state.params)) return;
     for (const child of this.#children) child.followTarget();
   }

@@ -90,7 +90,7 @@ export class EngineConnection {
   }
 
   /** Where the engine runs; empty before it does. */
-  get place() {
+  get engineLocation() {
     return this.#port?.place ?? '';
   }
 

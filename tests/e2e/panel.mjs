@@ -169,7 +169,7 @@ export class Panel {
   }
 
   /** The text of the status line. */
-  said() {
+  message() {
     return this.in((root) => root.querySelector('.hearth-controls [role="status"]')?.textContent);
   }
 

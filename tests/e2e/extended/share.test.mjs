@@ -67,7 +67,7 @@ describe('the panel', () => {
   test('copies a link that opens the same fire, and reports it', async () => {
     const { tab, panel, params } = await openPage();
     const link = await copied(tab, panel, 'link');
-    assert.match(await panel.said(), /copied.*link/i);
+    assert.match(await panel.message(), /copied.*link/i);
     assert.deepEqual(Object.keys(Object.fromEntries(new URL(link).searchParams)).sort(), [
       'background', 'max-particles', 'printed-euler', 'scene', 'viscosity',
     ]);
@@ -217,7 +217,7 @@ describe('the panel', () => {
     assert.match(name, /\.png$/);
     assert.deepEqual(start, [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
     assert.ok(size > 1000, `${size} bytes`);
-    assert.match(await panel.said(), new RegExp(`saved.*${2 * width} pixels`, 'i'));
+    assert.match(await panel.message(), new RegExp(`saved.*${2 * width} pixels`, 'i'));
     assert.equal(await tab.evaluate(() => document.querySelector('[data-card="picture"]')), null, 'the card is closed');
   });
 });

@@ -2,7 +2,7 @@
  * Derives what tools and users read about `<hearth-fire>` from the JSDoc of its class:
  * `web/hearth-fire.d.ts`, `web/react.d.ts`, `web/custom-elements.json`, the names of its own
  * attributes, the reference of its methods in `docs/element.md`, and what an iframe offers to its page:
- * `web/generated/posted.js`, `web/embed-client.d.ts`, and lists in `web/embed-client.js` and
+ * `web/generated/iframe-methods.js`, `web/embed-client.d.ts`, and lists in `web/embed-client.js` and
  * `docs/iframe.md`. Prints the path of each file that was behind and is written.
  *
  * The class states its methods, accessors, events (`@fires`), slots, parts, custom properties and
@@ -16,7 +16,7 @@ import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { API, SyntaxKind } from '../xtask/scripts/typescript.mjs';
-import { clientList, clientTypes, posted, reference as iframeReference } from './element/iframe.mjs';
+import { clientList, clientTypes, iframeMethods, reference as iframeReference } from './element/iframe.mjs';
 import { manifest } from './element/manifest.mjs';
 import { reference } from './element/reference.mjs';
 import { elementTypes, reactTypes } from './element/types.mjs';
@@ -108,7 +108,7 @@ try {
     '/** The attributes that are no parameters. */',
     `export const OWN_ATTRIBUTES = [${own.map((name) => `"${name}"`).join(', ')}];\n`,
   ].join('\n'));
-  await refresh('web/generated/posted.js', posted(element));
+  await refresh('web/generated/iframe-methods.js', iframeMethods(element));
   await refresh('web/embed-client.d.ts', clientTypes(element, OPTIONS));
   await refreshPart('web/embed-client.js', ['// methods: begin', '// methods: end'], clientList(element));
   await refreshPart('docs/element.md', marks('methods'), `\n${reference(element)}\n`);

@@ -354,7 +354,7 @@ const FIRESIDE: &str = "fireside";
 
 /// The fingerprint of a scene that burns on from where it is kept; 0 where it does not.
 fn kept(name: &str, particles: Option<u32>) -> u64 {
-    let bytes = include_bytes!("../../web/burning/fireside.fire");
+    let bytes = include_bytes!("../../web/prewarmed/fireside.fire");
     let mut scene = Preset::find(name).map_or_else(Scene::default, Preset::scene);
     if let Some(number) = particles {
         let mut settings = scene.settings().clone();

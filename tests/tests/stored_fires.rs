@@ -1,4 +1,4 @@
-//! The fires that pages open with: saved simulations in `web/burning`.
+//! The fires that pages open with: saved simulations in `web/prewarmed`.
 
 use std::fs;
 use std::path::Path;
@@ -15,7 +15,7 @@ const STORED: [&str; 1] = ["fireside"];
 const BRIGHT: f32 = 1000.0;
 
 fn stored(name: &str) -> Vec<u8> {
-    let file = format!("../web/burning/{name}.fire");
+    let file = format!("../web/prewarmed/{name}.fire");
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
     fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }

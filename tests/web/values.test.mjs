@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { warmth } from '../../web/element/attributes/attributes.js';
 import { isColour, seedOf } from '../../web/element/attributes/values.js';
-import { LOGARITHMIC, WHOLE } from '../../web/generated/between.js';
+import { LOGARITHMIC, WHOLE } from '../../web/generated/interpolation.js';
 import { PARAMETERS } from '../../web/parameters.js';
 
 test('the colours are the parameters of that kind', () => {

@@ -14,7 +14,7 @@
  * @typedef {{hearth: unknown, id?: unknown, method?: unknown, args?: unknown}} Request a message that is not validated
  */
 
-import { POSTED_EVENTS, POSTED_MEMBERS } from '../generated/posted.js';
+import { POSTED_EVENTS, POSTED_MEMBERS } from '../generated/iframe-methods.js';
 import { OPTIONS } from '../pages/url-parameters.js';
 
 /** The version of these messages. */

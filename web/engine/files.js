@@ -6,7 +6,7 @@
  * single file replaces only this one.
  */
 
-import { BURNING } from '../generated/burning.js';
+import { PREWARMED } from '../generated/prewarmed.js';
 import { BURNING_MS } from './time-limit.js';
 import { trustedWorker } from './trusted-worker.js';
 
@@ -33,11 +33,11 @@ export const PARTS = {
  * @param {string} scene
  * @returns {Promise<Uint8Array | undefined>}
  */
-export async function burning(scene) {
-  if (!Object.hasOwn(BURNING, scene)) return undefined;
+export async function prewarmed(scene) {
+  if (!Object.hasOwn(PREWARMED, scene)) return undefined;
   try {
     const signal = AbortSignal.timeout(BURNING_MS);
-    const response = await fetch(BURNING[scene](), { credentials: 'same-origin', signal });
+    const response = await fetch(PREWARMED[scene](), { credentials: 'same-origin', signal });
     return response.ok ? new Uint8Array(await response.arrayBuffer()) : undefined;
   } catch {
     return undefined;

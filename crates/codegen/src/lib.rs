@@ -47,8 +47,8 @@ fn generate(checkout: &Path) -> Result<Vec<Generated>> {
         ("web/parameters.js", javascript::module(&scenes)),
         ("web/generated/table.js", javascript::table(&scenes)),
         ("web/generated/quantities.js", javascript::quantities()),
-        ("web/generated/burning.js", javascript::burning()),
-        ("web/generated/between.js", javascript::between()),
+        ("web/generated/prewarmed.js", javascript::prewarmed()),
+        ("web/generated/interpolation.js", javascript::interpolation()),
         ("web/generated/objects.js", javascript::objects(&scenes)),
         ("web/generated/properties.js", javascript::properties()),
         (

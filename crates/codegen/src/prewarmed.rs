@@ -1,5 +1,5 @@
 //! `cargo xtask prewarmed`: simulates the scenes that a page may open with, and stores each as
-//! `web/burning/NAME.fire`, from which an element with `warm` starts at once.
+//! `web/prewarmed/NAME.fire`, from which an element with `warm` starts at once.
 //!
 //! `cargo xtask codegen` does the same for a scene whose values have changed. A change of
 //! the physics needs this command; a test fails until then.
@@ -24,7 +24,7 @@ const INTERVAL: f64 = 0.05;
 const BRIGHT: f32 = 1000.0;
 
 fn file(name: &str) -> String {
-    format!("web/burning/{name}.fire")
+    format!("web/prewarmed/{name}.fire")
 }
 
 /// Simulates the scenes and stores those that differ from their files; unless `all`, only

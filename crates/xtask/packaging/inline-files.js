@@ -47,7 +47,7 @@ export function worker() {
 }
 
 /** No saved fires: the single file contains none. */
-export async function burning() {}
+export async function prewarmed() {}
 
 /** The engine's script. */
 export function glue() {

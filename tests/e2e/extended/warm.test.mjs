@@ -229,7 +229,7 @@ test('a small fire has few particles and reports it, unless their number is set'
 /** When the fire of the scene was kept [s]: its bytes say it. */
 function keptTime(tab) {
   return tab.evaluate(async () => {
-    const response = await fetch('/web/burning/fireside.fire');
+    const response = await fetch('/web/prewarmed/fireside.fire');
     return new DataView(await response.arrayBuffer()).getFloat64(24, true);
   });
 }

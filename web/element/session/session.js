@@ -8,7 +8,7 @@
  */
 
 import { EngineError } from '../../engine/engine.js';
-import { burning } from '../../engine/files.js';
+import { prewarmed } from '../../engine/files.js';
 import { ID_OF_ATTRIBUTE, setOrRemove, warmth } from '../attributes/attributes.js';
 import { EngineConnection } from './engine-connection.js';
 import { OnDemandCode } from './on-demand-code.js';
@@ -219,7 +219,7 @@ export class FireSession {
   /** Loads what a fire starts with: its file and its burning state. Waits for the last event of the fire before. */
   async #prepare() {
     const { fire } = this;
-    const state = this.#warmth() && !fire.src ? burning(fire.preset) : undefined;
+    const state = this.#warmth() && !fire.src ? prewarmed(fire.preset) : undefined;
     const file = this.state.started ? undefined : this.#file.begin();
     await this.#gone;
     await this.code.adopt(true);

@@ -21,7 +21,7 @@
  * @property {() => void} end sets all final values at once
  */
 
-import { LOGARITHMIC, WHOLE } from '../../generated/between.js';
+import { LOGARITHMIC, WHOLE } from '../../generated/interpolation.js';
 
 const ALLOWED = {
   duration: 'a number of milliseconds, 0 or more',

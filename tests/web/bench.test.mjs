@@ -50,9 +50,9 @@ describe('the results', () => {
     const text = toMarkdown(REPORT);
     assert.ok(text.startsWith(`Measured with ${machineOf(REPORT.machine)}.\n\n`));
     assert.ok(text.endsWith('- 30000, combustion: there is no memory\n'));
-    for (const part of text.split('\n\n').filter((one) => one.startsWith('|'))) {
-      const widths = part.split('\n').map((line) => line.split('|').length);
-      assert.equal(new Set(widths).size, 1, part);
+    for (const table of text.split('\n\n').filter((block) => block.startsWith('|'))) {
+      const widths = table.split('\n').map((line) => line.split('|').length);
+      assert.equal(new Set(widths).size, 1, table);
     }
   });
 

@@ -51,7 +51,7 @@ test('a slider goes from one end to the other, evenly or by ratios', () => {
 test('every compared fire has values that its scene and its slider can have', () => {
   for (const [figure, cells] of Object.entries(COMPARISONS)) {
     for (const { preset, parameter, values, from } of cells) {
-      for (const id of Object.keys(values)) assert.ok(PARAMETERS.some((one) => one.id === id), `${figure}: ${id}`);
+      for (const id of Object.keys(values)) assert.ok(PARAMETERS.some((entry) => entry.id === id), `${figure}: ${id}`);
       if (!parameter) continue;
       const highest = valueIn(preset, parameter);
       const value = values[parameter] ?? highest;

@@ -6,7 +6,7 @@ import {
   snapped, snapTo, sourceBetween, strokeAlong, turned,
 } from '../../web/tools/geometry.js';
 
-const near = (one, other) => Math.hypot(one.x - other.x, one.y - other.y) < 2e-3;
+const near = (a, b) => Math.hypot(a.x - b.x, a.y - b.y) < 2e-3;
 
 test('a box lies between its corners, whichever comes first, and has an area', () => {
   const corners = [{ x: -0.2, y: 0.5 }, { x: 0.1, y: 0.1 }];
@@ -96,12 +96,12 @@ for (const object of OBJECTS) {
       assert.deepEqual(turned(object, { x: object.x + 0.1, y: object.y + 1 }, true), { angle: 0 });
     }
     const after = { ...object, ...moved(object, { x: 0, y: 0 }, { x: 0.3, y: -0.1 }) };
-    const [before, now] = [object, after].map((one) => outlineOf(one).points);
+    const [before, now] = [object, after].map((fields) => outlineOf(fields).points);
     for (const [at, point] of now.entries()) assert.ok(near(point, { x: before[at].x + 0.3, y: before[at].y - 0.1 }));
   });
 
   test(`scaling scales the outline: ${name}`, () => {
-    const [before, now] = [object, { ...object, ...scaled(object, 1.5) }].map((one) => outlineOf(one).points);
+    const [before, now] = [object, { ...object, ...scaled(object, 1.5) }].map((fields) => outlineOf(fields).points);
     for (const [at, point] of now.entries()) {
       assert.ok(near(point, { x: object.x + 1.5 * (before[at].x - object.x), y: object.y + 1.5 * (before[at].y - object.y) }));
     }

@@ -31,7 +31,7 @@ for (const preset of PRESETS) {
       const values = randomValues(fire, numbers(seed * 7_919));
       seen.add(JSON.stringify(values));
       for (const [id, value] of Object.entries(values)) {
-        const { min, max } = PARAMETERS.find((one) => one.id === id).domains[fire.params.model] ?? {};
+        const { min, max } = PARAMETERS.find((entry) => entry.id === id).domains[fire.params.model] ?? {};
         if (typeof value === 'number') assert.ok(value >= min && value <= max, `${id} = ${value}`);
       }
       const power = fire.params.fuel_power;

@@ -25,7 +25,7 @@ const CONFIGS = [
   { hearth: 1, values: {} },
   ...PRESETS.map(({ name }) => ({ hearth: 1, preset: name, values: {} })),
   { hearth: 1, preset: 'seed', values: { model: 'combustion', max_particles: 3000 } },
-  { hearth: 1, values: Object.fromEntries(PARAMETERS.map((one) => [one.id, OTHERS[one.kind](one)])) },
+  { hearth: 1, values: Object.fromEntries(PARAMETERS.map((entry) => [entry.id, OTHERS[entry.kind](entry)])) },
 ];
 const HOSTILE = '"\'><script>alert(1)</script>&amp;\u{1f525} \n=#?%00';
 
@@ -144,9 +144,9 @@ describe('code to paste', () => {
 });
 
 test('one source is parameters in an address and in HTML, several objects are JSON', () => {
-  const one = { hearth: 2, values: { wind: 1 }, objects: [{ kind: 'source', x: 0.2, power: 100 }] };
-  assert.equal(toQuery(one), 'wind=1&source-x=0.2&fuel-power=100');
-  assert.match(elementCode(one), /^<hearth-fire wind="1" source-x="0.2" fuel-power="100" /);
+  const config = { hearth: 2, values: { wind: 1 }, objects: [{ kind: 'source', x: 0.2, power: 100 }] };
+  assert.equal(toQuery(config), 'wind=1&source-x=0.2&fuel-power=100');
+  assert.match(elementCode(config), /^<hearth-fire wind="1" source-x="0.2" fuel-power="100" /);
 
   const objects = [{ kind: 'source' }, { kind: 'source', id: 7, x: 0.3 }];
   const query = toQuery({ hearth: 2, values: {}, objects });

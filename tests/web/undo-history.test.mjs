@@ -69,7 +69,7 @@ class Fire {
 
   changeObject(id, properties) {
     return this.#ask(({ objects }) => {
-      const object = objects.find((one) => one.id === id);
+      const object = objects.find((candidate) => candidate.id === id);
       if (!object) throw new RangeError(`there is no object ${id}`);
       Object.assign(object, properties);
     });
@@ -77,7 +77,7 @@ class Fire {
 
   removeObject(id) {
     return this.#ask(({ objects }) => {
-      objects.splice(objects.findIndex((one) => one.id === id), 1);
+      objects.splice(objects.findIndex((candidate) => candidate.id === id), 1);
     });
   }
 
@@ -166,7 +166,7 @@ function deedWithObjects(steps, fire, random) {
     // By then, the object may be gone.
     () => steps.change(last()?.id, { width: value }).catch(() => {}),
     () => steps.change(2, { width: value }).catch(() => {}),
-    () => steps.changeAll(new Map(fire.objects.map((one) => [one.id, { width: one.width + value }]))).catch(() => {}),
+    () => steps.changeAll(new Map(fire.objects.map((object) => [object.id, { width: object.width + value }]))).catch(() => {}),
     () => steps.objects(() => fire.addObject({ kind: 'solid', width: 1 })),
     () => steps.objects(() => fire.objects.length > 0 && fire.removeObject(pick(fire.objects).id)),
     () => steps.objects(() => fire.set({ objects: [...fire.objects.slice(1), ...fire.objects.slice(0, 1)] })),
@@ -209,9 +209,9 @@ describe('the way back', () => {
       }
       assert.deepEqual(await seen(fire), fires[0]);
       assert.equal(await steps.undo(), false);
-      for (const one of forth.slice(1)) {
+      for (const state of forth.slice(1)) {
         assert.equal(await steps.redo(), true);
-        assert.deepEqual(await seen(fire), one);
+        assert.deepEqual(await seen(fire), state);
       }
       assert.equal(await steps.redo(), false);
     });

@@ -3,7 +3,7 @@
  *
  * This class is the element's public interface. `cargo xtask codegen` derives from its JSDoc: the types, React's
  * types, the manifest, the reference of the methods, and what an iframe offers to its page. `@posted` offers a
- * member there; `@example` shows it in the reference. The code is in `element/`: attributes, properties and calls become
+ * member there; `@example` shows it in the reference. The code is in `element/`: attributes, properties and calls are
  * messages to the engine, and the engine's messages become promises and events. The engine validates
  * every value. Reading a value returns the last one that the engine accepted.
  *

@@ -92,7 +92,7 @@ const drop = (tab, { name, type, bytes }) => tab.evaluate((file) => {
 
 const SVG = (size) => Buffer.from(`<svg xmlns="http://www.w3.org/2000/svg" width="${size}" height="${size}"><circle cx="50%" cy="50%" r="40%"/></svg>`);
 
-test('a dropped picture is a mask where it is dropped; what is no picture or too large is refused in words', async () => {
+test('a dropped picture is a mask where it is dropped; what is no picture or too large is rejected with a message', async () => {
   const tab = await openTools(browser);
   await drop(tab, { name: 'disc.svg', type: 'image/svg+xml', bytes: SVG(100) });
   const [, mask] = await until(tab, 'a mask', (all) => all.length === 2);
@@ -111,7 +111,7 @@ test('a dropped picture is a mask where it is dropped; what is no picture or too
   assert.deepEqual(tab.problems, []);
 });
 
-test('an absent font, a word without ink and the sixty-fifth solid are refused in words', async () => {
+test('an absent font, a word without ink and the sixty-fifth solid are rejected with messages', async () => {
   const tab = await openTools(browser);
   await tool(tab, 'text');
   await tab.click(await pixel(tab, 0, 1));

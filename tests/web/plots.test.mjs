@@ -1,6 +1,6 @@
 /**
  * The plots without a page: the spectrum of a known signal peaks at its frequency, the record keeps what was measured, and
- * its CSV has units and the same numbers; the probe's values in words.
+ * its CSV has units and the same numbers; the text of the probe's values.
  */
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';

@@ -30,7 +30,7 @@ function decades(values) {
   return { low, high: Math.max(low + 1, Math.ceil(Math.log10(Math.max(...values)))) };
 }
 
-/** A power of ten in words: 0.01, 1, 10,000. @param {number} exponent */
+/** A power of ten as text: 0.01, 1, 10,000. @param {number} exponent */
 function tick(exponent) {
   return exponent < 0 ? (10 ** exponent).toFixed(-exponent) : (10 ** exponent).toLocaleString('en');
 }

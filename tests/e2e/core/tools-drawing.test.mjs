@@ -1,6 +1,6 @@
 /**
  * The tools that draw: shapes, words, pictures and sources, with a real mouse, a finger and keys; and what is refused
- * in words.
+ * with a message.
  */
 import assert from 'node:assert/strict';
 import { Buffer } from 'node:buffer';

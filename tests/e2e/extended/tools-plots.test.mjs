@@ -19,7 +19,7 @@ const PAUSED = 'scene=default&paused&quality=low';
 /** Of a paused fire, which has no frames. */
 const CHARTS = ['Flame height', 'Power', 'Luminosity', 'Luminosity spectrum', 'Temperature', 'Velocity'];
 
-/** The charts in words, by their titles; hidden ones are left out. */
+/** The accessible names of the charts, by their titles; hidden ones are left out. */
 const charts = (tab) => tab.evaluate(() => Object.fromEntries([...document.querySelectorAll('.hearth-plots .chart')]
   .filter((one) => one.checkVisibility())
   .map((one) => (one.getAttribute('aria-label') ?? '').split(/: (.*)/s))));

@@ -97,7 +97,7 @@ test('keys read at the cross, and Enter says what is there', async () => {
   const moved = await read(tab, x + 0.1, y + 0.01);
   assert.ok(kelvin(moved) > 200);
   await tab.key('Enter');
-  await tab.until('the values in words', () => (
+  await tab.until('the values as text', () => (
     /^temperature \d+ K, velocity .+, density [\d.]+ kg\/m³, oxygen [\d.]+ %, fuel/.test(document.querySelector('.hearth-status')?.textContent ?? '')
   ));
   assert.equal(await tab.on('[data-tool="probe"]', (button) => button.getAttribute('aria-label')), 'Probe (P)');

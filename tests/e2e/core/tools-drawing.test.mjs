@@ -1,6 +1,6 @@
 /**
- * The tools that draw: shapes, words, pictures and sources, with a real mouse, a finger and keys; and what is refused
- * with a message.
+ * The tools that draw: shapes, words, pictures and sources, with a real mouse, a finger and keys; and what is
+ * rejected with a message.
  */
 import assert from 'node:assert/strict';
 import { Buffer } from 'node:buffer';

@@ -11,7 +11,7 @@
 import { COPIES } from './exchange.js';
 import { OBJECTS, mountAccessibleObjects } from './accessible-objects.js';
 import { idDomain } from './objects.js';
-import { addQuality, phraseOf, makeControl } from './native-controls.js';
+import { addQuality, makeControl, noteConditions } from './native-controls.js';
 import { PARAMETERS } from '../parameters.js';
 
 /** The parameter that decides which others exist. */
@@ -157,18 +157,13 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     shows.set(id, () => {
       const value = read(id);
       const domain = idDomain(fire, id, value, domainOf(parameter));
-      const isChosen = (/** @type {[string, string[]]} */ [of, names]) => names.includes(String(read(/** @type {Id} */ (of))));
-      const missing = Object.entries(parameter.when ?? {}).filter((chosen) => !isChosen(chosen));
+      const isMet = (/** @type {[string, string[]]} */ [of, names]) => names.includes(String(read(/** @type {Id} */ (of))));
+      const unmet = noteConditions({ row, note }, parameter, isMet, PARAMETERS);
       // As on the panel, each kind of edges has its own parameters.
-      const isUsed = domain && missing.every(([of]) => of !== EDGES);
+      const isUsed = domain && !unmet.includes(EDGES);
       row.hidden = !isUsed;
       restore.hidden = !isUsed || id === MODEL || value === controller.defaultOf(id);
       if (domain) show(value, domain);
-      const excluded = Object.entries(parameter.unless ?? {});
-      const isExcluded = excluded.length > 0 && excluded.every(isChosen);
-      const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map((condition) => phraseOf(condition, PARAMETERS)).join(' and ');
-      note.textContent = missing.length > 0 ? `Only with ${list(missing)}` : isExcluded ? `Not with ${list(excluded)}` : '';
-      row.classList.toggle('idle', missing.length > 0 || isExcluded);
     });
     control.addEventListener('focus', () => reveal(id));
     control.addEventListener('blur', () => reveal(''));

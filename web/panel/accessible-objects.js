@@ -7,7 +7,7 @@
 
 import { ACTS } from './acts.js';
 import { KINDS, entriesOf, isFirstSource, isFull, isSame, nameOf, objectsOf, sliderDomain } from './objects.js';
-import { phraseOf, makeControl } from './native-controls.js';
+import { makeControl, noteConditions } from './native-controls.js';
 import { MAX_OBJECTS } from '../generated/scene-objects.js';
 
 /** The group, and its name for the panel. */
@@ -98,16 +98,11 @@ export function mountAccessibleObjects({ root, fire, controller, reveal, addButt
       restore.hidden = !isShown || isSame(object[name], controller.propertyOf(object, name));
       if (!isShown) return;
       show(object[name], domain);
-      const isChosen = (/** @type {[string, string[]]} */ [of, names]) => {
+      const isMet = (/** @type {[string, string[]]} */ [of, names]) => {
         const own = entriesOf(kind).find(({ id }) => id === of);
         return names.includes(String(own ? object[own.name] : fire.params[/** @type {keyof typeof fire.params} */ (of)]));
       };
-      const missing = Object.entries(entry.when ?? {}).filter((chosen) => !isChosen(chosen));
-      const excluded = Object.entries(entry.unless ?? {});
-      const isExcluded = excluded.length > 0 && excluded.every(isChosen);
-      const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map((condition) => phraseOf(condition, entriesOf(kind))).join(' and ');
-      note.textContent = missing.length > 0 ? `Only with ${list(missing)}` : isExcluded ? `Not with ${list(excluded)}` : '';
-      row.classList.toggle('idle', missing.length > 0 || isExcluded);
+      noteConditions({ row, note }, entry, isMet, entriesOf(kind));
     }
     return update;
   }

@@ -86,11 +86,31 @@ export function makeControl(parameter, set) {
  * The text of a condition: the label of a choice and some of its names.
  * @type {(chosen: [string, string[]], entries: {id: string, label: string}[]) => string}
  */
-export function phraseOf([id, names], entries) {
+function phraseOf([id, names], entries) {
   const label = entries.find((entry) => entry.id === id)?.label ?? id;
   const [last, ...others] = [...names].reverse();
   const before = others.length > 0 ? `${others.reverse().join(', ')} or ` : '';
   return `${label.toLowerCase()} ${before}${last}`;
+}
+
+/**
+ * Notes below a control which conditions leave its value without an effect.
+ * @param {{row: HTMLElement, note: HTMLElement}} parts
+ * @param {{when?: {[id: string]: string[]}, unless?: {[id: string]: string[]}}} conditions
+ * @param {(condition: [string, string[]]) => boolean} isMet
+ * @param {{id: string, label: string}[]} entries
+ * @returns {string[]} the ids of the choices on which the value depends and that are not met
+ */
+export function noteConditions({ row, note }, { when = {}, unless = {} }, isMet, entries) {
+  const unmet = Object.entries(when).filter((condition) => !isMet(condition));
+  const excluded = Object.entries(unless);
+  const isExcluded = excluded.length > 0 && excluded.every(isMet);
+  const list = (/** @type {[string, string[]][]} */ all) => (
+    all.map((condition) => phraseOf(condition, entries)).join(' and ')
+  );
+  note.textContent = unmet.length > 0 ? `Only with ${list(unmet)}` : isExcluded ? `Not with ${list(excluded)}` : '';
+  row.classList.toggle('idle', unmet.length > 0 || isExcluded);
+  return unmet.map(([id]) => id);
 }
 
 /** @type {(parameter: Parameter, control: HTMLInputElement, set: (value: Value) => void) => Show} */

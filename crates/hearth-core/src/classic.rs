@@ -94,7 +94,7 @@ impl Classic {
         self.solids.advance(end);
         let (solids, dt) = (&mut self.solids, substeps.length);
         integrate::bound(particles, values, solids, &bounds, dt);
-        self.solids.pass(substeps.length);
+        self.solids.end_motions(substeps.length);
         on_stage(Stage::Integrate);
     }
 }
@@ -162,7 +162,7 @@ impl Solver for Classic {
         self.particles.retain(stays);
         let support = 2.0 * values.smoothing_radius;
         self.solids.update(scene, time, &bounds, support);
-        solids::hold(&mut self.particles, &mut self.solids, values, 0.0);
+        solids::keep_all_outside(&mut self.particles, &mut self.solids, values, 0.0);
         self.particles.retain(stays);
     }
 
@@ -172,7 +172,7 @@ impl Solver for Classic {
             self.particles.push(particle);
         }
         let bounds = bounds(values);
-        solids::hold(&mut self.particles, &mut self.solids, values, 0.0);
+        solids::keep_all_outside(&mut self.particles, &mut self.solids, values, 0.0);
         self.particles
             .retain(|one| one.is_alive() && bounds.contains(one.position()));
         self.motion = Motion::default();

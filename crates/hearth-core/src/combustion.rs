@@ -7,8 +7,10 @@
 //! position → water.
 
 mod charred;
+mod domain;
 mod fuels;
 mod gas;
+mod obstacles;
 mod open_air;
 mod reaction;
 mod readers;
@@ -17,9 +19,7 @@ mod water;
 
 use crate::bounds::Bounds;
 use crate::forces::BodyForce;
-use crate::grid::Grid;
 use crate::instance::{Instance, Measured};
-use crate::neighbours::Neighbours;
 use crate::params::{DisplayMode, Edges, Physics};
 use crate::particle::Particle;
 use crate::random::Random;
@@ -30,22 +30,20 @@ use crate::solids::free::FreeBodies;
 use crate::solver::Solver;
 
 pub use charred::{Charred, CharredSolid};
+use domain::Domain;
+pub(crate) use domain::bounds;
 use fuels::Fuels;
 pub use fuels::{BurningSolid, BurningState, FuelTotal, NoFuel, Where};
 pub(crate) use gas::Gas;
-use gas::interactions::Interactions;
-use gas::number_density::NumberDensity;
-use gas::periodic_bounds;
+use gas::pairs::Pairs;
 pub use gas::removed::Removed;
-use gas::resample::{self, Discretisation, Old};
+use gas::resample::Discretisation;
 pub(crate) use gas::time_step::sound_speed;
 use gas::time_step::{self, Motion};
-use gas::vorticity_confinement::VorticityConfinement;
-use gas::walls::Walls;
-use open_air::OpenAir;
+use obstacles::Obstacles;
 pub(crate) use open_air::Seen;
+use reaction::Reaction;
 pub use reaction::burner::Burner;
-use reaction::burner::BurnerParticle;
 pub use reaction::embers::Ember;
 use reaction::embers::Embers;
 use water::Water;
@@ -56,140 +54,70 @@ pub use water::{Droplets, NoWater, Sprayed};
 const WRONG_COUNT: &str = "there must be from half to twice max_particles of them";
 const TOO_MANY: &str = "there must be at most max_particles of them";
 
-/// The rectangle that holds the gas of a fire with these values that was
-/// [`made_with`](Combustion::made_with) this, whatever is seen.
-pub(crate) fn bounds(values: &Physics, made_with: u32) -> Bounds {
-    match Discretisation::made_with(made_with, values) {
-        Discretisation::Open { spacing } => open_air::layout(values, None, spacing).bounds(),
-        Discretisation::Periodic { .. } => periodic_bounds(values),
-    }
-}
-
 /// The gas of the combustion model and the state of its solver.
 #[derive(Clone, Debug)]
 pub(crate) struct Combustion {
     gas: Gas,
-    /// The edges of open air; `None` in a closed domain.
-    open: Option<Box<OpenAir>>,
-    /// The part of the world that is seen.
-    seen: Option<Seen>,
-    grid: Grid,
-    neighbours: Neighbours,
-    number_density: NumberDensity,
-    interactions: Interactions,
-    vorticity_confinement: VorticityConfinement,
-    embers: Embers,
-    /// The discretisation of the present particles.
-    discretisation: Discretisation,
-    /// Temperature of the air in the gas \[K\].
-    air: f32,
+    domain: Domain,
+    pairs: Pairs,
+    obstacles: Obstacles,
+    reaction: Reaction,
     motion: Motion,
-    solids: Solids,
-    walls: Walls,
-    /// The particles at a burner.
-    burner_particles: Vec<BurnerParticle>,
-    removed: Removed,
     /// The solids that burn.
     fuels: Option<Box<Fuels>>,
     /// What has been sprayed.
     water: Option<Box<Water>>,
-    /// Power of the combustion in the last step, and of the heating at the sources [kW/m].
-    power: f32,
-    preheat: f32,
-    /// Particles whose shift was clamped.
-    clamped_shifts: u32,
-    length: f32,
 }
 
 impl Combustion {
     /// Air at rest, or in the wind.
     pub fn new(scene: &Scene, random: &mut Random) -> Combustion {
-        let parameters = scene.settings();
-        let mut open = OpenAir::new(parameters, None);
-        let bounds = open.as_ref().map(|open| open.bounds());
-        let bounds = bounds.unwrap_or_else(|| periodic_bounds(parameters));
-        let solids = Solids::of(scene, &bounds, 2.0 * parameters.smoothing_length());
-        let gas = match &mut open {
-            None => Gas::air(parameters, parameters.spacing(), random),
-            Some(open) => open.air(scene, &solids),
-        };
+        let values = scene.settings();
+        let mut domain = Domain::new(values);
+        let bounds = domain.bounds(values);
+        let solids = Solids::of(scene, &bounds, 2.0 * values.smoothing_length());
         let mut combustion = Combustion {
-            gas,
-            open,
-            seen: None,
-            grid: Grid::default(),
-            neighbours: Neighbours::default(),
-            number_density: NumberDensity::default(),
-            interactions: Interactions::default(),
-            vorticity_confinement: VorticityConfinement::default(),
-            embers: Embers::default(),
-            discretisation: Discretisation::of(parameters),
-            air: parameters.ambient_temperature,
+            gas: domain.air(scene, &solids, random),
+            domain,
+            pairs: Pairs::default(),
+            obstacles: Obstacles {
+                solids,
+                ..Obstacles::default()
+            },
+            reaction: Reaction::default(),
             motion: Motion::default(),
-            solids,
-            walls: Walls::default(),
-            burner_particles: Vec::new(),
-            removed: Removed::default(),
             fuels: None,
             water: None,
-            power: 0.0,
-            preheat: 0.0,
-            clamped_shifts: 0,
-            length: 0.0,
         };
         combustion.set_fuels(scene);
-        combustion.settle_lattice(parameters);
-        combustion.reserve(parameters);
+        combustion.displace_lattice(values);
+        combustion.reserve(values);
         combustion
     }
 
     /// Makes room for all particles that open air may have, so that births allocate nothing.
     fn reserve(&mut self, values: &Physics) {
         let capacity = self.capacity(values);
-        gas::make_room(&mut self.burner_particles, capacity);
-        if self.open.is_some() || !self.solids.is_empty() {
-            self.walls.reserve(self.capacity(values));
+        self.reaction.reserve(capacity);
+        if self.domain.is_open() || !self.obstacles.solids.is_empty() {
+            self.obstacles.walls.reserve(capacity);
         }
-        if let Some(fuels) = &mut self.fuels {
+        if let Some(fuels) = self.fuels.as_mut() {
             fuels.reserve(capacity);
         }
-        let Some(open) = &self.open else {
-            return;
-        };
-        let (capacity, reach) = (
-            values.max_particles as usize,
-            2.0 * values.smoothing_length(),
-        );
-        self.gas.reserve(capacity);
-        self.grid.reserve(capacity, &open.bounds(), reach);
-        let blocks = self.grid.max_blocks(capacity);
-        self.number_density.reserve(blocks);
-        self.interactions.reserve(blocks);
-        self.vorticity_confinement.reserve(blocks);
+        if self.domain.is_open() {
+            let support = 2.0 * values.smoothing_length();
+            self.gas.reserve(capacity);
+            self.pairs
+                .reserve(capacity, &self.domain.bounds(values), support);
+        }
     }
 
     /// Sets which part of the world is seen: open air reaches beyond it.
     pub fn see(&mut self, seen: Option<Seen>, scene: &Scene) {
-        self.seen = seen;
-        self.fit_open_air(scene);
+        self.domain
+            .see(seen, &self.gas, scene, &self.obstacles.solids);
         self.reserve(scene.settings());
-    }
-
-    /// Replaces the map of open air if the values, or what is seen, need another.
-    fn fit_open_air(&mut self, scene: &Scene) {
-        let values = scene.settings();
-        let fits = |open: &OpenAir| open.fits(values, self.seen);
-        if self.open.as_deref().is_some_and(fits) {
-            return;
-        }
-        let old = std::mem::replace(&mut self.open, OpenAir::new(values, self.seen));
-        if let Some(open) = &mut self.open {
-            match old {
-                Some(old) if open.has_cells_of(&old) => open.continue_from(&old),
-                Some(_) => open.surround(&self.gas, values),
-                None => open.adopt(&self.gas, scene, &self.solids),
-            }
-        }
     }
 
     /// Continues from the particles and embers of a fire that was [`made_with`](Self::made_with)
@@ -212,51 +140,57 @@ impl Combustion {
         self.place_solids(scene, time);
         self.resume_bodies(bodies);
         self.set_particles(particles, scene.settings());
-        self.embers = Embers::of(embers);
-        self.discretisation = Discretisation::made_with(made_with, scene.settings());
+        self.reaction.embers = Embers::of(embers);
+        self.domain.discretisation = Discretisation::made_with(made_with, scene.settings());
         self.adapt(scene, random, time);
         // A change of the scene wakes them.
         self.resume_bodies(bodies);
     }
 
     fn resume_bodies(&mut self, numbers: &[f32]) {
-        if self.solids.free.is_some() {
-            FreeBodies::resume(&mut self.solids, numbers);
+        if self.obstacles.solids.free.is_some() {
+            FreeBodies::resume(&mut self.obstacles.solids, numbers);
         }
     }
 
     /// What a fire needs to be resampled besides its values: `max_particles` or, in open air, the
     /// bits of the spacing.
     pub fn made_with(&self) -> u32 {
-        self.discretisation.as_number()
+        self.domain.discretisation.as_number()
     }
 
     /// Moves the solids to where they are in a scene at a time \[s\].
     fn place_solids(&mut self, scene: &Scene, time: f64) {
         let values = scene.settings();
-        let bounds = self.present_bounds(values);
+        let bounds = self.domain.bounds(values);
         let support = 2.0 * values.smoothing_length();
-        self.solids.update(scene, time, &bounds, support);
+        let solids = &mut self.obstacles.solids;
+        solids.update(scene, time, &bounds, support);
         self.set_fuels(scene);
     }
 
     /// Gives the solids that burn their cells.
     fn set_fuels(&mut self, scene: &Scene) {
         if self.fuels.is_some() || scene.has_fuel() {
-            Fuels::set(&mut self.fuels, scene, &mut self.solids);
+            Fuels::set(&mut self.fuels, scene, &mut self.obstacles.solids);
         }
+    }
+
+    fn displace_lattice(&mut self, values: &Physics) {
+        let (gas, domain) = (&mut self.gas, &self.domain);
+        self.obstacles.displace_lattice(gas, domain, values);
+    }
+
+    fn displace_gas(&mut self, values: &Physics) {
+        let (gas, domain) = (&mut self.gas, &self.domain);
+        self.obstacles
+            .displace(gas, domain, values, values.spacing());
     }
 
     /// Total power of the sources and of the solids that burn [kW/m].
     fn total_power(&self, scene: &Scene) -> f32 {
         let burning = self.fuels.as_ref().map_or(0.0, |fuels| fuels.power());
         scene.power() + burning
-    }
-
-    /// The rectangle of the gas at present.
-    fn present_bounds(&self, values: &Physics) -> Bounds {
-        let open = self.open.as_ref();
-        open.map_or_else(|| periodic_bounds(values), |open| open.bounds())
     }
 }
 
@@ -274,49 +208,26 @@ impl Solver for Combustion {
 
     /// Resamples the gas if the domain or the spacing of the particles changed.
     fn adapt(&mut self, scene: &Scene, random: &mut Random, time: f64) {
-        let parameters = scene.settings();
-        // A new air temperature changes all gas at once; otherwise all of the old air would rise
-        // or sink.
-        let difference = parameters.ambient_temperature - self.air;
-        if difference != 0.0 {
-            self.gas.add_temperature(difference);
-            self.air = parameters.ambient_temperature;
-        }
-        let discretisation = Discretisation::of(parameters);
-        if discretisation != self.discretisation {
-            self.open = None;
-        }
-        self.fit_open_air(scene);
-        let resampled = discretisation != self.discretisation;
-        if resampled {
-            let old = (&self.gas, &self.solids);
-            let old = Old::new(old, &self.discretisation, parameters, self.seen);
-            self.gas = match &self.open {
-                None => resample::resample(&old, parameters, random),
-                Some(open) => resample::resample_open(&old, parameters, open),
-            };
-            self.discretisation = discretisation;
-        }
-        self.gas.set_mass(parameters);
+        let (gas, solids) = (&mut self.gas, &self.obstacles.solids);
+        let resampled = self.domain.adapt(gas, scene, solids, random);
         self.place_solids(scene, time);
+        let values = scene.settings();
         if resampled {
-            self.settle_lattice(parameters);
+            self.displace_lattice(values);
         }
-        self.settle(parameters, parameters.spacing());
-        self.reserve(parameters);
+        self.displace_gas(values);
+        self.reserve(values);
     }
 
     fn set_particles(&mut self, particles: &[Particle], values: &Physics) {
         self.gas = Gas::of(particles, values);
-        if let Some(open) = &mut self.open {
-            open.surround(&self.gas, values);
-        }
-        self.leave_out_solids(values);
-        self.settle(values, values.spacing());
+        self.domain.surround(&self.gas, values);
+        self.obstacles
+            .leave_out(&mut self.gas, &self.domain, values);
+        self.displace_gas(values);
         self.reserve(values);
-        self.embers = Embers::default();
         self.motion = Motion::default();
-        (self.power, self.preheat, self.length) = (0.0, 0.0, 0.0);
+        self.reaction.extinguish();
     }
 
     fn broken_count_rule(&self, count: usize, values: &Physics) -> Option<&'static str> {
@@ -332,11 +243,11 @@ impl Solver for Combustion {
     }
 
     fn bounds(&self, values: &Physics) -> Bounds {
-        self.present_bounds(values)
+        self.domain.bounds(values)
     }
 
     fn solids(&self) -> &Solids {
-        &self.solids
+        &self.obstacles.solids
     }
 
     fn sound_speed(&self, scene: &Scene) -> f32 {
@@ -345,8 +256,8 @@ impl Solver for Combustion {
 
     /// Length of the last step, or an estimate of the first: that of air at rest \[s\].
     fn step_length(&self, scene: &Scene) -> f64 {
-        f64::from(if self.length > 0.0 {
-            self.length
+        f64::from(if self.motion.length > 0.0 {
+            self.motion.length
         } else {
             let h = scene.settings().smoothing_length();
             time_step::step_at_rest(h, self.sound_speed(scene))
@@ -354,18 +265,18 @@ impl Solver for Combustion {
     }
 
     fn report(&self, _values: &Physics) -> StepReport {
-        let (mean_neighbours, max_neighbours) = self.neighbours.mean_and_max();
+        let (mean_neighbours, max_neighbours) = self.pairs.mean_and_max_neighbours();
         StepReport {
             substeps: 1,
             mean_neighbours,
             max_neighbours,
             speed_limited: self.motion.speed_limited,
-            clamped: self.motion.speed_limited + self.clamped_shifts,
+            clamped: self.motion.speed_limited + self.motion.clamped_shifts,
             max_speed: self.motion.max_speed,
-            length: self.length,
-            power: Some(self.power),
-            preheat: Some(self.preheat),
-            asleep: self.open.as_ref().map(|open| open.asleep()),
+            length: self.motion.length,
+            power: Some(self.reaction.power),
+            preheat: Some(self.reaction.preheat),
+            asleep: self.domain.asleep(),
         }
     }
 
@@ -374,9 +285,10 @@ impl Solver for Combustion {
     }
 
     fn capacity(&self, values: &Physics) -> usize {
-        match self.open {
-            Some(_) => values.max_particles as usize,
-            None => self.count(),
+        if self.domain.is_open() {
+            values.max_particles as usize
+        } else {
+            self.count()
         }
     }
 

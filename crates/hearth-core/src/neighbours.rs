@@ -127,7 +127,7 @@ impl Neighbours {
     /// Makes the lists, and sums the weighted kernels over the neighbours of each particle,
     /// itself included. The blocks are in the order of `grid`; `h` is the smoothing length
     /// \[m\].
-    pub fn find<B: Block>(&mut self, blocks: &mut [B], grid: &Grid, h: f32) {
+    pub fn find_and_sum<B: Block>(&mut self, blocks: &mut [B], grid: &Grid, h: f32) {
         self.candidates = 0;
         self.parted = false;
         self.sweeps.clear();
@@ -234,7 +234,7 @@ impl Neighbours {
     /// Removes the pairs that a thin solid parts from the lists and from the sums of the first pass.
     /// `near` gives the thin solids near a particle, after sorting: normal, distance \[m\] and number.
     /// `h` is the smoothing length \[m\].
-    pub fn part<B: Block, P: Iterator<Item = (Vec2, f32, u32)>>(
+    pub fn remove_pairs_across_solids<B: Block, P: Iterator<Item = (Vec2, f32, u32)>>(
         &mut self,
         blocks: &mut [B],
         grid: &Grid,

@@ -179,14 +179,14 @@ impl Solids {
     }
 
     /// Whether a solid moves by itself.
-    pub fn drive(&self) -> bool {
+    pub fn any_moves(&self) -> bool {
         let mut all = self.bodies.iter();
         all.any(|body| body.is_free || body.drive.is_some())
     }
 
     /// Updates the images beyond periodic edges of solids that move by themselves.
     pub fn renew_images(&mut self, bounds: &Bounds, near: f32) {
-        if (bounds.periodic_x || bounds.periodic_y) && self.drive() {
+        if (bounds.periodic_x || bounds.periodic_y) && self.any_moves() {
             self.place_anew(bounds, near);
         }
     }
@@ -250,8 +250,8 @@ impl Solids {
         }
     }
 
-    /// Lets time pass: motions end.
-    pub fn pass(&mut self, dt: f32) {
+    /// Ends the motions by a caller whose time has passed, and lets the gas accelerate free solids.
+    pub fn end_motions(&mut self, dt: f32) {
         for body in &mut self.bodies {
             body.since += dt;
             body.left -= dt;

@@ -8,7 +8,7 @@ use super::block_force::{BlockForce, Four};
 use super::equation_of_state::DENSITY_FLOOR;
 use super::pairs::{Block, Pairs};
 use super::particles::{ParticleState, Particles};
-use super::solids::hold;
+use super::solids::keep_all_outside;
 use crate::bounds::Bounds;
 use crate::extremes::fast_max;
 use crate::lanes::{LANES, Lanes, Real, transposed};
@@ -176,7 +176,7 @@ pub(crate) fn bound(
             apply_walls(walls, bounds, particle);
         }
     }
-    hold(particles, solids, values, dt);
+    keep_all_outside(particles, solids, values, dt);
     particles.retain(|one| one.is_alive() && bounds.contains(one.position()));
 }
 

@@ -122,9 +122,9 @@ impl Pairs {
             neighbours,
         } = self;
         let h = kernel.smoothing_length();
-        neighbours.find(blocks, grid, h);
+        neighbours.find_and_sum(blocks, grid, h);
         if solids.any_thin(2.0 * h) {
-            neighbours.part(blocks, grid, h, solids, |one| {
+            neighbours.remove_pairs_across_solids(blocks, grid, h, solids, |one| {
                 solids.thin_near(particles[one].position(), 2.0 * h)
             });
         }

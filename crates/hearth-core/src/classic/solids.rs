@@ -17,7 +17,12 @@ const FRICTION: f32 = 0.3;
 
 /// Keeps the particles outside of the solids. The life of those without a place ends. What changes
 /// their velocities took `dt` \[s\]; free solids feel nothing of what takes no time.
-pub(super) fn hold(particles: &mut Particles, solids: &mut Solids, values: &Physics, dt: f32) {
+pub(super) fn keep_all_outside(
+    particles: &mut Particles,
+    solids: &mut Solids,
+    values: &Physics,
+    dt: f32,
+) {
     if solids.is_empty() {
         return;
     }

@@ -5,16 +5,16 @@
 
 mod equation_of_state;
 pub(super) mod forces;
-pub(super) mod interactions;
+mod interactions;
 pub(super) mod number_density;
 pub(super) mod pair;
+pub(super) mod pairs;
 mod picture;
 pub(super) mod removed;
 pub(super) mod resample;
 pub(super) mod seam;
-mod settle;
 pub(super) mod time_step;
-pub(super) mod vorticity_confinement;
+mod vorticity_confinement;
 pub(super) mod walls;
 
 use glam::{Vec2, Vec4};

@@ -3,3 +3,62 @@
 pub(super) mod burner;
 pub(super) mod chemistry;
 pub(super) mod embers;
+
+use super::gas::{Gas, make_room};
+use crate::scene::Scene;
+use crate::solids::Solids;
+use burner::{Burner, BurnerParticle};
+use embers::Embers;
+
+/// The embers, and what burns.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Reaction {
+    pub embers: Embers,
+    /// Power of the combustion in the last step [kW/m].
+    pub power: f32,
+    /// Power of the heating at the sources in the last step [kW/m].
+    pub preheat: f32,
+    /// The particles at a burner.
+    burner_particles: Vec<BurnerParticle>,
+}
+
+impl Reaction {
+    /// Makes room for so many particles at a burner.
+    pub fn reserve(&mut self, particles: usize) {
+        make_room(&mut self.burner_particles, particles);
+    }
+
+    /// Removes the embers; nothing burns.
+    pub fn extinguish(&mut self) {
+        self.embers = Embers::default();
+        (self.power, self.preheat) = (0.0, 0.0);
+    }
+
+    /// Burns the gas for `dt`. The flames in the film at solids have the power `film` [kW/m].
+    pub fn burn(&mut self, gas: &mut Gas, scene: &Scene, film: f32, dt: f32) {
+        let hottest = scene.sources().map(|source| source.source_temperature);
+        let hottest = hottest.fold(0.0, f32::max);
+        self.power = film + chemistry::react(gas, scene.settings(), hottest, dt);
+    }
+
+    /// Feeds the gas at each source whose index `feeds`, from `time` on for `dt`.
+    pub fn feed(
+        &mut self,
+        gas: &mut Gas,
+        scene: &Scene,
+        solids: &Solids,
+        (time, dt): (f64, f32),
+        mut feeds: impl FnMut(usize) -> bool,
+    ) {
+        let spacing = scene.settings().spacing();
+        self.preheat = 0.0;
+        for (index, source) in scene.sources().enumerate() {
+            if feeds(index)
+                && let Some(burner) = Burner::new(source, spacing)
+            {
+                let (bodies, particles) = (solids.parts(source), &mut self.burner_particles);
+                self.preheat += burner.feed(gas, source, (time, dt), bodies, particles) / dt;
+            }
+        }
+    }
+}

@@ -1,9 +1,12 @@
-//! What callers read of the combustion model, and do to its embers and its solids that burn.
+//! What callers read of the combustion model, and do to its embers, its water and its solids that burn.
 
 use glam::Vec2;
 
 use super::reaction::chemistry;
-use super::{BurningSolid, Charred, Combustion, Ember, FuelTotal, Gas, NoFuel, Removed, Where};
+use super::{
+    BurningSolid, Charred, Combustion, Droplets, Ember, FuelTotal, Gas, NoFuel, Removed, Sprayed,
+    Where,
+};
 use crate::instance::Instance;
 use crate::params::Physics;
 use crate::random::Random;
@@ -16,39 +19,43 @@ impl Combustion {
 
     /// All embers.
     pub fn embers(&self) -> &[Ember] {
-        self.embers.alive()
+        self.reaction.embers.alive()
     }
 
     /// Throws embers from a position; none from outside of the domain.
     pub fn throw_embers(&mut self, place: Vec2, count: u32, values: &Physics, random: &mut Random) {
-        if self.present_bounds(values).contains(place) {
-            self.embers.throw_from(place, count, values, random);
+        if self.domain.bounds(values).contains(place) {
+            self.reaction
+                .embers
+                .throw_from(place, count, values, random);
         }
     }
 
     /// Power of the combustion in the last step [kW/m].
     pub fn power(&self) -> f32 {
-        self.power
+        self.reaction.power
     }
 
     /// The gas that solids have taken the place of.
     pub fn removed(&self) -> Removed {
-        self.removed
+        self.obstacles.removed
     }
 
     /// Lets free solids start again.
+    // A part of the code of saved fires.
+    #[inline(always)]
     pub fn forget_free(&mut self) {
-        self.solids.free = None;
+        self.obstacles.solids.free = Default::default();
     }
 
     /// The ids of the solids that conduct heat, and their temperatures \[K\].
     pub fn solid_temperatures(&self) -> impl Iterator<Item = (u32, f32)> {
-        self.solids.temperatures()
+        self.obstacles.solids.temperatures()
     }
 
     /// Sets the temperatures of the solids that conduct heat, in their order \[K\].
     pub fn set_solid_temperatures(&mut self, all: &[f32]) {
-        self.solids.set_temperatures(all);
+        self.obstacles.solids.set_temperatures(all);
     }
 
     /// Lights solids that have fuel, and sources that are wet.
@@ -58,19 +65,19 @@ impl Combustion {
         values: &Physics,
         random: &mut Random,
     ) -> Result<(), NoFuel> {
-        let fuel = match &mut self.fuels {
-            Some(fuels) => fuels.ignite(at, &mut self.gas, &self.solids, values),
+        let fuel = match self.fuels.as_mut() {
+            Some(fuels) => fuels.ignite(at, &mut self.gas, &self.obstacles.solids, values),
             None => Err(NoFuel),
         };
         let water = self.water.as_mut();
-        let dried = water.is_some_and(|water| water.light(at, &self.solids, random));
+        let dried = water.is_some_and(|water| water.light(at, &self.obstacles.solids, random));
         if dried { Ok(()) } else { fuel }
     }
 
     /// Puts out solids that have fuel, and gas.
     pub fn extinguish(&mut self, at: Where, values: &Physics) -> Result<(), NoFuel> {
-        match &mut self.fuels {
-            Some(fuels) => fuels.extinguish(at, &mut self.gas, &self.solids, values),
+        match self.fuels.as_mut() {
+            Some(fuels) => fuels.extinguish(at, &mut self.gas, &self.obstacles.solids, values),
             None => Err(NoFuel),
         }
     }
@@ -93,8 +100,8 @@ impl Combustion {
 
     /// Updates what a picture shows of the solids that have fuel.
     pub fn show_fuels(&mut self) {
-        if let Some(fuels) = &mut self.fuels {
-            fuels.show(&self.solids);
+        if let Some(fuels) = self.fuels.as_mut() {
+            fuels.show(&self.obstacles.solids);
         }
     }
 
@@ -103,10 +110,45 @@ impl Combustion {
         self.fuels.as_ref().map(|fuels| &fuels.charred)
     }
 
+    /// Sprays a mass of water [kg/m] from a place within a twentieth of a second; none from outside
+    /// of the domain or from inside of a solid.
+    pub fn spray(
+        &mut self,
+        place: Vec2,
+        velocity: Vec2,
+        mass: f32,
+        values: &Physics,
+        random: &mut Random,
+    ) {
+        let is_in_gas =
+            self.domain.bounds(values).contains(place) && !self.obstacles.solids.touch(place, 0.0);
+        if is_in_gas && mass > 0.0 && velocity.is_finite() {
+            let water = self.water.get_or_insert_with(Box::default);
+            water.spray(place, velocity, mass, values.ambient_temperature, random);
+        }
+    }
+
+    /// The droplets in the air.
+    pub fn droplets(&self) -> &[Droplets] {
+        self.water.as_ref().map_or(&[], |water| water.droplets())
+    }
+
+    /// Where all water is.
+    pub fn sprayed(&self) -> Sprayed {
+        let water = self.water.as_ref();
+        water.map_or_else(Sprayed::default, |water| water.sprayed())
+    }
+
+    /// Widens the kernels of measured particles where open air ends.
+    #[inline]
+    pub fn widen(&self, measured: &mut [Instance]) {
+        self.domain.widen(measured);
+    }
+
     /// Writes the embers for the renderer.
     pub fn write_embers(&self, out: &mut Vec<Instance>) {
-        self.embers.write_instances(out);
-        if let Some(water) = &self.water {
+        self.reaction.embers.write_instances(out);
+        if let Some(water) = self.water.as_ref() {
             water.write_instances(out);
         }
     }

@@ -3,12 +3,11 @@
 use glam::Vec2;
 
 use super::gas::pair::Context;
-use super::gas::{forces, number_density, seam, time_step};
-use super::reaction::burner::Burner;
-use super::reaction::chemistry;
+use super::gas::{forces, number_density, time_step};
 use super::reaction::embers::Air;
-use super::water::Water;
-use super::{Combustion, sound_speed};
+use super::water::Around;
+use super::{Combustion, Obstacles, sound_speed};
+use crate::bounds::Bounds;
 use crate::forces::BodyForce;
 use crate::kernel::Kernel;
 use crate::params::Physics;
@@ -27,118 +26,145 @@ impl Combustion {
         user: Option<&dyn BodyForce>,
         on_stage: &mut dyn FnMut(Stage),
     ) -> f32 {
-        let parameters = scene.settings();
-        let values: &Physics = parameters;
-        let kernel = Kernel::new(parameters.smoothing_length());
+        let values: &Physics = scene.settings();
+        let kernel = Kernel::new(values.smoothing_length());
         let sound = sound_speed(values, self.total_power(scene));
-        let bounds = self.present_bounds(values);
-        let gas = &mut self.gas;
-        let mut open = self.open.as_deref_mut();
+        let bounds = self.domain.bounds(values);
 
-        self.solids.renew_images(&bounds, kernel.support());
-        if let Some(open) = &mut open {
-            open.exchange_gas(gas, scene, &self.solids, self.length);
-        }
-        let (walls, solids) = (&mut self.walls, &mut self.solids);
-        let grid = &mut self.grid;
-        let positions = gas.position.iter().copied();
-        let new_indices = grid.sort(positions, &bounds, kernel.support());
-        gas.reorder(new_indices);
+        self.exchange_air(scene, &bounds, &kernel);
+        self.pairs.sort(&mut self.gas, &bounds, &kernel);
         on_stage(Stage::Sort);
-        let context = Context {
-            kernel: &kernel,
-            values,
-            sound,
-            artificial_viscosity: time_step::artificial_viscosity(gas, values, sound),
-            mass: gas.mass,
-        };
-        let neighbours = &mut self.neighbours;
-        let has_floor = open.as_ref().is_some_and(|open| open.has_floor());
-        walls.find(gas, grid, solids, has_floor, &kernel);
-        let number_density = &mut self.number_density;
-        let mean = number_density.sum(gas, grid, neighbours, &context, (walls, solids));
-        let reference = match &open {
-            None => mean,
-            Some(_) => values.ambient_density,
-        };
-        walls.add_number_density(gas, reference);
-        number_density::apply(gas, reference, sound);
-        if let Some(open) = &mut open {
-            open.find_rim(gas);
-            open.taper_pressure(gas);
-        }
+
+        let context = Context::new(&self.gas, values, &kernel, sound);
+        let mean = self.sum_number_density(&context);
+        self.set_pressure(mean, &context);
         on_stage(Stage::Density);
-        self.interactions.sum(gas, grid, neighbours, &context);
-        walls.resist(gas, solids, &context);
-        if let Some(open) = &open {
-            open.remove_outward_shift(gas);
-        }
-        let (packed, strength) = (self.interactions.packed(), values.vorticity_confinement);
-        let confinement = &mut self.vorticity_confinement;
-        confinement.add(gas, grid, neighbours, packed, &kernel, strength);
-        forces::add_all(gas, values, time, user);
+
+        self.sum_interactions(&context);
+        self.pairs.confine_vorticity(&mut self.gas, &context);
+        forces::add_all(&mut self.gas, values, time, user);
         on_stage(Stage::Forces);
 
-        let dt = time_step::max_stable_step(gas, &context);
-        let air = Air {
-            gas,
-            grid: &self.grid,
-            bounds: &bounds,
-            kernel: &kernel,
-            wind: Vec2::new(values.wind, 0.0),
-            solids,
-        };
-        self.embers.drift(&air, values, random, dt);
-        self.motion = time_step::accelerate(gas, sound, dt);
-        if let Some(open) = &open {
-            open.relax_rim_velocity(gas, dt);
+        let dt = time_step::max_stable_step(&self.gas, &context);
+        self.drift_embers(&bounds, &context, random, dt);
+        self.accelerate(sound, dt);
+        self.burn(scene, random, dt);
+        self.feed_sources(scene, time, dt);
+        self.move_gas(&context, dt);
+        let stays = self.move_solids(values, time + f64::from(dt), dt);
+        self.domain.close(&mut self.gas, values);
+        self.advance_water(scene, &bounds, &kernel, random, dt);
+        if stays && self.obstacles.solids.any_moves() {
+            self.displace_gas(values);
         }
-        let film = match &mut self.fuels {
-            Some(fuels) => {
-                let around = (open.as_deref_mut(), &mut *solids);
-                fuels.burn((gas, walls), around, &mut self.embers, values, random, dt)
-            }
-            None => 0.0,
-        };
-        let hottest = scene.sources().map(|source| source.source_temperature);
-        self.power = film + chemistry::react(gas, values, hottest.fold(0.0, f32::max), dt);
-        self.preheat = 0.0;
-        for (index, source) in scene.sources().enumerate() {
-            let feeds = |water: &mut Box<Water>| water.feeds(index);
-            if self.water.as_mut().is_none_or(feeds)
-                && let Some(burner) = Burner::new(source, parameters.spacing())
-            {
-                let solid = solids.parts(source);
-                self.preheat +=
-                    burner.feed(gas, source, (time, dt), solid, &mut self.burner_particles) / dt;
-            }
-        }
-        if open.is_none() {
-            seam::relax_to_air(gas, values, parameters.spacing(), dt);
-        }
-        let (h, max_speed) = (kernel.smoothing_length(), self.motion.max_speed);
-        self.clamped_shifts = time_step::advance(gas, values.shifting, h, max_speed, dt);
-        solids.advance(time + f64::from(dt));
-        let stays = walls.hold(gas, solids, parameters.spacing(), dt);
-        solids.warm(dt, values.ambient_temperature);
-        solids.pass(dt);
-        match &open {
-            Some(open) => open.complete_volumes(gas, values.ambient_density),
-            None => {
-                for position in &mut gas.position {
-                    *position = bounds.wrap(*position);
-                }
-            }
-        }
-        if self.water.is_some() {
-            self.advance_water(scene, random, dt);
-        }
-        // Where it was, a solid may be now.
-        if stays && self.solids.drive() {
-            self.settle(values, parameters.spacing());
-        }
-        self.length = dt;
+        self.motion.length = dt;
         on_stage(Stage::Integrate);
         dt
+    }
+
+    fn exchange_air(&mut self, scene: &Scene, bounds: &Bounds, kernel: &Kernel) {
+        let solids = &mut self.obstacles.solids;
+        solids.renew_images(bounds, kernel.support());
+        let since = self.motion.length;
+        self.domain
+            .exchange_gas(&mut self.gas, scene, solids, since);
+    }
+
+    /// Finds the walls and the neighbours. Returns the mean number density [kg/m³].
+    fn sum_number_density(&mut self, context: &Context) -> f32 {
+        let Obstacles { walls, solids, .. } = &mut self.obstacles;
+        let (gas, has_floor) = (&mut self.gas, self.domain.has_floor());
+        walls.find(gas, self.pairs.grid(), solids, has_floor, context.kernel);
+        self.pairs.find_and_sum(gas, (walls, solids), context)
+    }
+
+    fn set_pressure(&mut self, mean: f32, context: &Context) {
+        let reference = self.domain.reference_density(mean, context.values);
+        self.obstacles
+            .walls
+            .add_number_density(&mut self.gas, reference);
+        number_density::set_pressure(&mut self.gas, reference, context.sound);
+        self.domain.taper_pressure(&mut self.gas);
+    }
+
+    fn sum_interactions(&mut self, context: &Context) {
+        self.pairs.interact(&mut self.gas, context);
+        self.obstacles.resist(&mut self.gas, context);
+        self.domain.remove_outward_shift(&mut self.gas);
+    }
+
+    fn drift_embers(&mut self, bounds: &Bounds, context: &Context, random: &mut Random, dt: f32) {
+        let air = Air {
+            gas: &self.gas,
+            grid: self.pairs.grid(),
+            bounds,
+            kernel: context.kernel,
+            wind: Vec2::new(context.values.wind, 0.0),
+            solids: &self.obstacles.solids,
+        };
+        self.reaction.embers.drift(&air, context.values, random, dt);
+    }
+
+    fn accelerate(&mut self, sound: f32, dt: f32) {
+        self.motion.accelerate(&mut self.gas, sound, dt);
+        self.domain.relax_rim_velocity(&mut self.gas, dt);
+    }
+
+    /// Burns the solids that have fuel, then the gas.
+    fn burn(&mut self, scene: &Scene, random: &mut Random, dt: f32) {
+        let gas = &mut self.gas;
+        let film = self.fuels.as_mut().map_or(0.0, |fuels| {
+            let Obstacles { walls, solids, .. } = &mut self.obstacles;
+            let around = (self.domain.open_mut(), solids);
+            let embers = &mut self.reaction.embers;
+            fuels.burn((gas, walls), around, embers, scene.settings(), random, dt)
+        });
+        self.reaction.burn(gas, scene, film, dt);
+    }
+
+    /// Lets the sources feed the gas, those that are wet in a share of the steps.
+    fn feed_sources(&mut self, scene: &Scene, time: f64, dt: f32) {
+        let mut water = self.water.as_mut();
+        let feeds = |index| water.as_mut().is_none_or(|water| water.feeds(index));
+        let (gas, solids) = (&mut self.gas, &self.obstacles.solids);
+        self.reaction.feed(gas, scene, solids, (time, dt), feeds);
+    }
+
+    fn move_gas(&mut self, context: &Context, dt: f32) {
+        let Context { values, kernel, .. } = *context;
+        self.domain.relax_seam(&mut self.gas, values, dt);
+        let h = kernel.smoothing_length();
+        self.motion.advance(&mut self.gas, values.shifting, h, dt);
+    }
+
+    /// Moves the solids to `time`, and the gas out of them. Returns whether gas has no place between them.
+    fn move_solids(&mut self, values: &Physics, time: f64, dt: f32) -> bool {
+        self.obstacles.advance(&mut self.gas, values, time, dt)
+    }
+
+    fn advance_water(
+        &mut self,
+        scene: &Scene,
+        bounds: &Bounds,
+        kernel: &Kernel,
+        random: &mut Random,
+        dt: f32,
+    ) {
+        let Some(water) = self.water.as_mut() else {
+            return;
+        };
+        let around = Around {
+            gas: &mut self.gas,
+            grid: self.pairs.grid(),
+            kernel,
+            bounds,
+            solids: &mut self.obstacles.solids,
+            fuels: self.fuels.as_deref_mut(),
+            has_floor: self.domain.has_floor(),
+            values: scene.settings(),
+            dt,
+            near: Vec::new(),
+        };
+        water.advance(scene, around, random);
     }
 }

@@ -19,5 +19,6 @@ mod state;
 mod steam;
 mod strike;
 
+pub(super) use around::Around;
 pub use report::{Droplets, NoWater, Sprayed};
 pub(super) use state::Water;

@@ -37,7 +37,7 @@ fn lists_stop_at_their_limit() {
     grid.sort((0..n).map(|_| Vec2::new(0.0, 0.5)), &bounds, 0.04);
     let mut blocks = vec![Four::default(); grid.block_count()];
     let mut neighbours = Neighbours::default();
-    neighbours.find(&mut blocks, &grid, 0.02);
+    neighbours.find_and_sum(&mut blocks, &grid, 0.02);
     let stride = blocks.len() * LANES;
     assert!((Four::MAX_ENTRIES - stride..=Four::MAX_ENTRIES).contains(&neighbours.candidates()));
     let (mean, max) = neighbours.mean_and_max();

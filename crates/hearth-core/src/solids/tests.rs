@@ -28,7 +28,7 @@ fn a_motion_has_the_speed_of_its_path_over_its_time_and_ends() {
     let velocity = |solids: &Solids| solids.bodies[0].velocity_at(Vec2::ZERO);
     for frame in 1..4 {
         for _ in 0..4 {
-            solids.pass(0.005);
+            solids.end_motions(0.005);
         }
         solids.update(&scene(0.01 * f64::from(frame)), 0.0, &BOX, 0.1);
         // The solid was at rest before, for an unknown time.
@@ -39,9 +39,9 @@ fn a_motion_has_the_speed_of_its_path_over_its_time_and_ends() {
         };
         assert!((velocity(&solids) - Vec2::new(speed, 0.0)).length() < 1e-3);
     }
-    solids.pass(0.019);
+    solids.end_motions(0.019);
     assert!(velocity(&solids).x > 0.4);
-    solids.pass(0.002);
+    solids.end_motions(0.002);
     assert_eq!(velocity(&solids), Vec2::ZERO);
     solids.update(&scene(0.9), 0.0, &BOX, 0.1);
     assert!((velocity(&solids).x - MAX_SPEED).abs() < 1e-5);

@@ -147,7 +147,8 @@ impl Interactions {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::combustion::gas::number_density::{self, NumberDensity};
+    use crate::combustion::gas::number_density;
+    use crate::combustion::gas::pairs::Pairs;
     use crate::combustion::gas::periodic_bounds as bounds;
     use crate::combustion::gas::tests::{random_gas, with};
     use crate::combustion::gas::walls::Walls;
@@ -158,21 +159,14 @@ mod tests {
     /// Gas in random motion with its interactions summed.
     fn summed(parameters: &Parameters, seed: u32) -> Gas {
         let mut gas = random_gas(parameters, seed);
-        let context = Context {
-            kernel: &Kernel::new(parameters.smoothing_length()),
-            values: parameters,
-            sound: 6.0,
-            artificial_viscosity: parameters.artificial_viscosity,
-            mass: gas.mass,
-        };
-        let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
-        let positions = gas.position.clone().into_iter();
-        let reach = context.kernel.support();
-        gas.reorder(grid.sort(positions, &bounds(parameters), reach));
+        let kernel = Kernel::new(parameters.smoothing_length());
+        let context = Context::new(&gas, parameters, &kernel, 6.0);
+        let mut pairs = Pairs::default();
+        pairs.sort(&mut gas, &bounds(parameters), &kernel);
         let bare = (&Walls::default(), &Solids::default());
-        let mean = NumberDensity::default().sum(&mut gas, &grid, &mut neighbours, &context, bare);
-        number_density::apply(&mut gas, mean, context.sound);
-        Interactions::default().sum(&mut gas, &grid, &neighbours, &context);
+        let mean = pairs.find_and_sum(&mut gas, bare, &context);
+        number_density::set_pressure(&mut gas, mean, context.sound);
+        pairs.interact(&mut gas, &context);
         gas
     }
 

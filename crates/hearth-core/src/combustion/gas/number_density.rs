@@ -16,6 +16,7 @@ use super::{Gas, make_room};
 use crate::grid::Grid;
 use crate::lanes::{LANES, Lanes};
 use crate::neighbours::{self, FAR_AWAY, Neighbours};
+use crate::params::Physics;
 use crate::solids::Solids;
 
 /// Four particles for the neighbour search.
@@ -68,9 +69,9 @@ impl NumberDensity {
         make_room(&mut self.blocks, blocks);
     }
 
-    /// Finds all pairs of sorted gas that no solid parts, and computes the number density without
-    /// the walls. Returns its mean with walls that have this mean.
-    pub fn sum(
+    /// Finds all pairs of sorted gas that no thin solid separates, and sums the number density over them
+    /// in the same pass, without the walls. Returns its mean with walls that have this mean.
+    pub fn find_and_sum(
         &mut self,
         gas: &mut Gas,
         grid: &Grid,
@@ -78,11 +79,21 @@ impl NumberDensity {
         context: &Context,
         (walls, solids): (&Walls, &Solids),
     ) -> f32 {
-        let Context { kernel, values, .. } = *context;
-        for (theta, state) in gas.expansion.iter_mut().zip(&gas.state) {
-            *theta = expansion(state.x, values);
+        let h = context.kernel.smoothing_length();
+        expand(gas, context.values);
+        self.pack(gas, grid, 1.0 / h);
+        neighbours.find_and_sum(&mut self.blocks, grid, h);
+        if walls.any_thin() {
+            remove_pairs_across_solids(&mut self.blocks, grid, neighbours, h, (walls, solids));
         }
-        let inverse_h = 1.0 / kernel.smoothing_length();
+        let sum = self.unpack(gas, grid, gas.mass * context.kernel.w_norm());
+        // Σ (Y − Γ Ȳ) = Σ Ȳ (1 − Γ)
+        let free = gas.len().max(1) as f64 - walls.gamma();
+        (sum / if free > 1.0 { free } else { 1.0 }) as f32
+    }
+
+    /// Packs the gas into blocks, with empty sums.
+    fn pack(&mut self, gas: &Gas, grid: &Grid, inverse_h: f32) {
         // Not cleared: the loop overwrites every block.
         self.blocks.resize(grid.block_count(), Block::default());
         for (block, members) in self.blocks.iter_mut().zip(grid.members()) {
@@ -99,40 +110,43 @@ impl NumberDensity {
                 sum: Lanes::ZERO,
             };
         }
-        let h = kernel.smoothing_length();
-        neighbours.find(&mut self.blocks, grid, h);
-        if walls.any_thin() {
-            part(&mut self.blocks, grid, neighbours, h, (walls, solids));
-        }
+    }
 
-        let each = gas.mass * kernel.w_norm();
+    /// Writes the number densities, `unit` times the sums, into the gas. Returns their sum.
+    fn unpack(&self, gas: &mut Gas, grid: &Grid, unit: f32) -> f64 {
         let mut sum = 0.0;
         for (block, members) in self.blocks.iter().zip(grid.members()) {
-            let number_density = (block.sum * each).to_array();
+            let number_density = (block.sum * unit).to_array();
             for (i, number_density) in members.zip(number_density) {
                 gas.number_density[i] = number_density;
                 sum += f64::from(number_density);
             }
         }
-        // Σ (Y − Γ Ȳ) = Σ Ȳ (1 − Γ)
-        let free = gas.len().max(1) as f64 - walls.gamma();
-        (sum / if free > 1.0 { free } else { 1.0 }) as f32
+        sum
     }
 }
 
-/// Removes the pairs that thin solids part.
-fn part(
+/// Computes θ of the gas from its temperature.
+fn expand(gas: &mut Gas, values: &Physics) {
+    for (theta, state) in gas.expansion.iter_mut().zip(&gas.state) {
+        *theta = expansion(state.x, values);
+    }
+}
+
+/// Removes the pairs that a thin solid separates.
+fn remove_pairs_across_solids(
     blocks: &mut [Block],
     grid: &Grid,
     neighbours: &mut Neighbours,
     h: f32,
     (walls, solids): (&Walls, &Solids),
 ) {
-    neighbours.part(blocks, grid, h, solids, |one| walls.thin_near(one));
+    let thin_near = |particle| walls.thin_near(particle);
+    neighbours.remove_pairs_across_solids(blocks, grid, h, solids, thin_near);
 }
 
 /// Computes volume and pressure from the number density; the pressure is zero at `reference`.
-pub(crate) fn apply(gas: &mut Gas, reference: f32, sound: f32) {
+pub(crate) fn set_pressure(gas: &mut Gas, reference: f32, sound: f32) {
     for (i, &number_density) in gas.number_density.iter().enumerate() {
         gas.volume[i] = gas.mass * gas.expansion[i] / number_density;
         gas.pressure[i] = sound * sound * (number_density - reference);

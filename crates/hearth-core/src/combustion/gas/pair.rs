@@ -2,6 +2,8 @@
 
 use glam::Vec2;
 
+use super::Gas;
+use super::time_step::artificial_viscosity;
 use crate::interaction::Separation;
 use crate::kernel::{self, Kernel};
 use crate::lanes::{LANES, Lanes, Real, transposed};
@@ -58,6 +60,19 @@ pub(crate) struct Context<'a> {
     pub artificial_viscosity: f32,
     /// Mass of a particle [kg/m].
     pub mass: f32,
+}
+
+impl<'a> Context<'a> {
+    /// The inputs for the present velocities of the gas.
+    pub fn new(gas: &Gas, values: &'a Physics, kernel: &'a Kernel, sound: f32) -> Context<'a> {
+        Context {
+            kernel,
+            values,
+            sound,
+            artificial_viscosity: artificial_viscosity(gas, values, sound),
+            mass: gas.mass,
+        }
+    }
 }
 
 /// A particle against four others. Kernel gradients lack their factor

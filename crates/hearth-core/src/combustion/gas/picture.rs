@@ -1,30 +1,12 @@
 //! The gas as the renderer receives it.
 
-use glam::Vec2;
-
 use super::Gas;
-use crate::combustion::Combustion;
 use crate::instance::{GasParticle, Instance, Measured, numbered};
 use crate::params::DisplayMode;
-
-/// The place of [`Measured::number`] in an instance.
-const NUMBER: usize = 6;
 
 /// Gas that is hotter \[K\] or has more soot is visible.
 const VISIBLE_TEMPERATURE: f32 = 400.0;
 const VISIBLE_SOOT: f32 = 0.002;
-
-impl Combustion {
-    /// Widens the kernels of measured particles where open air ends.
-    #[inline]
-    pub fn widen(&self, measured: &mut [Instance]) {
-        if let Some(open) = &self.open {
-            for one in measured {
-                one[NUMBER] = open.widening(Vec2::new(one[0], one[1]));
-            }
-        }
-    }
-}
 
 impl Gas {
     /// Density of a particle [kg/m³], as the last step found it.

@@ -52,13 +52,17 @@ pub(crate) fn sound_speed(values: &Physics, power: f32) -> f32 {
     fast_max(scaled, MIN_SOUND_TO_WIND * values.wind.abs())
 }
 
-/// Statistics of the motion in a step.
+/// The motion in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Motion {
     /// Largest speed [m/s].
     pub max_speed: f32,
     /// Particles that the speed limit slowed down.
     pub speed_limited: u32,
+    /// Particles whose shift was clamped.
+    pub clamped_shifts: u32,
+    /// Length of the step \[s\]; 0 before the first one.
+    pub length: f32,
 }
 
 /// The coefficient α of the artificial viscosity: the parameter, and more while much gas is at
@@ -112,38 +116,42 @@ pub(crate) fn step_at_rest(h: f32, sound: f32) -> f32 {
     fast_min(COURANT * h / (sound * LEAST_EXPANSION.sqrt()), MAX_STEP)
 }
 
-/// Accelerates every particle.
-pub(crate) fn accelerate(gas: &mut Gas, sound: f32, dt: f32) -> Motion {
-    let limit = SPEED_LIMIT * sound;
-    let mut motion = Motion::default();
-    for (velocity, acceleration) in gas.velocity.iter_mut().zip(&gas.acceleration) {
-        *velocity += *acceleration * dt;
-        let speed = velocity.length();
-        if speed > limit {
-            *velocity *= limit / speed;
-            motion.speed_limited += 1;
+impl Motion {
+    /// Accelerates every particle.
+    pub fn accelerate(&mut self, gas: &mut Gas, sound: f32, dt: f32) {
+        let limit = SPEED_LIMIT * sound;
+        let (mut max_speed, mut speed_limited) = (0.0, 0);
+        for (velocity, acceleration) in gas.velocity.iter_mut().zip(&gas.acceleration) {
+            *velocity += *acceleration * dt;
+            let speed = velocity.length();
+            if speed > limit {
+                *velocity *= limit / speed;
+                speed_limited += 1;
+            }
+            max_speed = fast_max(max_speed, fast_min(speed, limit));
         }
-        motion.max_speed = fast_max(motion.max_speed, fast_min(speed, limit));
+        (self.max_speed, self.speed_limited) = (max_speed, speed_limited);
     }
-    motion
-}
 
-/// Moves every particle with its new velocity, and shifts it down the concentration gradient.
-/// Returns the number of shifts that [`MAX_DISPLACEMENT`] clamped.
-pub(crate) fn advance(gas: &mut Gas, shifting: f32, h: f32, max_speed: f32, dt: f32) -> u32 {
-    let shift = fast_min(SHIFT * shifting * h * max_speed * dt, MAX_SHIFT * h * h);
-    let max_displacement = MAX_DISPLACEMENT * h;
-    let mut clamped = 0;
-    for i in 0..gas.len() {
-        let mut displacement = gas.concentration_gradient[i] * -shift;
-        let length = displacement.length();
-        if length > max_displacement {
-            displacement *= max_displacement / length;
-            clamped += 1;
+    /// Moves every particle with its new velocity, and shifts it down the concentration gradient.
+    pub fn advance(&mut self, gas: &mut Gas, shifting: f32, h: f32, dt: f32) {
+        let shift = fast_min(
+            SHIFT * shifting * h * self.max_speed * dt,
+            MAX_SHIFT * h * h,
+        );
+        let max_displacement = MAX_DISPLACEMENT * h;
+        let mut clamped = 0;
+        for i in 0..gas.len() {
+            let mut displacement = gas.concentration_gradient[i] * -shift;
+            let length = displacement.length();
+            if length > max_displacement {
+                displacement *= max_displacement / length;
+                clamped += 1;
+            }
+            gas.position[i] += gas.velocity[i] * dt + displacement;
         }
-        gas.position[i] += gas.velocity[i] * dt + displacement;
+        self.clamped_shifts = clamped;
     }
-    clamped
 }
 
 #[cfg(test)]
@@ -158,15 +166,8 @@ mod tests {
     }
 
     fn longest_step(gas: &Gas, values: &Parameters) -> f32 {
-        let sound = sound(values);
-        let context = Context {
-            kernel: &Kernel::new(values.smoothing_length()),
-            values,
-            sound,
-            artificial_viscosity: artificial_viscosity(gas, values, sound),
-            mass: gas.mass,
-        };
-        max_stable_step(gas, &context)
+        let kernel = Kernel::new(values.smoothing_length());
+        max_stable_step(gas, &Context::new(gas, values, &kernel, sound(values)))
     }
 
     #[test]
@@ -250,13 +251,18 @@ mod tests {
         let (h, before) = (parameters.smoothing_length(), gas.position.clone());
         gas.position[0] = Vec2::new(0.1, 0.9);
         gas.position[1] = Vec2::new(0.1, 0.9);
-        advance(&mut gas, 1.0, h, 2.0, 1e-3);
+        let mut motion = Motion {
+            max_speed: 2.0,
+            ..Motion::default()
+        };
+        motion.advance(&mut gas, 1.0, h, 1e-3);
+        assert_eq!(motion.clamped_shifts, 1);
         assert!(gas.position[0].x < 0.1);
         assert!((gas.position[1].y - 0.9 - MAX_DISPLACEMENT * h).abs() < 1e-5);
         let mut still = random_gas(&parameters, 2);
         still.velocity.fill(Vec2::ZERO);
         still.concentration_gradient.fill(Vec2::new(1.0, 0.0));
-        advance(&mut still, 0.0, h, 2.0, 1e-3);
+        motion.advance(&mut still, 0.0, h, 1e-3);
         assert_eq!(still.position, before);
     }
 }

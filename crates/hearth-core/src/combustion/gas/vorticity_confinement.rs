@@ -193,9 +193,9 @@ impl VorticityConfinement {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::combustion::gas::interactions::Interactions;
-    use crate::combustion::gas::number_density::{self, NumberDensity};
+    use crate::combustion::gas::number_density;
     use crate::combustion::gas::pair::Context;
+    use crate::combustion::gas::pairs::Pairs;
     use crate::combustion::gas::periodic_bounds as bounds;
     use crate::combustion::gas::tests::{random_gas, with};
     use crate::combustion::gas::walls::Walls;
@@ -206,40 +206,28 @@ mod tests {
     /// Gas of random motion above y = `still`, at rest below, and what the confinement adds to
     /// its accelerations.
     fn confined(still: f32, solids: &Solids) -> (Gas, Vec<Vec2>) {
-        let parameters = with(&[("max_particles", 1500.0)]);
-        let mut gas = random_gas(&parameters, 9);
-        let context = Context {
-            kernel: &Kernel::new(parameters.smoothing_length()),
-            values: &parameters,
-            sound: 6.0,
-            artificial_viscosity: parameters.artificial_viscosity,
-            mass: gas.mass,
-        };
-        let kernel = context.kernel;
+        let off = with(&[("max_particles", 1500.0)]);
+        let on = with(&[("max_particles", 1500.0), ("vorticity_confinement", 0.5)]);
+        let mut gas = random_gas(&off, 9);
+        let kernel = Kernel::new(off.smoothing_length());
         for (at, velocity) in gas.position.iter().zip(&mut gas.velocity) {
             if at.y < still {
                 *velocity = Vec2::ZERO;
             }
         }
-        let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
-        let positions = gas.position.clone().into_iter();
-        gas.reorder(grid.sort(positions, &bounds(&parameters), kernel.support()));
-        let mut walls = Walls::default();
-        walls.find(&gas, &grid, solids, false, kernel);
-        let all = (&walls, solids);
-        let mean = NumberDensity::default().sum(&mut gas, &grid, &mut neighbours, &context, all);
-        number_density::apply(&mut gas, mean, context.sound);
-        let mut interactions = Interactions::default();
-        interactions.sum(&mut gas, &grid, &neighbours, &context);
+        let (mut pairs, mut walls) = (Pairs::default(), Walls::default());
+        pairs.sort(&mut gas, &bounds(&off), &kernel);
+        walls.find(&gas, pairs.grid(), solids, false, &kernel);
+        let context = Context::new(&gas, &off, &kernel, 6.0);
+        let mean = pairs.find_and_sum(&mut gas, (&walls, solids), &context);
+        number_density::set_pressure(&mut gas, mean, context.sound);
+        pairs.interact(&mut gas, &context);
         gas.acceleration.fill(Vec2::ZERO);
-        let packed = interactions.packed();
-        let confine = |gas: &mut Gas, strength| {
-            VorticityConfinement::default().add(gas, &grid, &neighbours, packed, kernel, strength);
-            gas.acceleration.clone()
-        };
-        let none = confine(&mut gas, 0.0);
-        assert!(none.iter().all(|&a| a == Vec2::ZERO));
-        let added = confine(&mut gas, 0.5);
+        pairs.confine_vorticity(&mut gas, &context);
+        assert!(gas.acceleration.iter().all(|&a| a == Vec2::ZERO));
+        let context = Context::new(&gas, &on, &kernel, 6.0);
+        pairs.confine_vorticity(&mut gas, &context);
+        let added = gas.acceleration.clone();
         (gas, added)
     }
 

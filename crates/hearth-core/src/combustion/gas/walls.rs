@@ -35,7 +35,7 @@ pub(crate) const MIN_DISTANCE: f32 = 0.15;
 /// Smallest distance over which a velocity is continued linearly, in smoothing lengths.
 const MIN_LINEAR: f32 = 0.3;
 /// Cosine between the normals before and after a step, below which a particle may have passed through a solid.
-const TURNED: f32 = 0.5;
+const MIN_NORMAL_COSINE: f32 = 0.5;
 /// The floor, in place of the index of a solid.
 const FLOOR: u32 = u32::MAX;
 /// The end of a list.
@@ -213,16 +213,20 @@ impl Walls {
 
     /// Keeps the gas outside of the walls. A particle without a place between them stays where
     /// it was; returns whether there is one. `dt` is the time since the walls were found \[s\].
-    pub fn hold(&self, gas: &mut Gas, solids: &mut Solids, spacing: f32, dt: f32) -> bool {
+    pub fn keep_outside(&self, gas: &mut Gas, solids: &mut Solids, spacing: f32, dt: f32) -> bool {
         let gap = MIN_DISTANCE * spacing;
-        let moved = if solids.drive() { MAX_SPEED * dt } else { 0.0 };
+        let moved = if solids.any_moves() {
+            MAX_SPEED * dt
+        } else {
+            0.0
+        };
         for _ in 0..ATTEMPTS {
             let mut held = false;
             for near in &self.near {
                 let path = gas.position[near.index as usize].distance(near.from) + moved;
                 // Sampled distances are uncertain by half.
                 if near.distance <= 2.0 * (gap + 2.0 * path) {
-                    held |= near.hold(gas, solids, gap, dt);
+                    held |= near.keep_outside(gas, solids, gap, dt);
                 }
             }
             if !held {
@@ -267,7 +271,7 @@ impl Near {
     /// Moves the particle out of the wall, and stops its motion into the wall. Returns whether
     /// it was nearer than the gap.
     #[inline]
-    fn hold(&self, gas: &mut Gas, solids: &mut Solids, gap: f32, dt: f32) -> bool {
+    fn keep_outside(&self, gas: &mut Gas, solids: &mut Solids, gap: f32, dt: f32) -> bool {
         let i = self.index as usize;
         let position = gas.position[i];
         let Some(body) = solids.bodies.get_mut(self.solid as usize) else {
@@ -282,7 +286,7 @@ impl Near {
         // With a tolerance for rounding, so that a particle at the gap is not held again.
         let mut inside = distance < 0.9 * gap;
         // A step may be longer than a solid is thick: the particle stays on its side.
-        if normal.dot(self.normal) < TURNED && body.is_between(self.from, position) {
+        if normal.dot(self.normal) < MIN_NORMAL_COSINE && body.is_between(self.from, position) {
             gas.position[i] = self.from;
             (distance, normal, inside) = (gap, self.normal, true);
         }

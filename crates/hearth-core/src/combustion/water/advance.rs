@@ -2,61 +2,15 @@
 
 use super::around::Around;
 use super::exchange;
-use super::report::{Droplets, Sprayed};
 use super::state::Water;
-use crate::combustion::Combustion;
 use crate::instance::Instance;
-use crate::kernel::Kernel;
 use crate::random::Random;
 use crate::scene::Scene;
 
-impl Combustion {
-    /// Moves, heats and evaporates all water for `dt`, after the gas and the solids have moved.
-    #[inline(never)]
-    pub(in crate::combustion) fn advance_water(
-        &mut self,
-        scene: &Scene,
-        random: &mut Random,
-        dt: f32,
-    ) {
-        let Some(mut water) = self.water.take() else {
-            return;
-        };
-        let values = scene.settings();
-        let bounds = self.present_bounds(values);
-        let mut near = std::mem::take(&mut water.near);
-        let around = Around {
-            gas: &mut self.gas,
-            grid: &self.grid,
-            kernel: &Kernel::new(values.smoothing_length()),
-            bounds: &bounds,
-            solids: &mut self.solids,
-            fuels: self.fuels.as_deref_mut(),
-            has_floor: self.open.as_ref().is_some_and(|open| open.has_floor()),
-            values,
-            dt,
-            near: &mut near,
-        };
-        water.advance(scene, around, random);
-        water.near = near;
-        self.water = Some(water);
-    }
-
-    /// The droplets in the air.
-    pub fn droplets(&self) -> &[Droplets] {
-        self.water.as_ref().map_or(&[], |water| &water.parcels)
-    }
-
-    /// Where all water is.
-    pub fn sprayed(&self) -> Sprayed {
-        self.water
-            .as_ref()
-            .map_or_else(Sprayed::default, |water| water.sprayed())
-    }
-}
-
 impl Water {
-    fn advance(&mut self, scene: &Scene, mut around: Around, random: &mut Random) {
+    /// Moves, heats and evaporates all water for a step, after the gas and the solids have moved.
+    pub fn advance(&mut self, scene: &Scene, mut around: Around, random: &mut Random) {
+        around.near = std::mem::take(&mut self.near);
         self.set_beds(scene);
         self.height = around.values.domain_height;
         let dt = around.dt;
@@ -80,10 +34,10 @@ impl Water {
         });
         self.parcels = parcels;
         self.steam.drift(&mut around);
+        self.near = around.near;
     }
 
     /// Writes what a picture shows, as the embers are written.
-    #[inline(never)]
     pub fn write_instances(&self, out: &mut Vec<Instance>) {
         let height = self.height;
         self.steam.write_instances(out);

@@ -9,7 +9,7 @@ use crate::params::Physics;
 use crate::solids::Solids;
 
 /// What is around droplets in a step.
-pub(super) struct Around<'a> {
+pub(crate) struct Around<'a> {
     pub gas: &'a mut Gas,
     pub grid: &'a Grid,
     pub kernel: &'a Kernel,
@@ -20,5 +20,5 @@ pub(super) struct Around<'a> {
     pub values: &'a Physics,
     pub dt: f32,
     /// The particles around a place, and the weight of each.
-    pub near: &'a mut Vec<(usize, f32)>,
+    pub near: Vec<(usize, f32)>,
 }

@@ -144,7 +144,7 @@ impl Around<'_> {
     /// each by kernel and volume.
     fn find_near(&mut self, at: Vec2) {
         let support = self.kernel.support();
-        let (gas, kernel, near) = (&*self.gas, self.kernel, &mut *self.near);
+        let (gas, kernel, near) = (&*self.gas, self.kernel, &mut self.near);
         let beside = self.solids.beside(at, support);
         near.clear();
         self.grid.candidates(at, &mut |run, shift| {
@@ -163,7 +163,7 @@ impl Around<'_> {
     pub(super) fn gas_at(&mut self, at: Vec2) -> Option<(Vec2, f32)> {
         self.find_near(at);
         let (mut weights, mut velocity, mut temperature) = (0.0, Vec2::ZERO, 0.0);
-        for &(j, weight) in &*self.near {
+        for &(j, weight) in &self.near {
             weights += weight;
             velocity += self.gas.velocity[j] * weight;
             temperature += self.gas.state[j].x * weight;

@@ -4,9 +4,7 @@ use glam::Vec2;
 
 use super::report::Droplets;
 use super::state::Water;
-use crate::combustion::Combustion;
 use crate::extremes::{fast_max, fast_min};
-use crate::params::Physics;
 use crate::random::Random;
 
 /// Parcels of a spray, and most in the air.
@@ -31,52 +29,36 @@ const NEIGHBOURS: usize = 256;
 const FASTEST: f32 = 20.0;
 const HEAVIEST: f32 = 1.0;
 
-impl Combustion {
-    /// Sprays a mass of water [kg/m] from a place within a twentieth of a second; none from outside
-    /// of the domain or from inside of a solid.
-    #[inline(never)]
+impl Water {
+    /// Sprays a mass of water [kg/m] of a temperature \[K\] from a place within a twentieth of a second.
     pub fn spray(
         &mut self,
         place: Vec2,
         velocity: Vec2,
         mass: f32,
-        values: &Physics,
+        temperature: f32,
         random: &mut Random,
     ) {
-        let is_outside = !self.present_bounds(values).contains(place);
-        if is_outside || self.solids.touch(place, 0.0) || !(mass > 0.0 && velocity.is_finite()) {
-            return;
-        }
-        let water = self.water.get_or_insert_with(Box::default);
-        water.reserve(MOST);
-        let room = PARCELS.min(MOST.saturating_sub(water.parcels.len()));
+        self.reserve(MOST);
+        let room = PARCELS.min(MOST.saturating_sub(self.parcels.len()));
         let each = fast_min(mass, HEAVIEST) / PARCELS as f32;
         let velocity = velocity.clamp_length_max(FASTEST);
         for _ in 0..room {
             let aside = SLOPE * random.between(-1.0, 1.0);
             let faster = random.between(1.0 - SPREAD, 1.0 + SPREAD);
-            water.parcels.push(Droplets {
+            self.parcels.push(Droplets {
                 position: place,
                 velocity: (velocity + aside * velocity.perp()) * faster,
-                temperature: values.ambient_temperature,
+                temperature,
                 diameter: diameter(random.unit()),
                 mass: each,
                 first: each,
                 waits: LASTS * random.unit(),
             });
-            water.account.sprayed += f64::from(each);
+            self.account.sprayed += f64::from(each);
         }
     }
-}
 
-/// The diameter below which this share of the volume is.
-fn diameter(share: f32) -> f32 {
-    let decades = -libm::logf(1.0 - share) / std::f32::consts::LN_2;
-    let ratio = libm::expf(libm::logf(fast_max(decades, 1e-6)) / EXPONENT);
-    fast_min(fast_max(MEDIAN * ratio, SMALLEST), LARGEST)
-}
-
-impl Water {
     /// Makes room, so that a warm step allocates nothing.
     fn reserve(&mut self, parcels: usize) {
         let more = parcels.saturating_sub(self.parcels.len());
@@ -85,6 +67,13 @@ impl Water {
             .reserve(NEIGHBOURS.saturating_sub(self.near.len()));
         self.steam.reserve();
     }
+}
+
+/// The diameter below which this share of the volume is.
+fn diameter(share: f32) -> f32 {
+    let decades = -libm::logf(1.0 - share) / std::f32::consts::LN_2;
+    let ratio = libm::expf(libm::logf(fast_max(decades, 1e-6)) / EXPONENT);
+    fast_min(fast_max(MEDIAN * ratio, SMALLEST), LARGEST)
 }
 
 #[cfg(test)]

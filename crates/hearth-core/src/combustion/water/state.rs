@@ -20,9 +20,13 @@ pub(crate) struct Water {
 }
 
 impl Water {
+    /// The droplets in the air.
+    pub(crate) fn droplets(&self) -> &[Droplets] {
+        &self.parcels
+    }
+
     /// The account with what is in the air and in sources now.
-    #[inline(never)]
-    pub(super) fn sprayed(&self) -> Sprayed {
+    pub(crate) fn sprayed(&self) -> Sprayed {
         let flying = self.parcels.iter().map(|parcel| f64::from(parcel.mass));
         let held = self.beds.iter().map(|bed| f64::from(bed.water));
         Sprayed {

@@ -14,14 +14,13 @@ mod object;
 #[cfg(test)]
 mod tests;
 
-use glam::Vec2;
-
 use crate::params::{
     Fuel, Input, Motion, Name, ParamError, ParamErrorKind, Parameters, Physics, Solid,
 };
 
 pub use crate::params::Property;
 pub use distance::{RoundedBox, Surface};
+pub use drive::Pose;
 pub(crate) use drive::{Drive, MAX_SPEED};
 pub use field::Field;
 pub use kinds::{KINDS, Kind};
@@ -142,15 +141,6 @@ impl Scene {
     /// Whether a solid is free to move.
     pub fn has_free(&self) -> bool {
         self.solids().any(|solid| solid.motion == Motion::Free)
-    }
-
-    /// Draws the solid with this id at a place, where it is now: its values are those of its start.
-    pub(crate) fn show_at(&mut self, id: u32, centre: Vec2, axis: Vec2) {
-        let mut all = self.objects.iter_mut();
-        if let Some(Values::Solid(stored)) = all.find(|one| one.id == id).map(|one| &mut one.values)
-        {
-            (stored.1.frame.centre, stored.1.frame.axis) = (centre, axis);
-        }
     }
 
     /// The solid that a source is on and its surface; `None` if the source is a line.

@@ -19,7 +19,7 @@ use crate::neighbourhood;
 use crate::params::{DisplayMode, Edges, Floor, Input, Model, ParamError, Parameters, Walls};
 use crate::particle::Particle;
 use crate::random::Random;
-use crate::scene::Scene;
+use crate::scene::{Pose, Scene};
 use crate::solver::Solver;
 use model::AnySolver;
 
@@ -81,14 +81,6 @@ impl Simulation {
         let (scene, random) = (&self.scene, &mut self.random);
         let solver = &mut self.solver;
         self.time += solver.step(scene, random, self.time, force, on_stage);
-        self.show_free();
-    }
-
-    /// Draws the free solids where they are.
-    fn show_free(&mut self) {
-        if let Some(free) = &self.solver.solids().free {
-            free.show(&mut self.scene);
-        }
     }
 
     /// Starts again: time zero, the generator at its seed.
@@ -96,7 +88,6 @@ impl Simulation {
         self.random = Random::new(self.scene.settings().seed);
         self.solver = AnySolver::new(&self.scene, &mut self.random);
         self.time = 0.0;
-        self.show_free();
         self.see(self.seen);
     }
 
@@ -150,7 +141,15 @@ impl Simulation {
             self.reset();
         }
         self.solver.adapt(&self.scene, &mut self.random, self.time);
-        self.show_free();
+    }
+
+    /// Where the solids that are on are now, in the order of the objects.
+    pub fn poses(&self) -> Vec<Pose> {
+        let mut poses = self.scene.poses(self.time);
+        if let Some(free) = self.solver.solids().free.as_ref() {
+            free.move_poses(&mut poses);
+        }
+        poses
     }
 
     /// Simulated time since the start \[s\].

@@ -9,7 +9,7 @@ use glam::Vec2;
 use hearth_bindings::memory;
 use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
-use hearth_core::{Instance, NoFuel, NoWater, Parameters, Simulation, Where, burning};
+use hearth_core::{Charred, Instance, NoFuel, NoWater, Parameters, Simulation, Where, burning};
 use hearth_render::{Camera, Fit, Viewport};
 use js_sys::Float32Array;
 use wasm_bindgen::JsValue;
@@ -58,6 +58,7 @@ pub struct Fire {
     drawable: bool,
     instances: Vec<Instance>,
     embers: Vec<Instance>,
+    charred: Charred,
     /// Size of the element [device pixels].
     size: (u32, u32),
     limits: PictureLimits,
@@ -102,6 +103,7 @@ impl Fire {
             drawable: false,
             instances: Vec::new(),
             embers: Vec::new(),
+            charred: Charred::default(),
             size: (0, 0),
             limits: PictureLimits::default(),
             next: 0.0,

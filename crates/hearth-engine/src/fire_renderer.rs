@@ -1,6 +1,7 @@
 //! The rendering of one fire in the context that all fires share.
 
 use hearth_core::params::{DisplayMode, Model};
+use hearth_core::scene::Pose;
 use hearth_core::{Charred, Instance, Scene};
 use hearth_render::{Camera, CarriedNoise, Motion, RenderError, Renderer, ResolutionLimits, View};
 
@@ -38,10 +39,12 @@ pub struct FrameInput<'a> {
     pub particles: &'a [Instance],
     /// The embers.
     pub embers: &'a [Instance],
+    /// Where the solids are.
+    pub poses: &'a [Pose],
     /// Temperatures of solids that conduct heat, by their ids \[K\].
     pub temperatures: &'a [(u32, f32)],
     /// What is left of solids with fuel.
-    pub charred: Option<&'a Charred>,
+    pub charred: &'a Charred,
     /// Whether the fire is paused.
     pub paused: bool,
 }
@@ -117,7 +120,13 @@ impl FireRenderer {
             let passes = &mut drawing.passes;
             let [width, height] = canvas.resize(input.size);
             renderer.upload(gl, parameters.display_mode, input.particles, input.embers);
-            renderer.upload_solids(gl, scene, time, input.temperatures, input.charred);
+            renderer.upload_solids(
+                gl,
+                scene,
+                input.poses,
+                input.temperatures,
+                input.charred,
+            );
             let sent = clock.now();
             renderer.set_limits(input.limits);
             passes.begin(context, clock);

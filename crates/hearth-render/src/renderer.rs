@@ -6,6 +6,7 @@ mod fit;
 use std::rc::Rc;
 
 use hearth_core::params::DisplayMode;
+use hearth_core::scene::Pose;
 use hearth_core::{Charred, Instance, Parameters, Scene, Source};
 
 use crate::advection;
@@ -158,19 +159,19 @@ impl<G: Graphics> Renderer<G> {
         self.embers.upload(gl, embers);
     }
 
-    /// Uploads the solids of a scene at a time of its fire \[s\]. Until the next call they stay in the pictures. Those that
+    /// Uploads the solids of a scene where they are. Until the next call they stay in the pictures. Those that
     /// conduct heat have the temperatures \[K\] of their ids, or at first that of the scene; those that have
     /// fuel, what is left of them.
     pub fn upload_solids(
         &mut self,
         gl: &G,
         scene: &Scene,
-        time: f64,
+        poses: &[Pose],
         temperatures: &[(u32, f32)],
-        charred: Option<&Charred>,
+        charred: &Charred,
     ) {
-        self.source = Source::on_solid(scene, time);
-        self.solids.upload(gl, scene, time, temperatures, charred);
+        self.source = Source::on_solid(scene.settings(), poses);
+        self.solids.upload(gl, scene, poses, temperatures, charred);
     }
 
     /// Draws the uploaded particles and solids. Ignores a picture without pixels.

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use hearth_core::params::{Material, Solid, Thermal};
-use hearth_core::scene::{Field, RoundedBox};
+use hearth_core::scene::{Field, Pose, RoundedBox};
 use hearth_core::{Charred, CharredSolid, Instance, Scene};
 
 use crate::constants::{FRONT_OFFSET, FUEL_OFFSET, MATERIAL_FACTOR, PARTICLES_PER_ROW};
@@ -35,20 +35,20 @@ impl<G: Graphics> Solids<G> {
         }
     }
 
-    /// Uploads the visible solids of a scene at a time \[s\], with the temperatures of those that
+    /// Uploads the visible solids of a scene where they are, with the temperatures of those that
     /// conduct heat and the cells of those that have fuel.
     pub fn upload(
         &mut self,
         gl: &G,
         scene: &Scene,
-        time: f64,
+        poses: &[Pose],
         temperatures: &[(u32, f32)],
-        charred: Option<&Charred>,
+        charred: &Charred,
     ) {
         let mut fields = Vec::new();
-        let mut instances = records(scene, time, temperatures, charred, &mut fields);
+        let mut instances = records(scene, poses, temperatures, charred, &mut fields);
         let count = instances.len();
-        let cells = charred.map_or(&[][..], |charred| &charred.records);
+        let cells = &charred.records;
         let between = cells.len();
         if between > 0 {
             instances.resize(PARTICLES_PER_ROW, [0.0; 8]);
@@ -75,13 +75,12 @@ impl<G: Graphics> Solids<G> {
 /// The records of the visible solids, each with those of what has broken off it; appends their fields.
 fn records(
     scene: &Scene,
-    time: f64,
+    poses: &[Pose],
     temperatures: &[(u32, f32)],
-    charred: Option<&Charred>,
+    charred: &Charred,
     fields: &mut Vec<Arc<Field>>,
 ) -> Vec<Instance> {
-    let mut place = PARTICLES_PER_ROW + charred.map_or(0, |charred| charred.records.len());
-    let charred = charred.map_or(&[][..], |charred| &charred.solids);
+    let mut place = PARTICLES_PER_ROW + charred.records.len();
     let visible = scene
         .surfaces()
         .filter(|(_, solid, _)| solid.material != Material::None);
@@ -89,12 +88,13 @@ fn records(
     for (id, solid, surface) in visible {
         let present = temperatures.iter().find(|(solid, _)| *solid == id);
         let kelvin = present.map_or(solid.temperature, |(_, kelvin)| *kelvin);
+        let pose = poses.iter().find(|pose| pose.id == id);
         // The solid comes before its parts.
-        let mut known = charred.iter().filter(|solid| solid.id == id);
+        let mut known = charred.solids.iter().filter(|solid| solid.id == id);
         let mut next = known.next();
         loop {
             let part = next.and_then(|part| part.part);
-            let mut frame = part.unwrap_or_else(|| solid.frame_at(surface, time));
+            let mut frame = part.unwrap_or(pose.map_or(surface.frame, |pose| pose.frame));
             let mut field = surface.field.as_ref();
             let cells = next.map_or(0.0, |known| burnt(known, &mut frame, &mut field));
             let mut record = record(solid, if cells > 0.0 { 0.0 } else { kelvin }, &frame);
@@ -189,7 +189,7 @@ mod tests {
             ("temperature", Input::Number(kelvin)),
         ]);
         assert!(added.is_ok(), "{added:?}");
-        records(&scene, 0.0, &[], None, &mut Vec::new())
+        records(&scene, &[], &[], &Charred::default(), &mut Vec::new())
             .first()
             .map(|[.., surface]| *surface)
     }
@@ -247,7 +247,7 @@ mod tests {
             solids: vec![whole(4), part(4, 3), part(3, 5), part(4, 7), part(9, 8)],
         };
         let mut fields = Vec::new();
-        let all = records(&scene, 0.0, &[], Some(&charred), &mut fields);
+        let all = records(&scene, &[], &[], &charred, &mut fields);
         assert_eq!((all.len(), fields.len()), (4, 2));
         let length = 1 + left.distances.len().div_ceil(8);
         for (number, place) in [3.0, 7.0].into_iter().enumerate() {

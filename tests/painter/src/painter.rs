@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use hearth_core::params::Input;
 use hearth_core::preset::{PRESETS, Preset};
-use hearth_core::{Instance, Scene, Simulation};
+use hearth_core::{Charred, Instance, Scene, Simulation};
 use hearth_render::{
     Chromaticity, Renderer, ResolutionLimits, SharedResources, TargetFormat, View, chromaticity,
 };
@@ -268,7 +268,13 @@ impl FirePainter {
         let renderer = self.renderer.as_mut().ok_or("the painter is destroyed")?;
         let mode = fire.scene.settings().display_mode;
         renderer.upload(&self.gl, mode, &fire.instances, &fire.embers);
-        renderer.upload_solids(&self.gl, &fire.scene, time, &[], None);
+        renderer.upload_solids(
+            &self.gl,
+            &fire.scene,
+            &fire.scene.poses(time),
+            &[],
+            &Charred::default(),
+        );
         let view = View {
             width,
             height,

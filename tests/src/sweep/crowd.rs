@@ -299,9 +299,10 @@ pub fn gas_inside(fire: &Simulation) -> Option<String> {
         (Model::Classic, _) => (i32::from(settings.walls == Walls::Periodic), 0),
     };
     let positions = fire.positions();
-    for (id, solid, surface) in fire.scene().surfaces() {
+    let poses = fire.poses();
+    for ((id, solid, surface), pose) in fire.scene().surfaces().zip(&poses) {
         let surface = Surface {
-            frame: solid.frame_at(surface, fire.time()),
+            frame: pose.frame,
             field: surface.field.clone(),
         };
         let (centre, reach) = (surface.frame.centre, surface.frame.reach());

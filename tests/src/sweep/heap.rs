@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use hearth_core::params::{Input, Motion, Solid};
 use hearth_core::random::Random;
 use hearth_core::scene::Surface;
-use hearth_core::{Scene, Simulation, Vec2, Where};
+use hearth_core::{Charred, Scene, Simulation, Vec2, Where};
 
 use super::crowd::{MASKS, POLYGONS, SHAPES, STROKES, scaled};
 use super::{Outcome, described, watched};
@@ -219,19 +219,21 @@ fn add_chain(scene: &mut Scene, random: &mut Random) {
 }
 
 /// What is left of each solid and of its parts, where it is now.
-fn left(fire: &mut Simulation) -> impl Iterator<Item = (u32, &Solid, Surface)> {
-    fire.show_fuels();
-    let fire = &*fire;
-    let burning = fire.charred().map_or(&[][..], |charred| &charred.solids);
+fn left(fire: &Simulation) -> impl Iterator<Item = (u32, &Solid, Surface)> {
+    let mut charred = Charred::default();
+    fire.write_charred(&mut charred);
+    let burning = charred.solids;
     let parts = burning.iter().filter_map(|part| {
         let (frame, field) = (part.part?, part.left.clone());
         let mut all = fire.scene().surfaces();
         let (id, solid, _) = all.find(|one| one.0 == part.id)?;
         Some((id, solid, Surface { frame, field }))
     });
-    let whole = fire.scene().surfaces().map(|(id, solid, surface)| {
+    let parts: Vec<_> = parts.collect();
+    let surfaces = fire.scene().surfaces().zip(fire.poses());
+    let whole = surfaces.map(move |((id, solid, surface), pose)| {
         let mut surface = Surface {
-            frame: solid.frame_at(surface, fire.time()),
+            frame: pose.frame,
             field: surface.field.clone(),
         };
         let found = burning.iter().find(|one| one.id == id);
@@ -245,7 +247,7 @@ fn left(fire: &mut Simulation) -> impl Iterator<Item = (u32, &Solid, Surface)> {
 }
 
 /// Gas in what is left of a solid, if there is any.
-pub fn gas_in_what_is_left(fire: &mut Simulation) -> Option<String> {
+pub fn gas_in_what_is_left(fire: &Simulation) -> Option<String> {
     let positions = fire.positions();
     for (id, solid, surface) in left(fire) {
         let (centre, reach) = (surface.frame.centre, surface.frame.reach());

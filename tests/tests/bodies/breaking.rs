@@ -1,7 +1,7 @@
 //! Bodies that burn through: each part goes on as a body of its own.
 
 use hearth_core::params::Input;
-use hearth_core::{FreeSolid, Scene, Simulation, Vec2, Where};
+use hearth_core::{Charred, FreeSolid, Scene, Simulation, Vec2, Where};
 use hearth_tests::fires::burn_on;
 use hearth_tests::sweep::heap::gas_in_what_is_left;
 
@@ -87,18 +87,17 @@ fn a_stick_that_burns_through_in_its_middle_becomes_two_bodies() {
     let share = (rest.mass + part.mass) / whole.mass;
     assert!((f64::from(share) - left / first).abs() < 5e-3, "{share}");
     assert!(((left + given) / first - 1.0).abs() < 1e-4);
-    fire.show_fuels();
-    let drawn = fire.charred().map_or(&[][..], |charred| &charred.solids);
-    let drawn: Vec<_> = drawn
-        .iter()
+    let mut drawn = Charred::default();
+    fire.write_charred(&mut drawn);
+    let drawn: Vec<_> = (drawn.solids.iter())
         .map(|one| (one.id, one.part.is_some()))
         .collect();
     assert_eq!(drawn, [(id, false), (id, true)]);
-    assert_eq!(gas_in_what_is_left(&mut fire), None);
+    assert_eq!(gas_in_what_is_left(&fire), None);
     // Nothing is lost later on, and both are one solid to its readers.
     while fire.time() < 6.0 {
         fire.step();
-        assert_eq!(gas_in_what_is_left(&mut fire), None, "{} s", fire.time());
+        assert_eq!(gas_in_what_is_left(&fire), None, "{} s", fire.time());
         let (left, given, first) = balance(&fire);
         let error = (left + given) / first - 1.0;
         assert!(error.abs() < 1e-4, "{error} at {} s", fire.time());

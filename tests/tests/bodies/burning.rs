@@ -46,9 +46,8 @@ fn a_burning_body_has_the_mass_the_centre_and_the_inertia_of_what_is_left() {
     );
     assert!(after.inertia < before.inertia * left, "{after:?}");
     // Its left end has burnt.
-    let frame = fire.scene().surfaces().find(|one| one.0 == id);
-    let frame = frame.map(|one| one.2.frame);
-    let along = frame.map_or(0.0, |frame| frame.local(after.centre).x);
+    let pose = fire.poses().into_iter().find(|pose| pose.id == id);
+    let along = pose.map_or(0.0, |pose| pose.frame.local(after.centre).x);
     assert!(along > 0.01, "{along}");
 }
 
@@ -77,7 +76,7 @@ fn a_heap_of_burning_bodies_stays_finite_and_without_gas_inside() {
     assert_eq!(fire.ignite(Where::Place(Vec2::new(0.0, 0.2), 0.4)), Ok(()));
     while fire.time() < 10.0 {
         fire.step();
-        assert_eq!(gas_in_what_is_left(&mut fire), None, "{} s", fire.time());
+        assert_eq!(gas_in_what_is_left(&fire), None, "{} s", fire.time());
         for one in fire.free_solids() {
             assert!(one.place.is_finite() && one.velocity.is_finite() && one.spin.is_finite());
             // The place of a body may be beyond what is left of it.

@@ -187,7 +187,7 @@ fn gas_yields_to_a_body_that_begins_in_the_floor() {
     let mut fire = Simulation::new(scene);
     while fire.time() < 0.5 {
         fire.step();
-        assert_eq!(gas_in_what_is_left(&mut fire), None, "{} s", fire.time());
+        assert_eq!(gas_in_what_is_left(&fire), None, "{} s", fire.time());
     }
     for id in ids {
         assert!(free(&fire, id).place.y > -0.01, "{:?}", free(&fire, id));

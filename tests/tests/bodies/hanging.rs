@@ -153,9 +153,8 @@ fn a_hinge_at_a_solid_that_sways_at_the_greatest_speed_does_not_stretch() {
     let mut fire = Simulation::new(scene);
     let mut fastest = 0.0_f32;
     watch(&mut fire, 5.0, |fire| {
-        let mut all = fire.scene().surfaces();
-        let (_, solid, surface) = all.find(|one| one.0 == from).unwrap();
-        let frame = solid.frame_at(surface, fire.time());
+        let poses = fire.poses();
+        let frame = poses.iter().find(|pose| pose.id == from).unwrap().frame;
         let links = fire.free_solids();
         let most = stretch(&links, frame.centre);
         assert!(most < 2e-3, "{most} m at {} s", fire.time());
@@ -328,7 +327,7 @@ fn what_hangs_falls_where_it_has_burnt_through() {
     let start = free(&fire, last).place.y;
     let mut fell = false;
     watch(&mut fire, 6.0, |fire| {
-        assert_eq!(gas_in_what_is_left(&mut fire.clone()), None);
+        assert_eq!(gas_in_what_is_left(fire), None);
         fell |= free(fire, last).place.y < start - 0.3;
     });
     assert!(fell, "{:?}", fire.free_solids());

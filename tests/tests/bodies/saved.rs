@@ -72,8 +72,7 @@ fn a_saved_fire_has_its_free_solids_where_they_were() {
     assert_eq!(gas_inside(&other), None);
     // The picture shows them there.
     let frames = |fire: &Simulation| -> Vec<Vec2> {
-        let surfaces = fire.scene().surfaces();
-        surfaces.map(|(.., surface)| surface.frame.centre).collect()
+        fire.poses().iter().map(|pose| pose.frame.centre).collect()
     };
     let places = frames(&fire).into_iter().zip(frames(&other));
     assert!(

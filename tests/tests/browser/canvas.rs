@@ -1,7 +1,7 @@
 //! A real canvas with a real WebGL2 context, and what was painted on it.
 
 use hearth_core::params::Parameters;
-use hearth_core::{Instance, Scene};
+use hearth_core::{Charred, Instance, Scene};
 use hearth_render::{Renderer, View};
 use js_sys::{Function, Reflect};
 use wasm_bindgen::prelude::*;
@@ -144,7 +144,13 @@ impl Drop for Canvas {
 /// Paints a scene with its solids.
 pub fn painted(canvas: &Canvas, scene: &Scene, gas: &[Instance]) -> Result<Pixels, JsValue> {
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-    renderer.upload_solids(&canvas.gl, scene, 0.0, &[], None);
+    renderer.upload_solids(
+        &canvas.gl,
+        scene,
+        &scene.poses(0.0),
+        &[],
+        &Charred::default(),
+    );
     let pixels = canvas.paint_with(&mut renderer, gas, scene.settings());
     renderer.destroy(&canvas.gl);
     assert_eq!(canvas.gl_error(), 0);

@@ -2,7 +2,7 @@
 
 use hearth_core::params::{Choice, DisplayMode, Input, Material, Model, Parameters, Shape};
 use hearth_core::scene::MAX_OBJECTS;
-use hearth_core::{Instance, Scene, Vec2};
+use hearth_core::{Charred, Instance, Scene, Vec2};
 use hearth_render::Renderer;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -145,16 +145,22 @@ fn as_many_solids_as_a_scene_holds_are_drawn_and_removed() -> Result<(), JsValue
     renderer.upload_solids(
         &canvas.gl,
         &scene(settings.clone(), &solids)?,
-        0.0,
         &[],
-        None,
+        &[],
+        &Charred::default(),
     );
     let pixels = canvas.paint_with(&mut renderer, &[], &settings)?;
     for [x, y] in (0..MAX_OBJECTS).map(place) {
         let pixel = pixels.at(x as f32, y as f32);
         assert_eq!(pixel[3], 255, "{pixel:?} at {x}, {y}");
     }
-    renderer.upload_solids(&canvas.gl, &scene(settings.clone(), &[])?, 0.0, &[], None);
+    renderer.upload_solids(
+        &canvas.gl,
+        &scene(settings.clone(), &[])?,
+        &[],
+        &[],
+        &Charred::default(),
+    );
     let pixels = canvas.paint_with(&mut renderer, &[], &settings)?;
     renderer.destroy(&canvas.gl);
     assert!(pixels.all().all(|(_, _, pixel)| pixel == [0; 4]));
@@ -238,7 +244,13 @@ fn an_outline_is_drawn_again_when_it_changes_and_moves_without_an_upload() -> Re
         scene
             .change(id, change)
             .map_err(|errors| format!("{errors:?}"))?;
-        renderer.upload_solids(&canvas.gl, &scene, 0.0, &[], None);
+        renderer.upload_solids(
+            &canvas.gl,
+            &scene,
+            &scene.poses(0.0),
+            &[],
+            &Charred::default(),
+        );
         let pixels = canvas.paint_with(&mut renderer, &[], scene.settings())?;
         assert_eq!(pixels.at(x, y)[3], 255, "{change:?}");
         assert_eq!(pixels.at(beside[0], beside[1])[3], 0, "{change:?}");

@@ -13,9 +13,9 @@ use super::{add, add_outline, burn, change, scene};
 fn assert_outside(fire: &Simulation, case: u32) {
     for at in fire.positions() {
         assert!(at.is_finite(), "case {case}");
-        for (_, solid, surface) in fire.scene().surfaces() {
+        for ((_, solid, surface), pose) in fire.scene().surfaces().zip(fire.poses()) {
             let surface = Surface {
-                frame: solid.frame_at(surface, fire.time()),
+                frame: pose.frame,
                 field: surface.field.clone(),
             };
             let (distance, _) = surface.distance(at);

@@ -16,6 +16,14 @@ pub struct Charred {
     pub solids: Vec<CharredSolid>,
 }
 
+impl Charred {
+    /// Removes all of them.
+    pub(crate) fn clear(&mut self) {
+        self.records.clear();
+        self.solids.clear();
+    }
+}
+
 /// A solid that has fuel or a part of one, for a picture.
 #[derive(Clone, Debug)]
 pub struct CharredSolid {

@@ -98,16 +98,11 @@ impl Combustion {
         fuels.map_or_else(FuelTotal::default, |fuels| fuels.total(heat))
     }
 
-    /// Updates what a picture shows of the solids that have fuel.
-    pub fn show_fuels(&mut self) {
-        if let Some(fuels) = self.fuels.as_mut() {
-            fuels.show(&self.obstacles.solids);
+    /// Adds the solids that have fuel, for a picture.
+    pub fn write_charred(&self, out: &mut Charred) {
+        if let Some(fuels) = self.fuels.as_ref() {
+            fuels.write_charred(&self.obstacles.solids, out);
         }
-    }
-
-    /// The solids that have fuel, for a picture, as they were when they were last updated.
-    pub fn charred(&self) -> Option<&Charred> {
-        self.fuels.as_ref().map(|fuels| &fuels.charred)
     }
 
     /// Sprays a mass of water [kg/m] from a place within a twentieth of a second; none from outside

@@ -5,6 +5,7 @@ use std::f32::consts::PI;
 
 use glam::Vec2;
 
+use super::Scene;
 use super::distance::{RoundedBox, Surface};
 use crate::direction::direction;
 use crate::extremes::{fast_max, fast_min};
@@ -81,10 +82,32 @@ impl Drive {
 }
 
 impl Solid {
-    /// The box of its surface at a time of the fire \[s\]: where it is drawn.
+    /// The box of its surface at a time of the fire \[s\], moved by no force.
     pub fn frame_at(&self, surface: &Surface, time: f64) -> RoundedBox {
         let rest = &surface.frame;
         Drive::of(self, surface).map_or(*rest, |drive| drive.at(rest, time).frame)
+    }
+}
+
+/// Where a solid is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// The id of the solid.
+    pub id: u32,
+    /// The box of its surface there.
+    pub frame: RoundedBox,
+}
+
+impl Scene {
+    /// Where the solids that are on are at a time of the fire \[s\], in the order of the objects. Those
+    /// that forces move are where they start.
+    pub fn poses(&self, time: f64) -> Vec<Pose> {
+        let surfaces = self.surfaces();
+        let poses = surfaces.map(|(id, solid, surface)| Pose {
+            id,
+            frame: solid.frame_at(surface, time),
+        });
+        poses.collect()
     }
 }
 

@@ -234,7 +234,6 @@ impl Simulation {
             self.time,
         );
         gas.set_solid_temperatures(solids);
-        self.show_free();
         Ok(())
     }
 }

@@ -45,16 +45,11 @@ impl Simulation {
         Some(combustion.fuel_total(self.scene.settings()))
     }
 
-    /// Updates what [`charred`](Simulation::charred) returns.
-    pub fn show_fuels(&mut self) {
-        if let Some(combustion) = self.solver.combustion_mut() {
-            combustion.show_fuels();
+    /// Writes the solids that have fuel, for a picture. The classic model has none.
+    pub fn write_charred(&self, out: &mut Charred) {
+        out.clear();
+        if let Some(combustion) = self.solver.combustion() {
+            combustion.write_charred(out);
         }
-    }
-
-    /// The solids that have fuel, for a picture, as they were when they were last updated; `None`
-    /// without any, and in the classic model.
-    pub fn charred(&self) -> Option<&Charred> {
-        self.solver.combustion()?.charred()
     }
 }

@@ -6,7 +6,7 @@ use crate::classic;
 use crate::combustion::Burner;
 use crate::extremes::fast_min;
 use crate::params::{Model, Parameters};
-use crate::scene::Scene;
+use crate::scene::Pose;
 use crate::source::Source;
 
 /// Largest width of a source on a solid, in heights of the domain: a large solid burns with many
@@ -29,11 +29,10 @@ impl Source {
         }
     }
 
-    /// The first source of a scene on its solid at a time of the fire \[s\]; `None` if it is a line.
-    pub fn on_solid(scene: &Scene, time: f64) -> Option<Source> {
-        let settings = scene.settings();
-        let (solid, surface) = scene.solid_of(settings)?;
-        let frame = solid.frame_at(surface, time);
+    /// The first source of these settings on its solid; `None` if it is a line.
+    pub fn on_solid(settings: &Parameters, poses: &[Pose]) -> Option<Source> {
+        let id = settings.solid_of_source()?;
+        let frame = &poses.iter().find(|pose| pose.id == id)?.frame;
         let size = 2.0 * (frame.half + frame.radius);
         Some(Source {
             base: frame.centre - Vec2::new(0.0, frame.extent().y),

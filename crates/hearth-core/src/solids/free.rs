@@ -27,7 +27,7 @@ use super::{Body, Solids};
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Edges, Floor, Model, Physics, Walls};
-use crate::scene::{MAX_SPEED, Scene};
+use crate::scene::{MAX_SPEED, Pose, Scene};
 use body::FASTEST_HINGED;
 use contact::Plane;
 
@@ -135,11 +135,13 @@ impl FreeBodies {
         }
     }
 
-    /// Draws the bodies of a scene where they are.
-    #[inline(never)]
-    pub fn show(&self, scene: &mut Scene) {
-        for one in self.all.iter().filter(|one| one.is_free) {
-            scene.show_at(one.id, one.surface.frame.centre, one.surface.frame.axis);
+    /// Moves poses of free solids to where the bodies are.
+    pub fn move_poses(&self, poses: &mut [Pose]) {
+        for body in self.all.iter().filter(|body| body.is_free) {
+            let frame = &body.surface.frame;
+            for pose in poses.iter_mut().filter(|pose| pose.id == body.id) {
+                (pose.frame.centre, pose.frame.axis) = (frame.centre, frame.axis);
+            }
         }
     }
 

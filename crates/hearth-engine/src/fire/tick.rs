@@ -221,7 +221,7 @@ impl Fire {
     ) -> f64 {
         let start = clock.now();
         self.simulation.write_instances(&mut self.instances);
-        self.simulation.show_fuels();
+        self.simulation.write_charred(&mut self.charred);
         if self.simulation.parameters().display_mode == DisplayMode::Fire {
             self.simulation.write_embers(&mut self.embers);
         } else {
@@ -246,7 +246,8 @@ impl Fire {
                 particles: &self.instances,
                 embers: &self.embers,
                 temperatures: &temperatures,
-                charred: self.simulation.charred(),
+                poses: &self.simulation.poses(),
+                charred: &self.charred,
                 paused,
             },
             clock,

@@ -2,7 +2,7 @@
 
 use super::cells::{Account, Burning, Cell};
 use super::state::Fuels;
-use crate::combustion::charred::CharredSolid;
+use crate::combustion::charred::{Charred, CharredSolid};
 use crate::solids::Solids;
 
 /// Power below which a solid is out [kW/m].
@@ -213,12 +213,9 @@ impl Fuels {
         }
     }
 
-    /// Writes all of them for a picture.
+    /// Adds all of them to a picture.
     #[inline(never)]
-    pub fn show(&mut self, solids: &Solids) {
-        let out = &mut self.charred;
-        out.records.clear();
-        out.solids.clear();
+    pub fn write_charred(&self, solids: &Solids, out: &mut Charred) {
         for burning in &self.all {
             let place = out.records.len();
             let body = solids.first(burning.id);

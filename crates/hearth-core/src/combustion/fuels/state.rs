@@ -3,7 +3,6 @@
 use glam::Vec2;
 
 use super::cells::Burning;
-use crate::combustion::charred::Charred;
 
 /// Blocks along each side of the region.
 pub(super) const BLOCKS: usize = 24;
@@ -33,8 +32,6 @@ pub(crate) struct Fuels {
     pub(super) power: f32,
     /// Power of the flames in the film at the surface, in the last step [kW/m].
     pub(super) film: f32,
-    /// What a picture shows.
-    pub charred: Charred,
 }
 
 /// The gas beside a cell in a step: what it offers and what it gets.

@@ -11,7 +11,7 @@ impl Water {
     /// Moves, heats and evaporates all water for a step, after the gas and the solids have moved.
     pub fn advance(&mut self, scene: &Scene, mut around: Around, random: &mut Random) {
         around.near = std::mem::take(&mut self.near);
-        self.set_beds(scene);
+        self.set_beds(scene, around.solids);
         self.height = around.values.domain_height;
         let dt = around.dt;
         for (bed, source) in self.beds.iter_mut().zip(scene.sources()) {

@@ -42,7 +42,7 @@ pub(super) struct Bed {
 impl Bed {
     /// Follows a source. One of another size is another source. Returns the water that it does not take
     /// over [kg/m].
-    pub(super) fn follow(&mut self, source: &Parameters, scene: &Scene) -> f32 {
+    pub(super) fn follow(&mut self, source: &Parameters, scene: &Scene, solids: &Solids) -> f32 {
         let before = self.full;
         let on_solid = scene.solid_of(source);
         self.solid = source.solid_of_source();
@@ -54,6 +54,8 @@ impl Bed {
             Some((_, surface)) => {
                 let (_, circumference) = surface.measures();
                 (self.full, self.burner) = (FILM * circumference, None);
+                let body = self.solid.and_then(|solid| solids.first(solid));
+                let surface = body.map_or(surface, |body| &body.surface);
                 self.centre = surface.frame.centre;
             }
             None => {

@@ -9,14 +9,14 @@ use crate::solids::Solids;
 
 impl Water {
     /// Gives each source of a scene its bed.
-    pub(super) fn set_beds(&mut self, scene: &Scene) {
+    pub(super) fn set_beds(&mut self, scene: &Scene, solids: &Solids) {
         let mut count = 0;
         for source in scene.sources() {
             if count == self.beds.len() {
                 self.beds.push(Bed::default());
             }
             if let Some(bed) = self.beds.get_mut(count) {
-                self.account.run_off += f64::from(bed.follow(source, scene));
+                self.account.run_off += f64::from(bed.follow(source, scene, solids));
             }
             count += 1;
         }

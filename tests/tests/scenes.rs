@@ -8,7 +8,7 @@ use std::path::Path;
 use hearth_bindings::{Untrusted, settings};
 use hearth_core::params::{Input, Model};
 use hearth_core::preset::{PRESETS, Preset};
-use hearth_core::scene::KINDS;
+use hearth_core::scene::Kind;
 use hearth_core::{Parameters, Particle, Scene, Simulation};
 use hearth_tests::sweep;
 use serde_json::Value;
@@ -143,7 +143,7 @@ fn read(file: &Value) -> Scene {
 fn in_version_1(file: &Value) -> Value {
     let mut old = serde_json::json!({"hearth": 1, "values": file["values"]});
     for (name, value) in file["objects"][0].as_object().into_iter().flatten() {
-        if let Some(property) = KINDS[0].property(name) {
+        if let Some(property) = Kind::SOURCE.property(name) {
             old["values"][property.id] = value.clone();
         }
     }

@@ -4,7 +4,7 @@
  */
 
 import { SOURCE } from '../generated/objects.js';
-import { MAX_OBJECTS, SOLID } from '../generated/scene-objects.js';
+import { KINDS as OWN, MAX_OBJECTS } from '../generated/scene-objects.js';
 import { PARAMETERS } from '../generated/table.js';
 
 /**
@@ -31,8 +31,8 @@ import { PARAMETERS } from '../generated/table.js';
  * @property {(model: ModelName) => Domain | undefined} domain  Default and range, if the model uses it.
  */
 
-/** The kinds, in the order of the panel. @type {Kind[]} */
-export const KINDS = ['source', 'solid'];
+/** The kinds, in the order of the panel. */
+export const KINDS = /** @type {Kind[]} */ (Object.keys(OWN));
 
 /** Free space around a new object, in sizes of it. */
 const GAP = 0.25;
@@ -40,24 +40,17 @@ const GAP = 0.25;
 /** How many positions a new object tries in each direction. */
 const TRIES = 100;
 
-/** The name of an object, which is no parameter. */
-const NAME = SOLID.filter(({ id }) => id === 'name');
+/** The properties of each kind: its own, then those that are parameters. @type {{[kind: string]: Entry[]}} */
+const ENTRIES = Object.fromEntries(KINDS.map((kind) => [kind, OWN[kind].map((entry) => (
+  { ...entry, name: entry.id, domain: () => /** @type {any} */ (entry) }
+))]));
 
-/** The properties of each kind. @type {{[kind in Kind]: Entry[]}} */
-const ENTRIES = {
-  source: [...entriesOfSolid(NAME), ...Object.entries(SOURCE).flatMap(([name, id]) => {
-    const parameter = PARAMETERS.find((entry) => entry.id === id);
-    if (!parameter) return [];
-    const { when, unless } = /** @type {Pick<Entry, 'when' | 'unless'>} */ (parameter);
-    return [{ ...parameter, name, when, unless, domain: (/** @type {ModelName} */ model) => parameter.domains[model] }];
-  })],
-  solid: entriesOfSolid(SOLID),
-};
-
-/** @param {typeof SOLID} all @returns {Entry[]} */
-function entriesOfSolid(all) {
-  return all.map((entry) => ({ ...entry, name: entry.id, when: /** @type {Entry['when']} */ (entry.when), domain: () => entry }));
-}
+ENTRIES.source.push(...Object.entries(SOURCE).flatMap(([name, id]) => {
+  const parameter = PARAMETERS.find((entry) => entry.id === id);
+  if (!parameter) return [];
+  const { when, unless } = /** @type {Pick<Entry, 'when' | 'unless'>} */ (parameter);
+  return [{ ...parameter, name, when, unless, domain: (/** @type {ModelName} */ model) => parameter.domains[model] }];
+}));
 
 /**
  * Default and range of an id of a solid on a slider, which spans the ids of the solids and the value.

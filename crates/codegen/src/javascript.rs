@@ -4,7 +4,7 @@
 //! tool; `web/generated/quantities.js`, `web/generated/interpolation.js`: parts of it that are loaded alone.
 
 use hearth_core::params::{Choice, DisplayMode, Domain, Kind, Model, PARAMETERS, Param, Scale};
-use hearth_core::scene::{KINDS, MAX_OBJECTS};
+use hearth_core::scene::{self, KINDS, MAX_OBJECTS};
 use serde_json::{Map, Value, json};
 
 use super::rust::own_fields;
@@ -134,7 +134,7 @@ pub(super) fn prewarmed() -> String {
 /// addresses and HTML need it.
 pub(super) fn objects(scenes: &[Scene]) -> String {
     let doc = "Each property of a source, and the parameter that it is of the first one.";
-    let properties = KINDS[0].properties();
+    let properties = scene::Kind::SOURCE.properties();
     let properties = properties.filter(|property| !property.is_common());
     let entries = properties.map(|property| format!("{}: '{}'", property.name, property.id));
     let source = constant(doc, "SOURCE", OBJECT, entries);
@@ -201,22 +201,31 @@ for (const objects of Object.values(OBJECTS)) {
 }
 ";
 
+/// The data of a property that is no parameter.
+fn own_entry(param: &Param) -> Value {
+    let mut entry = entry(param);
+    if let Some(fields) = entry.as_object_mut() {
+        let of_parameters = ["attribute", "property", "group", "models", "domains"];
+        fields.retain(|field, _| !of_parameters.contains(&field.as_str()));
+    }
+    entry
+}
+
 /// The module of the panel's data of objects, which nothing else needs.
 pub(super) fn scene_objects(scenes: &[Scene]) -> String {
-    let doc = "Every property of a solid, in the order of a panel.";
-    let solid = KINDS.iter().filter(|kind| kind.name == "solid");
-    let params = solid
-        .flat_map(|kind| kind.properties())
-        .filter_map(|property| property.entry());
-    let entries = params.map(|param| {
-        let mut entry = entry(param);
-        if let Some(fields) = entry.as_object_mut() {
-            let of_parameters = ["attribute", "property", "group", "models", "domains"];
-            fields.retain(|field, _| !of_parameters.contains(&field.as_str()));
-        }
-        entry.to_string()
+    let doc = "The properties of each kind that are no parameters, in the order of a panel.\n \
+               * @type {{[kind: string]: ({id: string, label: string, unit: string, doc: string, kind: string} \
+               & {[field: string]: any})[]}}";
+    let kinds = KINDS.iter().map(|kind| {
+        let own = kind
+            .properties()
+            .filter(|property| !kind.is_of_parameters() || property.is_common());
+        let entries = own
+            .filter_map(|property| property.entry())
+            .map(|param| format!("    {},\n", own_entry(param)));
+        format!("{}: [\n{}  ]", kind.name, entries.collect::<String>())
     });
-    let solid = constant(doc, "SOLID", LIST, entries);
+    let kinds = constant(doc, "KINDS", OBJECT, kinds);
     let doc = "The fields of the objects of each preset besides its source. One without a kind has those of the one before it, too.\n \
                * @type {{[preset: string]: {[name: string]: string | number | boolean}[]}}";
     let with_objects = scenes.iter().filter(|scene| !scene.objects.is_empty());
@@ -231,7 +240,7 @@ pub(super) fn scene_objects(scenes: &[Scene]) -> String {
          // `cargo xtask codegen`; edit those instead.\n\n\
          /** Most objects of a kind in a scene. */\n\
          export const MAX_OBJECTS = {MAX_OBJECTS};\n\
-         {solid}{objects}{WHOLE}"
+         {kinds}{objects}{WHOLE}"
     )
 }
 

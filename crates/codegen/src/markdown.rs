@@ -6,7 +6,7 @@ use hearth_core::params::{
     Description, Domain, Kind, Model, PARAMETERS, Param, SOLID, Scale, Value, conditions_in_words,
 };
 
-use hearth_core::scene::KINDS;
+use hearth_core::scene;
 
 use super::{attribute, models};
 
@@ -29,7 +29,7 @@ pub(super) fn reference() -> String {
         let _ = writeln!(tables, "{}", row(param));
     }
     let mut objects = String::new();
-    for property in KINDS[0]
+    for property in scene::Kind::SOURCE
         .properties()
         .filter(|property| !property.is_common())
     {

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
 use hearth_core::params::{AnyValue, Input, Model, PARAMETERS, Parameters};
-use hearth_core::scene::KINDS;
+use hearth_core::scene::Kind;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use serde_json::Value;
 
@@ -217,7 +217,7 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
 
 /// The parameters that the properties of a source are.
 fn source_parameters(object: Vec<(String, Value)>) -> Result<Vec<(String, Value)>> {
-    let source = &KINDS[0];
+    let source = Kind::SOURCE;
     let kind = object.iter().find(|(name, _)| name == "kind");
     ensure!(
         kind.is_some_and(|(_, kind)| kind == source.name),

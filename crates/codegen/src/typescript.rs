@@ -34,8 +34,7 @@ fn objects() -> String {
             "/** {} */\nexport interface {name} {{\n  kind: \"{}\";\n  \
              /** A whole number from 1, unique in its scene; without one it gets the next. */\n  \
              id?: number;\n",
-            kind.doc(),
-            kind.name,
+            kind.doc, kind.name,
         );
         for property in kind.properties() {
             if let Some(param) = property.entry() {

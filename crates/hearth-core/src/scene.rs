@@ -25,7 +25,7 @@ pub(crate) use drive::{Drive, MAX_SPEED};
 pub use field::Field;
 pub use kinds::{KINDS, Kind};
 pub use object::Object;
-use object::{Stored, Values};
+use object::{Stored, Values, values_of_source, with_properties_of};
 
 /// Most objects of a kind in a scene.
 pub const MAX_OBJECTS: usize = 64;
@@ -248,36 +248,30 @@ impl Scene {
             Input::Number(x) if is_free(x) && (1.0..=MAX_ID).contains(&x) => x as u32,
             _ => 0,
         };
-        let kind = KINDS.iter().find(|one| name == Input::Text(one.name));
-        let of_kind = self
-            .objects()
-            .filter(|one| one.kind.name == kind.map_or("", |kind| kind.name));
-        let count = of_kind.count();
-        let problem = if count >= MAX_OBJECTS {
-            let count = Input::Number(count as f64 + 1.0);
-            Some(("length", count, "at most 64 of each kind"))
-        } else if kind.is_none() {
-            Some((KIND, name, "source or solid"))
-        } else if number == 0 || id != Input::Number(number.into()) {
-            let words = "a whole number from 1 to 1000000 that no other object has";
-            Some((ID, id, words))
-        } else {
-            None
+        let kind = KINDS.iter().find(|kind| name == Input::Text(kind.name));
+        let of_kind = |object: &Object<'_>| Some(object.kind.name) == kind.map(|kind| kind.name);
+        let count = self.objects().filter(of_kind).count();
+        let values = match kind {
+            _ if count >= MAX_OBJECTS => {
+                let count = Input::Number(count as f64 + 1.0);
+                Err(("length", count, "at most 64 of each kind"))
+            }
+            None => Err((KIND, name, kinds::NAMES)),
+            Some(_) if number == 0 || id != Input::Number(number.into()) => {
+                let words = "a whole number from 1 to 1000000 that no other object has";
+                Err((ID, id, words))
+            }
+            Some(kind) => Ok((kind.new)(&self.settings, count)),
         };
-        if let Some((field, input, words)) = problem {
-            let name = match field {
-                "length" => "objects.length".to_owned(),
-                _ => path(index, field),
-            };
-            errors.push(must_be(name, input, words));
-            return;
-        }
-        let values = match (kind.map(|kind| kind.name), count) {
-            (Some("solid"), _) => Values::new_solid(),
-            (_, 0) => Values::FirstSource,
-            (_, index) => {
-                let defaults = Parameters::new(self.settings.model());
-                Values::Source(Box::new(values_of_source(&self.settings, &defaults, index)))
+        let values = match values {
+            Ok(values) => values,
+            Err((field, input, words)) => {
+                let name = match field {
+                    "length" => "objects.length".to_owned(),
+                    _ => path(index, field),
+                };
+                errors.push(must_be(name, input, words));
+                return;
             }
         };
         self.objects.push(Stored {
@@ -336,25 +330,6 @@ impl Scene {
         }
         index
     }
-}
-
-/// `settings` with the source properties of `source`, which is not the first, and a seed that
-/// depends on its `index`, so that sources flicker independently.
-fn values_of_source(settings: &Parameters, source: &Parameters, index: usize) -> Parameters {
-    let mut merged = with_properties_of(settings, source);
-    let seed = settings.seed ^ (index as u32).wrapping_mul(0x9E37_79B9);
-    let set = merged.set("seed", Input::Number(seed.into()));
-    debug_assert_eq!(set, Ok(()));
-    merged
-}
-
-/// `settings` with the source properties of `source`.
-fn with_properties_of(settings: &Parameters, source: &Parameters) -> Parameters {
-    let mut merged = settings.clone();
-    for property in KINDS[0].properties() {
-        merged.copy_both_models(property.id, source);
-    }
-    merged
 }
 
 fn must_be(id: String, input: Input<'_>, words: &'static str) -> ParamError {

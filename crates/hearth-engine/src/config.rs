@@ -18,7 +18,7 @@ use hearth_bindings::settings::{self, OBJECTS};
 use hearth_bindings::{Argument, Check, Form, Untrusted, ValidationError, Values};
 use hearth_core::params::{Input, Model, PARAMETERS};
 use hearth_core::preset::PRESETS;
-use hearth_core::scene::KINDS;
+use hearth_core::scene::Kind;
 
 use crate::requested::{COUNT, Requested, SPACING};
 
@@ -126,7 +126,7 @@ pub fn export(requested: &Requested) -> Untrusted {
         .any(|object| object.is_first_source());
     let mut values = Vec::new();
     for param in PARAMETERS {
-        let mut properties = KINDS[0].properties();
+        let mut properties = Kind::SOURCE.properties();
         let of_source = has_source && properties.any(|property| property.id == param.id);
         let before = if param.id == "model" { preset } else { &base };
         let value = param.get(now);

@@ -4,13 +4,21 @@
 //! source is a parameter of the settings with a value per source, whose label, unit, range,
 //! default and doc the parameter gives. [`SOLID`] gives those of a solid's properties.
 
-use crate::params::{PARAMETERS, Param, Property, SOLID, SOLID_NAMES};
+use super::object::Values;
+use crate::params::{PARAMETERS, Param, Parameters, Property, SOLID, SOLID_NAMES};
 
 /// A kind of object.
 #[derive(Debug)]
 pub struct Kind {
     /// Its name in the field `kind`.
     pub name: &'static str,
+    /// Its description, in a sentence.
+    pub doc: &'static str,
+    /// Whether its objects are bodies: they have a surface, which may burn, is drawn in front of or
+    /// behind others, and is what a source can be on.
+    pub is_body: bool,
+    /// The values of a new object of a scene with these settings, which has that many of its kind.
+    pub(super) new: fn(&Parameters, usize) -> Values,
     /// The names of its properties.
     pub names: &'static [&'static str],
     /// The ids of their entries, in the same order.
@@ -19,23 +27,15 @@ pub struct Kind {
     table: &'static [Param],
 }
 
-/// A kind with parameters as properties.
-macro_rules! kind {
-    ($kind:literal, $($name:literal = $id:literal),+) => {
-        Kind {
-            name: $kind,
-            names: &["name", $($name),+],
-            ids: &["name", $($id),+],
-            table: PARAMETERS,
-        }
+/// The properties that are parameters: the names of all, and the ids of their entries.
+macro_rules! of_parameters {
+    ($($name:literal = $id:literal),+) => {
+        (&["name", $($name),+], &["name", $($id),+])
     };
 }
 
-/// Every kind of object.
-pub static KINDS: &[Kind] = &[SOURCE, BODY];
-
-const SOURCE: Kind = kind!(
-    "source",
+/// The names of a source's properties, and the ids of their parameters.
+const OF_PARAMETERS: (&[&str], &[&str]) = of_parameters!(
     "enabled" = "source_enabled",
     "shape" = "source_shape",
     "solid" = "source_solid",
@@ -56,21 +56,42 @@ const SOURCE: Kind = kind!(
     "taper" = "taper"
 );
 
-const BODY: Kind = Kind {
+static SOURCE: Kind = Kind {
+    name: "source",
+    doc: "Where fuel comes into the air, or where the classic model's particles are born.",
+    is_body: false,
+    new: Values::new_source,
+    names: OF_PARAMETERS.0,
+    ids: OF_PARAMETERS.1,
+    table: PARAMETERS,
+};
+
+static BODY: Kind = Kind {
     name: "solid",
+    doc: "A body that gas flows around and does not enter.",
+    is_body: true,
+    new: Values::new_solid,
     names: SOLID_NAMES,
     ids: SOLID_NAMES,
     table: SOLID,
 };
 
+/// The names of all kinds, for an error.
+pub(super) const NAMES: &str = "source or solid";
+
+/// Every kind of object.
+pub static KINDS: &[&Kind] = &[Kind::SOURCE, Kind::SOLID];
+
 impl Kind {
-    /// Its description, in a sentence. A build without text does not include it.
-    pub fn doc(&self) -> &'static str {
-        if self.name == SOURCE.name {
-            "Where fuel comes into the air, or where the classic model's particles are born."
-        } else {
-            "A body that gas flows around and does not enter."
-        }
+    /// The kind whose properties are parameters of the settings with a value for each object.
+    pub const SOURCE: &'static Kind = &SOURCE;
+
+    /// The kind of bodies that gas flows around.
+    pub const SOLID: &'static Kind = &BODY;
+
+    /// Whether its properties are parameters of the settings, which have the values of its first object.
+    pub fn is_of_parameters(&self) -> bool {
+        std::ptr::eq(self.table, PARAMETERS)
     }
 
     /// Its properties, in the order of a panel.

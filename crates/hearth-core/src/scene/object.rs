@@ -1,7 +1,7 @@
 //! The values of an object, stored and as callers read them.
 
 use super::distance::Surface;
-use super::kinds::{KINDS, Kind};
+use super::kinds::Kind;
 use crate::params::{AnyValue, Input, Model, Name, Param, ParamError, Parameters, Property, Solid};
 
 /// The values of an object.
@@ -19,8 +19,8 @@ impl Values {
     /// Its kind.
     pub fn kind(&self) -> &'static Kind {
         match self {
-            Values::FirstSource | Values::Source(_) => &KINDS[0],
-            Values::Solid(_) => &KINDS[1],
+            Values::FirstSource | Values::Source(_) => Kind::SOURCE,
+            Values::Solid(_) => Kind::SOLID,
         }
     }
 
@@ -33,8 +33,17 @@ impl Values {
         }
     }
 
+    /// A source like the first one, after so many others.
+    pub fn new_source(settings: &Parameters, count: usize) -> Values {
+        if count == 0 {
+            return Values::FirstSource;
+        }
+        let defaults = Parameters::new(settings.model());
+        Values::Source(Box::new(values_of_source(settings, &defaults, count)))
+    }
+
     /// A solid with the defaults.
-    pub fn new_solid() -> Values {
+    pub fn new_solid(_: &Parameters, _: usize) -> Values {
         let solid = Solid::default();
         let surface = solid.surface();
         Values::Solid(Box::new((solid, surface)))
@@ -166,4 +175,28 @@ impl<'a> Object<'a> {
             Some((property.name, param, value))
         })
     }
+}
+
+/// `settings` with the source properties of `source`, which is not the first, and a seed that
+/// depends on its `index`, so that sources flicker independently.
+pub(super) fn values_of_source(
+    settings: &Parameters,
+    source: &Parameters,
+    index: usize,
+) -> Parameters {
+    let mut merged = with_properties_of(settings, source);
+    let seed = settings.seed ^ (index as u32).wrapping_mul(0x9E37_79B9);
+    let set = merged.set("seed", Input::Number(seed.into()));
+    debug_assert_eq!(set, Ok(()));
+    merged
+}
+
+/// `settings` with the source properties of `source`.
+#[inline(never)]
+pub(super) fn with_properties_of(settings: &Parameters, source: &Parameters) -> Parameters {
+    let mut merged = settings.clone();
+    for property in Kind::SOURCE.properties() {
+        merged.copy_both_models(property.id, source);
+    }
+    merged
 }

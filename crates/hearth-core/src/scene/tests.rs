@@ -360,7 +360,7 @@ fn the_same_scene_gives_the_same_bits() {
 
 #[test]
 fn a_parameter_that_is_not_a_property_is_the_same_for_every_source() {
-    let of_sources = |id: &str| KINDS[0].properties().any(|one| one.id == id);
+    let of_sources = |id: &str| Kind::SOURCE.properties().any(|one| one.id == id);
     let mut scene = Scene::default();
     assert!(scene.add(&[SOURCE]).is_ok());
     let sources: Vec<&Parameters> = scene.sources().collect();

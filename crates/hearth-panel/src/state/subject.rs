@@ -73,7 +73,7 @@ fn name(kind: &Kind, property: Property) -> Option<&'static str> {
             let names = kind.names.iter();
             names.map(|name| format!("{}:{name}", kind.name))
         };
-        KINDS.iter().flat_map(of).collect()
+        KINDS.iter().copied().flat_map(of).collect()
     });
     let is_it = |text: &&String| text.split_once(':') == Some((kind.name, property.name));
     all.iter().find(is_it).map(String::as_str)

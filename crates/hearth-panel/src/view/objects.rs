@@ -91,7 +91,7 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui) {
 pub fn results(state: &State, out: &mut Output, ui: &mut Ui) -> bool {
     let query = &*state.search.text;
     let mut any = false;
-    for kind in KINDS {
+    for &kind in KINDS {
         let found = search::properties(query, kind, state.fire.parameters.model());
         let named = |object: &Object<'_>| search::names(query, &name_of(*object));
         let of_kind = |object: &Object<'_>| object.kind.name == kind.name;
@@ -123,7 +123,7 @@ pub fn results(state: &State, out: &mut Output, ui: &mut Ui) -> bool {
                 }
             }
             // The parameters are those of the first source.
-            None if kind.name == KINDS[0].name => {}
+            None if kind.is_of_parameters() => {}
             None => {
                 let label = best.entry().map_or("", |param| param.description().label);
                 let text = format!("{label} is a property of a {}: add one.", kind.name);
@@ -188,10 +188,10 @@ fn buttons(state: &State, out: &mut Output, ui: &mut Ui) {
     let full = |kind: &Kind| state.fire.is_full(kind);
     let adds = KINDS.iter().map(|kind| {
         let label = format!("Add {}", kind.name);
-        (label, Command::Add(kind.name), !full(kind), kind.doc())
+        (label, Command::Add(kind.name), !full(kind), kind.doc)
     });
     let id = selected.map_or(0, |object| object.id);
-    let solid = selected.is_some_and(|object| object.kind.name == "solid");
+    let is_body = selected.is_some_and(|object| object.kind.is_body);
     let copies = selected.is_some_and(|object| !full(object.kind));
     let edits = [
         (
@@ -209,13 +209,13 @@ fn buttons(state: &State, out: &mut Output, ui: &mut Ui) {
         (
             "To back",
             Command::Order(id, false),
-            solid,
+            is_body,
             "Draw the selected solid behind the others",
         ),
         (
             "To front",
             Command::Order(id, true),
-            solid,
+            is_body,
             "Draw the selected solid before the others",
         ),
     ];

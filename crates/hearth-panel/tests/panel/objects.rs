@@ -2,7 +2,7 @@
 
 use egui::{Event, Key};
 use hearth_core::params::{Kind as ValueKind, Model, Value};
-use hearth_core::scene::KINDS;
+use hearth_core::scene::Kind;
 use hearth_panel::state::fire::Entry;
 use hearth_panel::state::objects::has_row;
 use hearth_panel::state::{Command, Fields, OBJECTS, SEARCH, Subject};
@@ -102,7 +102,7 @@ fn the_list_names_every_object_and_selects_one() {
 fn the_rows_are_the_properties_that_the_model_uses() {
     for model in models() {
         let mut harness = with_objects(model, TALL);
-        for (id, kind) in [(2, &KINDS[0]), (3, &KINDS[1])] {
+        for (id, kind) in [(2, Kind::SOURCE), (3, Kind::SOLID)] {
             let used = kind.properties();
             let used = used.filter(|property| has_row(*property, model));
             let used: Vec<_> = used

@@ -158,7 +158,8 @@ impl Solver for Classic {
     fn adapt(&mut self, scene: &Scene, _random: &mut Random, time: f64) {
         let values = scene.settings();
         let bounds = bounds(values);
-        let stays = |one: &ParticleState| one.is_alive() && bounds.contains(one.position());
+        let stays =
+            |particle: &ParticleState| particle.is_alive() && bounds.contains(particle.position());
         self.particles.retain(stays);
         let support = 2.0 * values.smoothing_radius;
         self.solids.update(scene, time, &bounds, support);
@@ -174,7 +175,7 @@ impl Solver for Classic {
         let bounds = bounds(values);
         solids::keep_all_outside(&mut self.particles, &mut self.solids, values, 0.0);
         self.particles
-            .retain(|one| one.is_alive() && bounds.contains(one.position()));
+            .retain(|particle| particle.is_alive() && bounds.contains(particle.position()));
         self.motion = Motion::default();
         self.cut = None;
     }
@@ -242,26 +243,26 @@ impl Solver for Classic {
     }
 
     fn write_fire(&self, out: &mut Vec<Instance>) {
-        out.extend(self.particles.iter().map(|one| {
+        out.extend(self.particles.iter().map(|particle| {
             Instance::from(ClassicParticle {
-                position: one.position(),
-                velocity: one.velocity(),
-                temperature: one.temperature,
-                density: one.density,
-                age: one.age,
-                life: 1.0 - one.age / one.lifetime,
+                position: particle.position(),
+                velocity: particle.velocity(),
+                temperature: particle.temperature,
+                density: particle.density,
+                age: particle.age,
+                life: 1.0 - particle.age / particle.lifetime,
             })
         }));
     }
 
     fn measured(&self, i: usize, values: &Physics, mode: DisplayMode) -> Measured {
-        let one = &self.particles[i];
-        let age_share = one.age / one.lifetime;
+        let particle = &self.particles[i];
+        let age_share = particle.age / particle.lifetime;
         let value = match mode {
-            DisplayMode::Particles | DisplayMode::Temperature => one.temperature,
-            DisplayMode::Density => one.density,
-            DisplayMode::Pressure => one.pressure,
-            DisplayMode::Velocity => one.velocity().length(),
+            DisplayMode::Particles | DisplayMode::Temperature => particle.temperature,
+            DisplayMode::Density => particle.density,
+            DisplayMode::Pressure => particle.pressure,
+            DisplayMode::Velocity => particle.velocity().length(),
             DisplayMode::Fuel | DisplayMode::Sprites => 1.0 - age_share,
             DisplayMode::Soot => age_share * age_share * age_share,
             _ => 0.0,
@@ -270,13 +271,13 @@ impl Solver for Classic {
         // changes densities but not volumes.
         let w = Kernel::new(values.smoothing_radius).value(0.0);
         let share = kernel(values).value(0.0) / w;
-        let volume = fast_min(share * values.particle_mass / one.density, 1.0 / w);
+        let volume = fast_min(share * values.particle_mass / particle.density, 1.0 / w);
         Measured {
-            position: one.position(),
-            velocity: one.velocity(),
-            temperature: one.temperature,
+            position: particle.position(),
+            velocity: particle.velocity(),
+            temperature: particle.temperature,
             volume,
-            number: numbered(one.id, mode),
+            number: numbered(particle.id, mode),
             value,
         }
     }

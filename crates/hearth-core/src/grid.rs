@@ -21,7 +21,7 @@ use crate::lanes::{LANES, Lanes, Real};
 
 /// Width of a bin, in support radii. Narrower bins give fewer candidates beyond the support,
 /// and more bins to count.
-const BIN: f32 = 0.125;
+const BIN_WIDTH: f32 = 0.125;
 /// Largest number of bins per particle.
 const MAX_BINS: usize = 4;
 
@@ -151,7 +151,7 @@ impl Grid {
         let divisions = |length: f32, part: f32| ((length / part).floor() as usize).max(1);
         self.rows = divisions(bounds.height, reach);
         let max_bins = (MAX_BINS * particles / self.rows).max(1);
-        self.bins = divisions(bounds.width, BIN * reach).min(max_bins);
+        self.bins = divisions(bounds.width, BIN_WIDTH * reach).min(max_bins);
         self.period_x = bounds.periodic_x.then_some(bounds.width);
         self.period_y = bounds.periodic_y.then_some(bounds.height);
         self.left = -0.5 * bounds.width;

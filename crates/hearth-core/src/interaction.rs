@@ -21,8 +21,8 @@ pub(crate) struct Separation {
 
 impl Separation {
     #[inline(always)]
-    pub fn between(one: [Lanes; 2], others: [Lanes; 2]) -> Separation {
-        let (x, y) = (one[0] - others[0], one[1] - others[1]);
+    pub fn between(particle: [Lanes; 2], others: [Lanes; 2]) -> Separation {
+        let (x, y) = (particle[0] - others[0], particle[1] - others[1]);
         let square = x * x + y * y;
         Separation {
             x,

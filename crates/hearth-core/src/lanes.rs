@@ -217,7 +217,7 @@ mod tests {
                     left.sqrt(),
                     left.abs(),
                 ];
-                let one = [
+                let scalar = [
                     a + b,
                     a - b,
                     a * b,
@@ -227,8 +227,9 @@ mod tests {
                     a.sqrt(),
                     a.abs(),
                 ];
-                for (four, one) in four.into_iter().zip(one) {
-                    let same = |x: f32| x.to_bits() == one.to_bits() || x.is_nan() && one.is_nan();
+                for (four, scalar) in four.into_iter().zip(scalar) {
+                    let same =
+                        |x: f32| x.to_bits() == scalar.to_bits() || x.is_nan() && scalar.is_nan();
                     assert!(same(four.to_array()[0]) && same(four.to_array()[3]));
                 }
                 let less = left.less_mask(Lanes::new([b, 0.0, 8.0, a]));

@@ -45,10 +45,10 @@ pub(crate) fn measure(
     let edge = fast_max(reach, (area / (count + 1) as f32).sqrt());
     let axis_x = Axis::new(bounds.width, edge, bounds.periodic_x);
     let axis_y = Axis::new(bounds.height, edge, bounds.periodic_y);
-    let cell = |one: &Instance| {
+    let cell = |instance: &Instance| {
         (
-            axis_x.cell(one[0] + 0.5 * bounds.width),
-            axis_y.cell(one[1] - bounds.bottom),
+            axis_x.cell(instance[0] + 0.5 * bounds.width),
+            axis_y.cell(instance[1] - bounds.bottom),
         )
     };
 
@@ -56,20 +56,20 @@ pub(crate) fn measure(
     instances.resize(count + cells.div_ceil(FIELDS), [0.0; FIELDS]);
     let (particles, first) = instances.split_at_mut(count);
     let first = first.as_flattened_mut();
-    for (i, one) in particles.iter_mut().enumerate() {
-        let (column, row) = cell(one);
+    for (i, instance) in particles.iter_mut().enumerate() {
+        let (column, row) = cell(instance);
         if let Some(first) = first.get_mut(row * axis_x.cells + column) {
-            one[NEXT] = *first;
+            instance[NEXT] = *first;
             // Indices are one-based; zero ends a list. An f32 holds integers up to 2²⁴.
             *first = (i + 1) as f32;
         }
     }
     for i in 0..count {
-        let one = particles[i];
-        let (column, row) = cell(&one);
+        let instance = particles[i];
+        let (column, row) = cell(&instance);
         // The search includes the particle itself, which has no angular momentum.
         let (mut rotation, mut inertia, mut near) = (0.0, 0.0, -1.0);
-        let place = Vec2::new(one[0], one[1]);
+        let place = Vec2::new(instance[0], instance[1]);
         let beside_solid = solids.touch(place, reach);
         for side in 0..9 {
             let (column, beside) = axis_x.next_to(column, side % 3);
@@ -78,14 +78,19 @@ pub(crate) fn measure(
             let mut next = first.copied().unwrap_or(0.0);
             while let Some(other) = particles.get((next as usize).wrapping_sub(1)) {
                 next = other[NEXT];
-                let (x, y) = (other[0] + beside - one[0], other[1] + above - one[1]);
+                let (x, y) = (
+                    other[0] + beside - instance[0],
+                    other[1] + above - instance[1],
+                );
                 let square = x * x + y * y;
-                let parted = || beside_solid && solids.part(place, place + Vec2::new(x, y), reach);
-                if square < reach * reach && !parted() {
+                let is_behind =
+                    || beside_solid && solids.separate(place, place + Vec2::new(x, y), reach);
+                if square < reach * reach && !is_behind() {
                     near += 1.0;
                     let q = fast_max(square.sqrt() / h, 1e-6);
                     let weight = other[VOLUME] * kernel::minus_dw(q) / q;
-                    rotation += weight * (x * (other[3] - one[3]) - y * (other[2] - one[2]));
+                    rotation +=
+                        weight * (x * (other[3] - instance[3]) - y * (other[2] - instance[2]));
                     inertia += weight * square;
                 }
             }
@@ -97,8 +102,8 @@ pub(crate) fn measure(
         };
     }
     instances.truncate(count);
-    for one in instances {
-        one[NEXT] = 0.0;
+    for instance in instances {
+        instance[NEXT] = 0.0;
     }
 }
 

@@ -30,7 +30,7 @@ pub(crate) const FAR_AWAY: f32 = 1e6;
 const SUPPORT_SQUARED: Lanes = Lanes::splat(4.0);
 
 /// Tolerance for rounding in the distance from a plane, in smoothing lengths.
-const TOLERANCE: f32 = 1e-3;
+const PLANE_TOLERANCE: f32 = 1e-3;
 
 /// Four particles with the data that every pass reads.
 pub(crate) trait Block: Copy {
@@ -53,15 +53,15 @@ pub(crate) trait Block: Copy {
 pub(crate) trait PairSum<const N: usize> {
     /// The blocks of the particles.
     type Block: Block;
-    /// The particles that meet those of a block, lane by lane; mostly one, in all lanes.
+    /// The particles that are paired with those of a block, lane by lane; mostly the same one in all lanes.
     type Broadcast;
 
     /// The lanes that `pick` takes of each property of `block`.
     fn broadcast(&self, block: &Self::Block, pick: impl Fn(&Lanes) -> Lanes) -> Self::Broadcast;
 
-    /// The terms that each of the four `others` adds to the sums of `one`, and the terms that
-    /// `one` subtracts from the sums of the others.
-    fn pair(&self, one: &Self::Broadcast, others: &Self::Block) -> ([Lanes; N], [Lanes; N]);
+    /// The terms that each of the four `others` adds to the sums of `particle`, and the terms that
+    /// `particle` subtracts from the sums of the others.
+    fn pair(&self, particle: &Self::Broadcast, others: &Self::Block) -> ([Lanes; N], [Lanes; N]);
 
     /// The sums of a block.
     fn accumulator(block: &mut Self::Block) -> &mut [Lanes; N];
@@ -119,8 +119,8 @@ pub(crate) struct Neighbours {
     /// Number of particles and of blocks in the last search.
     particles: usize,
     blocks: usize,
-    /// Whether solids part some pairs.
-    parted: bool,
+    /// Whether solids separate some pairs, so that entries lack lanes.
+    is_masked: bool,
 }
 
 impl Neighbours {
@@ -129,7 +129,7 @@ impl Neighbours {
     /// \[m\].
     pub fn find_and_sum<B: Block>(&mut self, blocks: &mut [B], grid: &Grid, h: f32) {
         self.candidates = 0;
-        self.parted = false;
+        self.is_masked = false;
         self.sweeps.clear();
         (self.particles, self.blocks) = (grid.len(), blocks.len());
         let inverse_h = 1.0 / h;
@@ -206,11 +206,11 @@ impl Neighbours {
                 let ([x, y], weight) = (others.position(), others.weight());
                 let mut back = [Lanes::ZERO; LANES];
                 for lane in 0..LANES {
-                    let (one_x, one_y, one_weight) = each[lane];
-                    let square = square(one_x - x, one_y - y);
+                    let (own_x, own_y, own_weight) = each[lane];
+                    let square = square(own_x - x, own_y - y);
                     let w = kernel::w(square.sqrt());
                     sums[lane] += w * weight;
-                    back[lane] = w * one_weight;
+                    back[lane] = w * own_weight;
                     // The write is unconditional, and the count grows only for a neighbour: a
                     // mispredicted branch costs more than the write.
                     let mask = square.less_mask(SUPPORT_SQUARED);
@@ -231,7 +231,7 @@ impl Neighbours {
         });
     }
 
-    /// Removes the pairs that a thin solid parts from the lists and from the sums of the first pass.
+    /// Removes the pairs that a thin solid separates from the lists and from the sums of the first pass.
     /// `near` gives the thin solids near a particle, after sorting: normal, distance \[m\] and number.
     /// `h` is the smoothing length \[m\].
     pub fn remove_pairs_across_solids<B: Block, P: Iterator<Item = (Vec2, f32, u32)>>(
@@ -242,13 +242,13 @@ impl Neighbours {
         solids: &Solids,
         near: impl Fn(usize) -> P,
     ) {
-        self.parted = true;
+        self.is_masked = true;
         let entries = &mut self.entries;
         let inverse_h = 1.0 / h;
         for sweep in &mut self.sweeps {
             let (block, shift) = (sweep.block as usize, sweep.shift);
-            for (lane, one) in grid.members_of(block).enumerate() {
-                for (normal, distance, solid) in near(one) {
+            for (lane, particle) in grid.members_of(block).enumerate() {
+                for (normal, distance, solid) in near(particle) {
                     let from = place(&blocks[block], lane) - shift;
                     let Some(lines) = solids.lines_from(solid, (from + shift) * h) else {
                         continue;
@@ -257,8 +257,8 @@ impl Neighbours {
                     // nearer than that.
                     let distance = distance * inverse_h;
                     let is_convex = lines.is_convex();
-                    let plane = Lanes::splat(from.dot(normal) - distance + TOLERANCE);
-                    let mut parted = |number: usize, mask: u32| {
+                    let plane = Lanes::splat(from.dot(normal) - distance + PLANE_TOLERANCE);
+                    let mut remove = |number: usize, mask: u32| {
                         let [x, y] = blocks[number].position();
                         let behind = if is_convex {
                             (x * normal.x + y * normal.y).less_mask(plane)
@@ -270,19 +270,19 @@ impl Neighbours {
                         if mask == 0 {
                             return 0;
                         }
-                        let parted = lines.crossed([(x + shift.x) * h, (y + shift.y) * h], mask);
-                        if parted != 0 {
-                            subtract(blocks, (block, lane), from, number, parted);
+                        let separate = lines.crossed([(x + shift.x) * h, (y + shift.y) * h], mask);
+                        if separate != 0 {
+                            subtract(blocks, (block, lane), from, number, separate);
                         }
-                        parted
+                        separate
                     };
                     if sweep.own {
                         let inner = &mut sweep.inner[lane];
-                        *inner -= parted(block, (*inner).into()) as u8;
+                        *inner -= remove(block, (*inner).into()) as u8;
                     }
                     for entry in &mut entries[sweep.range()] {
                         if entry.lane() == lane {
-                            entry.remove(parted(entry.number(), entry.mask() as u32));
+                            entry.remove(remove(entry.number(), entry.mask() as u32));
                         }
                     }
                 }
@@ -298,10 +298,10 @@ impl Neighbours {
             let own = blocks[block].moved(-sweep.shift);
             for &entry in &self.entries[sweep.range()] {
                 let lane = entry.lane();
-                let one = pairs.broadcast(&own, |of| of.broadcast(lane));
+                let particle = pairs.broadcast(&own, |of| of.broadcast(lane));
                 let others = &mut blocks[entry.number()];
-                let (mut terms, mut theirs) = pairs.pair(&one, others);
-                if self.parted {
+                let (mut terms, mut theirs) = pairs.pair(&particle, others);
+                if self.is_masked {
                     let keep = KEEP[entry.mask()];
                     terms = terms.map(|term| term * keep);
                     theirs = theirs.map(|term| term * keep);
@@ -323,8 +323,8 @@ impl Neighbours {
         }
     }
 
-    /// The sums over the pairs within a block. All six meet in two turns: each lane meets the
-    /// next one, then the one opposite.
+    /// The sums over the pairs within a block. Two rotations cover the six pairs: the block is paired
+    /// with itself rotated by one lane, then by two.
     fn inner_sums<const N: usize, P: PairSum<N>>(
         &self,
         pairs: &P,
@@ -336,7 +336,7 @@ impl Neighbours {
         let opposite = pairs.broadcast(block, |of| of.rotated().rotated());
         // A pair of opposite lanes is there twice, and each end takes what it gets.
         let (_, mut of_opposite) = pairs.pair(&opposite, block);
-        if self.parted {
+        if self.is_masked {
             let [next, opposite] = sweep.inner_subsets().map(|subset| KEEP[subset]);
             of_next = of_next.map(|term| term * next);
             of_each = of_each.map(|term| term * next);
@@ -373,8 +373,12 @@ impl Neighbours {
                 let others = &mut others[lane * room..(lane + 1) * room];
                 others[count..count + LANES].fill(padding);
                 if count > 0 {
-                    let one = sweep.block as usize * LANES + lane;
-                    visit(one, sweep.shift, &others[..count.next_multiple_of(LANES)]);
+                    let particle = sweep.block as usize * LANES + lane;
+                    visit(
+                        particle,
+                        sweep.shift,
+                        &others[..count.next_multiple_of(LANES)],
+                    );
                 }
             }
         }

@@ -107,14 +107,16 @@ impl Scene {
     /// The settings of each source that is on, in the order of the objects. Every source has a
     /// different seed. A source on a solid that is off is off, too.
     pub fn sources(&self) -> impl Iterator<Item = &Parameters> {
-        self.objects.iter().filter_map(|one| self.source_of(one))
+        self.objects
+            .iter()
+            .filter_map(|object| self.source_of(object))
     }
 
-    fn source_of<'a>(&'a self, one: &'a Stored) -> Option<&'a Parameters> {
-        let source = one.values.of_source(&self.settings)?;
+    fn source_of<'a>(&'a self, object: &'a Stored) -> Option<&'a Parameters> {
+        let source = object.values.of_source(&self.settings)?;
         let solid = source.solid_of_source();
         let mut all = self.objects.iter();
-        let is_off = all.any(|one| Some(one.id) == solid && one.is_off());
+        let is_off = all.any(|object| Some(object.id) == solid && object.is_off());
         (source.source_enabled && !is_off).then_some(source)
     }
 
@@ -158,7 +160,7 @@ impl Scene {
     /// The objects, in order.
     pub fn objects(&self) -> impl ExactSizeIterator<Item = Object<'_>> {
         let all = self.objects.iter();
-        all.map(|one| Object::new(one, &self.settings))
+        all.map(|object| Object::new(object, &self.settings))
     }
 
     /// Adds an object and returns its id. Missing properties have their defaults or, in the only
@@ -201,7 +203,7 @@ impl Scene {
 
     /// Makes the next source the first.
     fn promote(&mut self) {
-        let is_source = |one: &&mut Stored| matches!(one.values, Values::Source(_));
+        let is_source = |object: &&mut Stored| matches!(object.values, Values::Source(_));
         if let Some(next) = self.objects.iter_mut().find(is_source)
             && let Values::Source(values) = std::mem::replace(&mut next.values, Values::FirstSource)
         {
@@ -233,7 +235,7 @@ impl Scene {
     /// Adds an object and appends its errors.
     fn insert(&mut self, fields: &Fields<'_>, errors: &mut Vec<ParamError>) {
         let index = self.objects.len();
-        let is_free = |id: f64| self.objects.iter().all(|one| f64::from(one.id) != id);
+        let is_free = |id: f64| self.objects.iter().all(|object| f64::from(object.id) != id);
         let free = (1..).find(|&id| is_free(f64::from(id)));
         let mut name = Input::Text("undefined");
         let mut id = Input::Number(free.unwrap_or_default().into());
@@ -313,7 +315,7 @@ impl Scene {
             object.values.settle(before.as_ref());
         }
         // Solids that are off have a mask, too.
-        let solids = self.objects().filter_map(|one| one.solid());
+        let solids = self.objects().filter_map(|object| object.solid());
         let pixels: usize = solids.map(|solid| solid.mask.pixels()).sum();
         if pixels > MAX_PIXELS {
             let words = "smaller: all masks of a scene have at most 262144 pixels";
@@ -323,7 +325,7 @@ impl Scene {
     }
 
     fn find(&self, id: u32, errors: &mut Vec<ParamError>) -> Option<usize> {
-        let index = self.objects.iter().position(|one| one.id == id);
+        let index = self.objects.iter().position(|object| object.id == id);
         if index.is_none() {
             let words = "the id of an object";
             errors.push(must_be(ID.to_owned(), Input::Number(id.into()), words));

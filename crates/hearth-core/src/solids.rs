@@ -28,7 +28,7 @@ const SHORTEST_MOTION: f32 = 1e-3;
 /// Attempts to find a place outside of solids that touch.
 const ATTEMPTS: u32 = 6;
 /// Tolerance for rounding in the distance from a surface.
-const ROUNDING: f32 = 0.9;
+const ROUNDED_GAP: f32 = 0.9;
 
 /// A solid, or its image beyond a periodic edge.
 #[derive(Clone, Debug, PartialEq)]
@@ -156,7 +156,7 @@ impl Solids {
                 left: 0.0,
                 since: LONGEST_MOTION,
             };
-            if let Some(before) = old.iter().find(|one| one.id == id) {
+            if let Some(before) = old.iter().find(|body| body.id == id) {
                 body.move_from(before);
             }
             body.drive_to(time);
@@ -206,7 +206,7 @@ impl Solids {
     /// temperature \[K\].
     pub fn warm(&mut self, dt: f32, air: f32) {
         // A body and its images follow each other, and have one temperature.
-        for parts in self.bodies.chunk_by_mut(|one, other| one.id == other.id) {
+        for parts in self.bodies.chunk_by_mut(|body, next| body.id == next.id) {
             let Some((store, temperature)) = parts[0].heated() else {
                 continue;
             };
@@ -223,7 +223,7 @@ impl Solids {
 
     /// The ids of the bodies that conduct heat, and their temperatures \[K\].
     pub fn temperatures(&self) -> impl Iterator<Item = (u32, f32)> {
-        let bodies = self.bodies.chunk_by(|one, other| one.id == other.id);
+        let bodies = self.bodies.chunk_by(|body, next| body.id == next.id);
         bodies.filter_map(|parts| {
             let body = parts.first()?;
             Some((body.id, body.heated()?.1))
@@ -232,7 +232,7 @@ impl Solids {
 
     /// The body on whose surface a source is, and its images; none if the source is a line.
     pub fn parts(&self, source: &Physics) -> &[Body] {
-        let mut bodies = self.bodies.chunk_by(|one, other| one.id == other.id);
+        let mut bodies = self.bodies.chunk_by(|body, next| body.id == next.id);
         let id = source.solid_of_source();
         bodies
             .find(|parts| parts.first().map(|body| body.id) == id)
@@ -241,7 +241,7 @@ impl Solids {
 
     /// Sets the temperatures of the bodies that conduct heat, in their order \[K\].
     pub fn set_temperatures(&mut self, all: &[f32]) {
-        let bodies = self.bodies.chunk_by_mut(|one, other| one.id == other.id);
+        let bodies = self.bodies.chunk_by_mut(|body, next| body.id == next.id);
         let conducting = bodies.filter(|parts| parts[0].heated().is_some());
         for (parts, &temperature) in conducting.zip(all) {
             for body in parts {
@@ -335,13 +335,13 @@ impl Solids {
                     if distance < -depth {
                         return None;
                     }
-                    if distance < ROUNDING * gap {
+                    if distance < ROUNDED_GAP * gap {
                         place += normal * (gap - distance);
                         pushed = true;
                     }
                 }
             }
-            if floor && place.y < ROUNDING * gap {
+            if floor && place.y < ROUNDED_GAP * gap {
                 place.y = gap;
                 pushed = true;
             }

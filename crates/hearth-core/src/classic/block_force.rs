@@ -24,7 +24,7 @@ impl<'a> Four<'a> {
             states,
             volume: block.volume,
             expansion: block.volume * air_density,
-            temperature: Lanes::new([a, b, c, d].map(|one| one.temperature)),
+            temperature: Lanes::new([a, b, c, d].map(|particle| particle.temperature)),
             velocity: block.velocity,
         }
     }

@@ -29,7 +29,7 @@ const MAX_TRIES: usize = 12;
 const MAX_TRIES_AROUND: usize = 96;
 /// Distance from the outline of a solid within which they count, in half widths of its narrower
 /// side, and at least this many rooms.
-const BAND: f32 = 0.1;
+const BAND_WIDTH: f32 = 0.1;
 const MIN_BAND: f32 = 1.0;
 
 /// Longest time whose births may wait \[s\].
@@ -37,7 +37,7 @@ const MAX_WAIT: f32 = 1.0 / 60.0;
 
 /// The fractional part of the golden ratio: its multiples modulo one fill an interval more
 /// evenly than random numbers do.
-const GOLDEN: f32 = 0.618_034;
+const GOLDEN_RATIO_PART: f32 = 0.618_034;
 
 /// Lattice cells of the emission noise per metre of the source.
 const NOISE_PER_METRE: f32 = 12.0;
@@ -179,7 +179,7 @@ impl Emitter {
 
     /// The place of a birth; `None` if it is not near the outline of the solid.
     fn place(&mut self, values: &Physics, source: &Source, random: &mut Random) -> Option<Place> {
-        self.along = (self.along + GOLDEN).fract();
+        self.along = (self.along + GOLDEN_RATIO_PART).fract();
         let across = 2.0 * self.along - 1.0;
         let part = match source.solid.len() {
             0 | 1 => 0,
@@ -196,7 +196,7 @@ impl Emitter {
         };
         let frame = &body.surface.frame;
         let size = frame.half + frame.radius;
-        let band = BAND * size.min_element() + MIN_BAND * source.room;
+        let band = BAND_WIDTH * size.min_element() + MIN_BAND * source.room;
         let local = (size + band) * Vec2::new(across, random.between(-1.0, 1.0));
         let position = frame.centre + frame.axis.rotate(local);
         let (distance, normal) = body.surface.distance(position);

@@ -90,10 +90,10 @@ pub(crate) fn integrate(
         let particles = &mut particles[members];
         if let Ok(four) = <&mut [ParticleState; LANES]>::try_from(&mut *particles) {
             advance(four, LANES, block, forces, values, dt, &mut maxima);
-        } else if let Some(&one) = particles.first() {
+        } else if let Some(&particle) = particles.first() {
             // Copies pad the last block of a row. They do not move.
             let count = particles.len();
-            let mut four = [one; LANES];
+            let mut four = [particle; LANES];
             four[..count].copy_from_slice(particles);
             advance(&mut four, count, block, forces, values, dt, &mut maxima);
             particles.copy_from_slice(&four[..count]);
@@ -177,7 +177,7 @@ pub(crate) fn bound(
         }
     }
     keep_all_outside(particles, solids, values, dt);
-    particles.retain(|one| one.is_alive() && bounds.contains(one.position()));
+    particles.retain(|particle| particle.is_alive() && bounds.contains(particle.position()));
 }
 
 fn apply_walls(walls: Walls, bounds: &Bounds, particle: &mut ParticleState) {

@@ -50,8 +50,8 @@ impl<I: PairInteraction<Pair>> PairSum<2> for Symmetric<I> {
     }
 
     #[inline(always)]
-    fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
-        let pair = Pair::new(one, others);
+    fn pair(&self, particle: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
+        let pair = Pair::new(particle, others);
         let mut rates = Rates::NONE;
         self.0.add(&pair, &mut rates);
         let acceleration = rates.acceleration(&pair.offset, pair.velocity);

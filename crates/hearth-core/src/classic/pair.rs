@@ -56,17 +56,17 @@ pub(super) struct Pair {
 
 impl Pair {
     #[inline(always)]
-    pub fn new(one: &Broadcast, others: &Block) -> Pair {
-        let offset = one.offset(others);
+    pub fn new(particle: &Broadcast, others: &Block) -> Pair {
+        let offset = particle.offset(others);
         let softened = offset.softened();
         // The division starts before the kernel is known.
         let reciprocal = Lanes::splat(1.0) / (offset.q * softened);
         Pair {
             offset,
-            velocity: one.relative_velocity(others),
-            quotient: kernel::minus_dw(offset.q) * (one.volume * others.volume) * reciprocal,
+            velocity: particle.relative_velocity(others),
+            quotient: kernel::minus_dw(offset.q) * (particle.volume * others.volume) * reciprocal,
             softened,
-            pressures: one.pressure + others.pressure,
+            pressures: particle.pressure + others.pressure,
         }
     }
 }

@@ -124,8 +124,8 @@ impl Pairs {
         let h = kernel.smoothing_length();
         neighbours.find_and_sum(blocks, grid, h);
         if solids.any_thin(2.0 * h) {
-            neighbours.remove_pairs_across_solids(blocks, grid, h, solids, |one| {
-                solids.thin_near(particles[one].position(), 2.0 * h)
+            neighbours.remove_pairs_across_solids(blocks, grid, h, solids, |particle| {
+                solids.thin_near(particles[particle].position(), 2.0 * h)
             });
         }
         let each = values.particle_mass * kernel.w_norm();

@@ -13,7 +13,7 @@ use crate::solids::Solids;
 /// Smallest distance of a particle from a solid, in smoothing lengths.
 pub(super) const GAP: f32 = 0.05;
 /// Coefficient of friction.
-const FRICTION: f32 = 0.3;
+const FRICTION_COEFFICIENT: f32 = 0.3;
 
 /// Keeps the particles outside of the solids. The life of those without a place ends. What changes
 /// their velocities took `dt` \[s\]; free solids feel nothing of what takes no time.
@@ -66,7 +66,7 @@ fn keep_outside(
             v -= normal * inward;
             let along = v - wall;
             let speed = fast_max(along.length(), 1e-6);
-            v -= along * fast_min(-FRICTION * inward / speed, 1.0);
+            v -= along * fast_min(-FRICTION_COEFFICIENT * inward / speed, 1.0);
             if body.is_free {
                 body.push(at, rate, before - v);
             }

@@ -27,7 +27,7 @@ use rim::Rim;
 
 /// How far gas is simulated beyond the frame and what is seen, in heights of the frame and in
 /// cells, so that its end is not visible. Below its upper end, slow eddies linger.
-const MARGIN: f32 = 0.1;
+const MARGIN_SIDE: f32 = 0.1;
 const MARGIN_ABOVE: f32 = 0.2;
 const MIN_MARGIN: f32 = 2.0;
 /// How far gas is simulated at most beyond the frame, in heights of the frame.
@@ -35,15 +35,15 @@ const MAX_BEYOND: f32 = 4.0;
 /// Most cells beyond those of the frame and its smallest margin.
 const MAX_CELLS: usize = 65_536;
 /// Smallest share of the margin where there would be more cells.
-const MIN_SHARE: f32 = 0.01;
+const MIN_MARGIN_SHARE: f32 = 0.01;
 /// Steps from one exchange of gas to the next, and from one map to the next.
 const EXCHANGE_STEPS: u32 = 4;
 const MAP_STEPS: u32 = 8;
 
 /// Depths between which kernels of displays become as wide as elsewhere, and how many radii more
 /// they have farther out.
-const WIDENED: (f32, f32) = (0.5, 2.5);
-const WIDEST: f32 = 2.0;
+const WIDENED_DEPTHS: (f32, f32) = (0.5, 2.5);
+const MAX_WIDENING: f32 = 2.0;
 
 /// Lower left and upper right corner of the part of the world that is seen \[m\].
 pub(crate) type Seen = [Vec2; 2];
@@ -119,7 +119,7 @@ impl OpenAir {
         self.map.occupy(gas);
         awake::activate(&mut self.map, gas, awake::hot(values), 0.0);
         (self.steps, self.since_exchange) = (0, f32::INFINITY);
-        self.kept = awake::HOLD;
+        self.kept = awake::AWAKE_TIME;
     }
 
     /// Finds the cells that are to hold gas of another discretisation, which is resampled.
@@ -143,8 +143,8 @@ impl OpenAir {
 
     /// Whether another map has cells of the same size.
     pub fn has_cells_of(&self, other: &OpenAir) -> bool {
-        let (one, other) = (self.map.layout, other.map.layout);
-        one.cell == other.cell && one.floor == other.floor
+        let (own, other) = (self.map.layout, other.map.layout);
+        own.cell == other.cell && own.floor == other.floor
     }
 
     /// Whether this air holds gas at a position.
@@ -205,7 +205,7 @@ impl OpenAir {
     /// By how many radii kernels of displays are wider at a position, so that the end of the gas
     /// is not visible.
     pub fn widening(&self, place: Vec2) -> f32 {
-        WIDEST * (1.0 - rim::share(self.map.depth_at(place), WIDENED))
+        MAX_WIDENING * (1.0 - rim::share(self.map.depth_at(place), WIDENED_DEPTHS))
     }
 
     /// Whether there is a floor.
@@ -249,9 +249,9 @@ pub(super) fn layout(values: &Physics, seen: Option<Seen>, spacing: f32) -> Layo
     let beyond = |length: f32, margin: f32| {
         fast_min(fast_max(length, 0.0), MAX_BEYOND * height) + margin * height
     };
-    let side = beyond(fast_max(-low.x, high.x) - half, MARGIN);
+    let side = beyond(fast_max(-low.x, high.x) - half, MARGIN_SIDE);
     let (below, above) = (
-        beyond(-low.y, MARGIN),
+        beyond(-low.y, MARGIN_SIDE),
         beyond(high.y - height, MARGIN_ABOVE),
     );
     let floor = values.floor == FloorChoice::Solid;
@@ -260,7 +260,7 @@ pub(super) fn layout(values: &Physics, seen: Option<Seen>, spacing: f32) -> Layo
         let reach = |beyond: f32| fast_max(share * beyond, MIN_MARGIN * cell);
         let (side, above) = (half + reach(side), height + reach(above));
         let layout = Layout::new(side, reach(below), above, cell, floor);
-        if layout.len() <= MAX_CELLS || share < MIN_SHARE {
+        if layout.len() <= MAX_CELLS || share < MIN_MARGIN_SHARE {
             return layout;
         }
         share *= 0.5;

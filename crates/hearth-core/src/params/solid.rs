@@ -124,7 +124,7 @@ impl Solid {
 
     /// The field of a property.
     fn slot(&mut self, property: &Param) -> Option<Slot<'_>> {
-        let place = SOLID.iter().position(|one| one.id == property.id)?;
+        let place = SOLID.iter().position(|param| param.id == property.id)?;
         self.slots().nth(place)
     }
 }

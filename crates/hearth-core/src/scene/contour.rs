@@ -5,9 +5,9 @@ use glam::Vec2;
 use crate::extremes::fast_max;
 
 /// The opacity at the edge of a mask.
-pub(super) const EDGE: f32 = 0.5;
+pub(super) const EDGE_OPACITY: f32 = 0.5;
 /// Distance beside a line at which a point is inside or outside, as a share of the outline.
-const BESIDE: f32 = 1e-4;
+const SIDE_DISTANCE: f32 = 1e-4;
 
 /// A part of an outline \[m\].
 pub(super) type Line = [Vec2; 2];
@@ -67,8 +67,8 @@ pub(super) fn of_polygon(points: &[Vec2]) -> Vec<Line> {
 }
 
 /// The place where a line crosses another one, between 0 and 1; NaN or beyond if it does not.
-fn crossing([from, to]: Line, [one, other]: Line) -> f32 {
-    let (path, across, apart) = (to - from, other - one, one - from);
+fn crossing([from, to]: Line, [start, end]: Line) -> f32 {
+    let (path, across, apart) = (to - from, end - start, start - from);
     let area = path.perp_dot(across);
     let there = apart.perp_dot(path) / area;
     if (0.0..=1.0).contains(&there) {
@@ -79,10 +79,10 @@ fn crossing([from, to]: Line, [one, other]: Line) -> f32 {
 }
 
 /// Whether one side of a line is inside and one is outside.
-fn is_edge(points: &[Vec2], [one, other]: Line) -> bool {
-    let path = other - one;
-    let middle = 0.5 * (one + other);
-    let aside = path.perp() * (BESIDE / fast_max(path.length(), 1e-6));
+fn is_edge(points: &[Vec2], [start, end]: Line) -> bool {
+    let path = end - start;
+    let middle = 0.5 * (start + end);
+    let aside = path.perp() * (SIDE_DISTANCE / fast_max(path.length(), 1e-6));
     (winding(points, middle + aside) != 0) != (winding(points, middle - aside) != 0)
 }
 
@@ -99,10 +99,10 @@ pub(super) fn winding(points: &[Vec2], at: Vec2) -> i32 {
 }
 
 /// Where a line passes a height, and 1 if it rises, −1 if it falls and 0 if it does not pass.
-fn passes([one, other]: Line, y: f32) -> (f32, i32) {
-    let turn = i32::from(one.y <= y) - i32::from(other.y <= y);
+fn passes([start, end]: Line, y: f32) -> (f32, i32) {
+    let turn = i32::from(start.y <= y) - i32::from(end.y <= y);
     (
-        one.x + (other.x - one.x) * ((y - one.y) / (other.y - one.y)),
+        start.x + (end.x - start.x) * ((y - start.y) / (end.y - start.y)),
         turn,
     )
 }
@@ -140,7 +140,7 @@ fn cut(nodes: &Nodes, opacity: &[f32], from: [usize; 2], to: [usize; 2]) -> Opti
         let opacity = opacity.get(row * nodes.columns + column);
         opacity.copied().unwrap_or_default()
     });
-    let [one, other] = [from, to].map(|[column, row]| nodes.place(column, row));
-    let place = one + (other - one) * ((EDGE - a) / (b - a));
-    ((a > EDGE) != (b > EDGE)).then_some(place)
+    let [start, end] = [from, to].map(|[column, row]| nodes.place(column, row));
+    let place = start + (end - start) * ((EDGE_OPACITY - a) / (b - a));
+    ((a > EDGE_OPACITY) != (b > EDGE_OPACITY)).then_some(place)
 }

@@ -172,9 +172,9 @@ impl Solid {
 mod tests {
     use super::*;
 
-    fn close(one: (f32, Vec2), distance: f32, normal: Vec2) {
-        assert!((one.0 - distance).abs() < 1e-5, "{one:?}");
-        assert!((one.1 - normal).length() < 1e-5, "{one:?}");
+    fn close(found: (f32, Vec2), distance: f32, normal: Vec2) {
+        assert!((found.0 - distance).abs() < 1e-5, "{found:?}");
+        assert!((found.1 - normal).length() < 1e-5, "{found:?}");
     }
 
     #[test]

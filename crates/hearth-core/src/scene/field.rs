@@ -12,20 +12,20 @@ use crate::extremes::{fast_max, fast_min};
 use crate::params::{Mask, Shape, Solid};
 
 /// Nodes of a field of points, about.
-const NODES: f32 = 32_768.0;
+const NODE_COUNT: f32 = 32_768.0;
 /// Cells between an outline and the border of its field.
-const MARGIN: usize = 3;
+const MARGIN_CELLS: usize = 3;
 /// Smallest distance between nodes \[m\].
-const FINEST: f32 = 1e-4;
+const MIN_STEP: f32 = 1e-4;
 /// Slope below which a distance has no direction.
-const FLAT: f32 = 1e-3;
+const MIN_SLOPE: f32 = 1e-3;
 /// How often the nearest point of one beyond the field is refined.
 const REFINEMENTS: u32 = 2;
 /// Most strides along half of a line, and their least length in depths that a line may reach.
-const STRIDES: u32 = 8;
-const SHORTEST: f32 = 0.25;
+const MAX_STRIDES: u32 = 8;
+const MIN_STRIDE: f32 = 0.25;
 /// Distance up to which an outline may be between two nodes, in steps.
-const NEAR: f32 = 1.1;
+const MAX_OUTLINE_DISTANCE: f32 = 1.1;
 /// No line.
 const NONE: u32 = u32::MAX;
 
@@ -100,10 +100,10 @@ impl Field {
         }
         let size = high - low + 2.0 * border;
         // The margin takes its share of the nodes.
-        let margin = 2.0 * MARGIN as f32 / NODES * fast_max(size.x, size.y);
-        let step = libm::sqrtf(size.x * size.y / NODES) + margin + FINEST;
+        let margin = 2.0 * MARGIN_CELLS as f32 / NODE_COUNT * fast_max(size.x, size.y);
+        let step = libm::sqrtf(size.x * size.y / NODE_COUNT) + margin + MIN_STEP;
         let cells = (size / step).to_array();
-        let [columns, rows] = cells.map(|cells| cells as usize + 2 * MARGIN + 2);
+        let [columns, rows] = cells.map(|cells| cells as usize + 2 * MARGIN_CELLS + 2);
         Field::new(0.5 * (low + high), Vec2::splat(step), [columns, rows])
     }
 
@@ -126,14 +126,14 @@ impl Field {
     fn of_mask(mask: &Mask, size: Vec2) -> Field {
         let [width, height] = mask.size();
         let step = size / Vec2::new(width as f32, height as f32);
-        let nodes = [width, height].map(|pixels| pixels + 2 * MARGIN);
+        let nodes = [width, height].map(|pixels| pixels + 2 * MARGIN_CELLS);
         let mut field = Field::new(Vec2::ZERO, step, nodes);
         let opacity: Vec<f32> = (0..field.distances.len())
             .map(|node| {
                 let (column, row) = (node % nodes[0], node / nodes[0]);
                 // Beyond the mask, the subtractions wrap to indices of no pixel.
-                let row = (height + MARGIN - 1).wrapping_sub(row);
-                mask.opacity(column.wrapping_sub(MARGIN), row)
+                let row = (height + MARGIN_CELLS - 1).wrapping_sub(row);
+                mask.opacity(column.wrapping_sub(MARGIN_CELLS), row)
             })
             .collect();
         field.enclose(opacity);
@@ -144,7 +144,7 @@ impl Field {
     fn enclose(&mut self, opacity: Vec<f32>) {
         self.measure(&contour::of_nodes(&self.nodes(), &opacity));
         for (node, opacity) in opacity.into_iter().enumerate() {
-            if opacity > contour::EDGE {
+            if opacity > contour::EDGE_OPACITY {
                 self.turn(node);
             }
         }
@@ -154,7 +154,7 @@ impl Field {
     /// that distance between nodes \[m\].
     pub(crate) fn of_opacity(half: Vec2, step: f32, at: &dyn Fn(Vec2) -> f32) -> Field {
         let cells = (2.0 * half / step).to_array();
-        let nodes = cells.map(|cells| cells as usize + 2 * MARGIN + 2);
+        let nodes = cells.map(|cells| cells as usize + 2 * MARGIN_CELLS + 2);
         let mut field = Field::new(Vec2::ZERO, Vec2::splat(step), nodes);
         let places = field.nodes();
         let all = (0..field.distances.len())
@@ -172,7 +172,7 @@ impl Field {
         let count = |is_counted: &dyn Fn(f32) -> bool| {
             self.distances
                 .iter()
-                .filter(|one| is_counted(**one))
+                .filter(|distance| is_counted(**distance))
                 .count() as f32
         };
         let inside = count(&|distance| distance < 0.0);
@@ -198,7 +198,7 @@ impl Field {
                 let node = row * nodes.columns + column;
                 let distance = self.distances.get(node).copied().unwrap_or_default();
                 // Where the outline is farther than the node to the left, both are on one side.
-                if distance < NEAR * nodes.step.x || column == 0 {
+                if distance < MAX_OUTLINE_DISTANCE * nodes.step.x || column == 0 {
                     is_inside = contour::winding(points, nodes.place(column, row)) != 0;
                 }
                 if is_inside {
@@ -250,13 +250,13 @@ impl Field {
     }
 
     /// Offers a line to the nodes around it.
-    fn seed(&mut self, nearest: &mut [u32], lines: &[Line], index: u32, &[one, other]: &Line) {
+    fn seed(&mut self, nearest: &mut [u32], lines: &[Line], index: u32, &[start, end]: &Line) {
         let place = |point: Vec2| (point - self.middle + self.half) / self.step;
-        let (one, other) = (place(one), place(other));
-        let (low, high) = if one.y < other.y {
-            (one, other)
+        let (start, end) = (place(start), place(end));
+        let (low, high) = if start.y < end.y {
+            (start, end)
         } else {
-            (other, one)
+            (end, start)
         };
         let slope = (high.x - low.x) / fast_max(high.y - low.y, 1e-6);
         let columns = self.columns;
@@ -322,7 +322,7 @@ impl Field {
             let away = point - near;
             let room = |away: f32, near: f32, half: f32| {
                 let room = if away < 0.0 { half + near } else { half - near };
-                room / fast_max(away.abs(), FINEST)
+                room / fast_max(away.abs(), MIN_STEP)
             };
             let [x, y] = [
                 room(away.x, near.x, self.half.x),
@@ -367,7 +367,7 @@ impl Field {
         let slope = Vec2::new(b - a + (d - c - b + a) * y, high - low) / self.step;
         let magnitude = slope.length();
         // A slope vanishes where the distances of two sides meet.
-        let normal = if magnitude > FLAT {
+        let normal = if magnitude > MIN_SLOPE {
             slope / magnitude
         } else {
             Vec2::Y
@@ -377,12 +377,12 @@ impl Field {
 
     /// Whether the line between two points outside crosses the solid. They are relative to the
     /// middle of the field.
-    pub(crate) fn crosses(&self, one: Vec2, other: Vec2) -> bool {
+    pub(crate) fn crosses(&self, start: Vec2, end: Vec2) -> bool {
         // A line may touch a bulge between two neighbours at the same side.
         let deep = fast_min(0.3 * self.depth, fast_min(self.step.x, self.step.y));
-        let middle = 0.5 * (one + other);
-        let way = other - middle;
-        let length = fast_max(way.length(), FINEST);
+        let middle = 0.5 * (start + end);
+        let way = end - middle;
+        let length = fast_max(way.length(), MIN_STEP);
         let (distance, _) = self.distance(middle);
         if distance < -deep {
             return true;
@@ -390,7 +390,7 @@ impl Field {
         // Nothing is nearer than the distance.
         for way in [way, -way] {
             let mut done = distance + deep;
-            for _ in 0..STRIDES {
+            for _ in 0..MAX_STRIDES {
                 if done >= length {
                     break;
                 }
@@ -398,7 +398,7 @@ impl Field {
                 if distance < -deep {
                     return true;
                 }
-                done += fast_max(distance + deep, SHORTEST * deep);
+                done += fast_max(distance + deep, MIN_STRIDE * deep);
             }
         }
         false
@@ -407,8 +407,8 @@ impl Field {
 
 /// The square of the distance of a point from a line.
 #[inline]
-fn distance_squared(point: Vec2, &[one, other]: &Line) -> f32 {
-    let (path, from) = (other - one, point - one);
+fn distance_squared(point: Vec2, &[start, end]: &Line) -> f32 {
+    let (path, from) = (end - start, point - start);
     let along = from.dot(path) / fast_max(path.length_squared(), 1e-12);
     let along = fast_min(fast_max(along, 0.0), 1.0);
     (from - path * along).length_squared()

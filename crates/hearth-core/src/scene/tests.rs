@@ -13,7 +13,9 @@ const SOLID: (&str, Input<'static>) = ("kind", Input::Text("solid"));
 
 fn value<'a>(scene: &'a Scene, index: usize, name: &str) -> Option<AnyValue<'a>> {
     let mut properties = scene.objects().nth(index)?.properties();
-    properties.find(|one| one.0 == name).map(|one| one.2)
+    properties
+        .find(|property| property.0 == name)
+        .map(|property| property.2)
 }
 
 fn ids(scene: &Scene) -> Vec<u32> {
@@ -74,10 +76,10 @@ fn a_second_source_has_separate_properties_and_the_other_settings() {
         assert_eq!(settings.set(id, number(x)), Ok(()));
     }
     scene.set_settings(settings);
-    let powers: Vec<f32> = scene.sources().map(|one| one.fuel_power).collect();
+    let powers: Vec<f32> = scene.sources().map(|source| source.fuel_power).collect();
     assert_eq!(powers, [100.0, 50.0]);
     assert_eq!(scene.power(), 150.0);
-    assert!(scene.sources().all(|one| one.wind == 1.0));
+    assert!(scene.sources().all(|source| source.wind == 1.0));
     assert_eq!(value(&scene, 1, "width"), Some(Value::Number(0.4)));
     assert_eq!(value(&scene, 1, "rate"), None, "it is the classic model's");
 }
@@ -125,7 +127,10 @@ fn a_source_has_the_surface_of_its_solid() {
     let id = |scene: &Scene| {
         let sources: Vec<_> = scene.sources().collect();
         let of = |source| scene.solid_of(source).is_some();
-        sources.into_iter().map(|one| of(one)).collect::<Vec<_>>()
+        sources
+            .into_iter()
+            .map(|source| of(source))
+            .collect::<Vec<_>>()
     };
     assert_eq!(id(&scene), [false, true]);
     assert_eq!(value(&scene, 2, "solid"), Some(Value::Integer(9)));
@@ -296,7 +301,10 @@ fn every_source_burns_at_its_position() {
         let hot = |scene: &Scene| {
             let fire = burnt(scene, 0.3);
             let all = fire.positions().into_iter().zip(fire.temperatures());
-            let hot: Vec<f32> = all.filter(|one| one.1 > 600.0).map(|one| one.0.x).collect();
+            let hot: Vec<f32> = all
+                .filter(|particle| particle.1 > 600.0)
+                .map(|particle| particle.0.x)
+                .collect();
             let left = hot.iter().any(|&x| x < -0.1);
             (left, hot.iter().any(|&x| x > 0.1))
         };
@@ -360,7 +368,7 @@ fn the_same_scene_gives_the_same_bits() {
 
 #[test]
 fn a_parameter_that_is_not_a_property_is_the_same_for_every_source() {
-    let of_sources = |id: &str| Kind::SOURCE.properties().any(|one| one.id == id);
+    let of_sources = |id: &str| Kind::SOURCE.properties().any(|property| property.id == id);
     let mut scene = Scene::default();
     assert!(scene.add(&[SOURCE]).is_ok());
     let sources: Vec<&Parameters> = scene.sources().collect();

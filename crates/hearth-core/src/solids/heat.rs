@@ -6,7 +6,7 @@ use crate::params::Solid;
 use crate::scene::Surface;
 
 /// Emissivity of a surface times the constant of Stefan and Boltzmann [kW/(m²·K⁴)].
-const RADIATED: f32 = 0.9 * 5.670_374e-11;
+const RADIATION_COEFFICIENT: f32 = 0.9 * 5.670_374e-11;
 
 /// What flows to a solid in a step: conductance [kW/K] from gas, and its product with the
 /// temperature of the gas.
@@ -68,7 +68,7 @@ impl Store {
     /// The temperature \[K\] after a step with that inflow in air of a temperature \[K\].
     pub fn warmed(&self, temperature: f32, inflow: Inflow, dt: f32, air: f32) -> f32 {
         // ε σ A (T⁴ − T_air⁴), as a conductance.
-        let radiated = RADIATED
+        let radiated = RADIATION_COEFFICIENT
             * self.circumference
             * (temperature * temperature + air * air)
             * (temperature + air);

@@ -7,9 +7,9 @@ use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 
 /// Largest sine of the angle of a body that is upright.
-const UPRIGHT: f32 = 1e-4;
+const MAX_UPRIGHT_SINE: f32 = 1e-4;
 /// Most images on each side of a body: those of one that is three domains long.
-const MOST: f32 = 3.0;
+const MAX_IMAGES: f32 = 3.0;
 
 impl Solids {
     /// Adds a body and its images within `near` of the domain.
@@ -27,7 +27,7 @@ impl Solids {
             self.bodies.push(body);
             return;
         }
-        let is_upright = shape.axis.abs().min_element() < UPRIGHT;
+        let is_upright = shape.axis.abs().min_element() < MAX_UPRIGHT_SINE;
         let is_plate =
             is_upright && body.surface.field.is_none() && body.drive.is_none() && !body.is_free;
         let mut count = |periodic: bool, axis: usize| {
@@ -42,7 +42,7 @@ impl Solids {
                 return 0;
             }
             let far = (2.0 * reach[axis] / period[axis]).ceil();
-            fast_min(far, MOST) as i32
+            fast_min(far, MAX_IMAGES) as i32
         };
         let (columns, rows) = (count(bounds.periodic_x, 0), count(bounds.periodic_y, 1));
         let middle = shape.centre;

@@ -7,9 +7,9 @@ use crate::lanes::{LANES, Lanes};
 use crate::scene::{Field, RoundedBox, Surface};
 
 /// The part of a rounded corner that hides the particles behind it, in radii.
-const OPAQUE: f32 = 0.7;
+const OPAQUE_RADII: f32 = 0.7;
 /// So many solids near a position are found once for all of its neighbours.
-const FEW: usize = 8;
+const MAX_LISTED: usize = 8;
 
 impl Body {
     /// Whether it is thinner somewhere than the support of the kernel \[m\]. The thickness of a
@@ -20,19 +20,19 @@ impl Body {
     }
 
     /// Whether the line between two positions crosses it.
-    pub fn is_between(&self, one: Vec2, other: Vec2) -> bool {
-        let other = other.to_array().map(Lanes::splat);
-        self.surface.lines_from(one).crossed(other, 1) != 0
+    pub fn is_between(&self, from: Vec2, to: Vec2) -> bool {
+        let to = to.to_array().map(Lanes::splat);
+        self.surface.lines_from(from).crossed(to, 1) != 0
     }
 }
 
 impl Surface {
     /// The lines from a position.
-    fn lines_from(&self, one: Vec2) -> Lines<'_> {
+    fn lines_from(&self, from: Vec2) -> Lines<'_> {
         Lines {
             frame: &self.frame,
             field: self.field.as_deref(),
-            from: self.frame.local(one),
+            from: self.frame.local(from),
         }
     }
 }
@@ -62,7 +62,7 @@ impl Lines<'_> {
             radius,
         } = *self.frame;
         // Twice of it, as the middle and the half of each line.
-        let half = 2.0 * (half + OPAQUE * radius);
+        let half = 2.0 * (half + OPAQUE_RADII * radius);
         let (x, y) = (x - centre.x, y - centre.y);
         let (x, y) = (x * axis.x + y * axis.y, y * axis.x - x * axis.y);
         let (middle_x, middle_y) = (x + self.from.x, y + self.from.y);
@@ -110,21 +110,21 @@ impl Solids {
     }
 
     /// The lines from a position, beside a solid.
-    pub fn lines_from(&self, solid: u32, one: Vec2) -> Option<Lines<'_>> {
+    pub fn lines_from(&self, solid: u32, from: Vec2) -> Option<Lines<'_>> {
         let body = self.bodies.get(solid as usize)?;
-        Some(body.surface.lines_from(one))
+        Some(body.surface.lines_from(from))
     }
 
     /// Whether a thin solid is between a position and another one within the support of the
     /// kernel \[m\].
-    pub fn part(&self, one: Vec2, other: Vec2, support: f32) -> bool {
-        !self.is_empty() && self.any_between(one, other, support)
+    pub fn separate(&self, from: Vec2, to: Vec2, support: f32) -> bool {
+        !self.is_empty() && self.any_between(from, to, support)
     }
 
-    fn any_between(&self, one: Vec2, other: Vec2, support: f32) -> bool {
+    fn any_between(&self, from: Vec2, to: Vec2, support: f32) -> bool {
         let mut near = self.bodies.iter();
         near.any(|body| {
-            body.may_touch(one, support) && body.is_thin(support) && body.is_between(one, other)
+            body.may_touch(from, support) && body.is_thin(support) && body.is_between(from, to)
         })
     }
 
@@ -132,7 +132,7 @@ impl Solids {
     pub fn beside(&self, at: Vec2, support: f32) -> Beside<'_> {
         let mut beside = Beside {
             solids: self,
-            first: [0; FEW],
+            first: [0; MAX_LISTED],
             count: 0,
         };
         for (number, body) in self.bodies.iter().enumerate() {
@@ -150,19 +150,19 @@ impl Solids {
 /// The thin solids near a position.
 pub(crate) struct Beside<'a> {
     solids: &'a Solids,
-    first: [usize; FEW],
+    first: [usize; MAX_LISTED],
     count: usize,
 }
 
 impl Beside<'_> {
     /// Whether one of them is between that position and another one within the support of the
     /// kernel \[m\].
-    pub fn part(&self, one: Vec2, other: Vec2, support: f32) -> bool {
+    pub fn separate(&self, from: Vec2, to: Vec2, support: f32) -> bool {
         let Some(first) = self.first.get(..self.count) else {
-            return self.solids.part(one, other, support);
+            return self.solids.separate(from, to, support);
         };
         let mut bodies = first.iter().filter_map(|&at| self.solids.bodies.get(at));
-        bodies.any(|body| body.is_between(one, other))
+        bodies.any(|body| body.is_between(from, to))
     }
 }
 
@@ -170,13 +170,13 @@ impl Beside<'_> {
 mod tests {
     use super::*;
 
-    fn crosses(frame: &RoundedBox, one: Vec2, other: Vec2) -> bool {
+    fn crosses(frame: &RoundedBox, from: Vec2, to: Vec2) -> bool {
         let surface = Surface {
             frame: *frame,
             field: None,
         };
-        let lines = surface.lines_from(one);
-        let [near, far] = [one, other].map(|at| at.to_array());
+        let lines = surface.lines_from(from);
+        let [near, far] = [from, to].map(|at| at.to_array());
         // The other lanes have lines without a length.
         let to = [0, 1].map(|axis| Lanes::new([near[axis], far[axis], near[axis], near[axis]]));
         lines.crossed(to, 0b1111) == 0b10

@@ -68,12 +68,12 @@ impl PairSum<2> for AsPublished {
         Broadcast::of(block, pick)
     }
 
-    fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
-        let offset = one.offset(others);
+    fn pair(&self, particle: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
+        let offset = particle.offset(others);
         let Separation { x, y, square, q } = offset;
         let gradient = kernel::minus_dw(q) / q;
         let share = if self.pressure { 0.5 } else { 1.0 };
-        let pressure = gradient * (one.pressure + others.pressure) * share;
+        let pressure = gradient * (particle.pressure + others.pressure) * share;
         let laplacian = if self.viscosity {
             let h = self.kernel.smoothing_length();
             -Lanes::new(q.to_array().map(|q| self.kernel.laplacian(q * h)))
@@ -81,15 +81,15 @@ impl PairSum<2> for AsPublished {
             -(gradient * (2.0 * self.kernel.minus_dw_norm()) * square / offset.softened())
         };
         let viscous = laplacian * self.viscous;
-        let [vx, vy] = one.relative_velocity(others);
+        let [vx, vy] = particle.relative_velocity(others);
         let ends = |mine: Lanes, theirs: Lanes| {
             let radial = pressure * theirs * self.acceleration_factor(mine, self.pressure);
             let relative = viscous * theirs * self.acceleration_factor(mine, false);
             [x * radial + vx * relative, y * radial + vy * relative]
         };
         (
-            ends(one.volume, others.volume),
-            ends(others.volume, one.volume),
+            ends(particle.volume, others.volume),
+            ends(others.volume, particle.volume),
         )
     }
 

@@ -6,7 +6,7 @@
 use crate::params::Physics;
 
 /// Relative excess temperature below which the expansion is practically linear.
-const LINEAR: f32 = 2e-3;
+const MAX_LINEAR_EXCESS: f32 = 2e-3;
 
 /// θ, the specific volume relative to that of the surrounding air.
 #[inline(always)]
@@ -14,7 +14,7 @@ pub(crate) fn expansion(temperature: f32, values: &Physics) -> f32 {
     let ratio = temperature / values.ambient_temperature;
     let excess = ratio - 1.0;
     // Most of the domain is air, and a power costs as much as ten pairs.
-    if excess.abs() < LINEAR {
+    if excess.abs() < MAX_LINEAR_EXCESS {
         1.0 + values.gas_expansion * excess
     } else if values.gas_expansion == 0.5 {
         // The default. libm's root does not use the processor's instruction.
@@ -37,7 +37,7 @@ mod tests {
             let air = parameters.ambient_temperature;
             assert!((expansion(4.0 * air, &parameters) - expected).abs() < 1e-5);
             // The two branches are continuous.
-            let edge = air * (1.0 + LINEAR);
+            let edge = air * (1.0 + MAX_LINEAR_EXCESS);
             let step =
                 expansion(edge * 1.0001, &parameters) - expansion(edge * 0.9999, &parameters);
             assert!(step.abs() < 3e-4, "{step}");

@@ -77,13 +77,13 @@ impl Interactions {
         let (interactions, eddy_scale) = (list(context), Pair::eddy_scale(context));
         neighbours.each(others, |here, shift, others| {
             let particle = packed[here];
-            let one = Broadcast::of(&particle, shift);
+            let broadcast = Broadcast::of(&particle, shift);
             let mut motion = [Lanes::ZERO; 4];
             let mut state = Lanes::ZERO;
             for four in others.chunks_exact(LANES) {
                 let four = [0, 1, 2, 3].map(|k| four[k] as usize);
                 let theirs = four.map(|there| packed[there]);
-                let pair = Pair::new(&one, theirs, eddy_scale);
+                let pair = Pair::new(&broadcast, theirs, eddy_scale);
                 let mut rates = Rates::NONE;
                 interactions.add(&pair, &mut rates);
                 let [ax, ay] = rates.acceleration(&pair.offset, pair.velocity);
@@ -92,7 +92,7 @@ impl Interactions {
                 motion[1] += ay;
                 motion[2] += x * pair.volume;
                 motion[3] += y * pair.volume;
-                let lost = transposed([ax, ay, x * one.volume, y * one.volume]);
+                let lost = transposed([ax, ay, x * broadcast.volume, y * broadcast.volume]);
                 for k in 0..LANES {
                     let flux = (particle.state - theirs[k].state) * rates.mixing.broadcast(k);
                     state += flux;

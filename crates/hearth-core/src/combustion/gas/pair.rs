@@ -107,18 +107,18 @@ impl Pair {
     }
 
     #[inline(always)]
-    pub fn new(one: &Broadcast, others: [PackedParticle; LANES], eddy_scale: Lanes) -> Pair {
+    pub fn new(particle: &Broadcast, others: [PackedParticle; LANES], eddy_scale: Lanes) -> Pair {
         let [x, y, vx, vy] = transposed(others.map(|other| other.motion));
         let [volume, pressure, ..] = transposed(others.map(|other| other.volume_pressure));
-        let [one_x, one_y, one_vx, one_vy] = one.motion;
-        let offset = Separation::between([one_x, one_y], [x, y]);
-        let (vx, vy) = (one_vx - vx, one_vy - vy);
+        let [own_x, own_y, own_vx, own_vy] = particle.motion;
+        let offset = Separation::between([own_x, own_y], [x, y]);
+        let (vx, vy) = (own_vx - vx, own_vy - vy);
         // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
         // times q²: both share one division.
         let softened = offset.softened();
         let softened_gradient = kernel::minus_dw(offset.q) / (offset.q * softened);
-        let volumes = one.volume * volume;
-        let mean_volume = (volumes + volumes) / (one.volume + volume);
+        let volumes = particle.volume * volume;
+        let mean_volume = (volumes + volumes) / (particle.volume + volume);
         Pair {
             offset,
             velocity: [vx, vy],
@@ -127,7 +127,7 @@ impl Pair {
             softened_gradient,
             volumes,
             mean_volume,
-            pressures: one.pressure + pressure,
+            pressures: particle.pressure + pressure,
             laplacian: mean_volume * softened_gradient * offset.square,
             eddy_viscosity: (vx * vx + vy * vy).sqrt() * eddy_scale,
         }

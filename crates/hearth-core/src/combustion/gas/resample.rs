@@ -239,7 +239,7 @@ impl<'a> Old<'a> {
                 let weight = self.kernel.value((place - shift).distance(old));
                 all += weight;
                 // Gas behind a plate is gas of another state, but no gap.
-                if weight == 0.0 || self.solids.part(place, old + shift, support) {
+                if weight == 0.0 || self.solids.separate(place, old + shift, support) {
                     continue;
                 }
                 velocity += self.gas.velocity[j] * weight;

@@ -16,10 +16,10 @@ use crate::time_step::Stability;
 
 /// Strength of the shift with `shifting` 1, in h²/s per h/s of speed. Twice the strength adds
 /// energy to a Taylor–Green vortex; with half the strength it decays 5 % too fast.
-const SHIFT: f32 = 8.0;
+const SHIFT_STRENGTH: f32 = 8.0;
 /// Largest strength in a step, in h². Shifting is a diffusion of particles, which overshoots
 /// beyond a limit, measured as 0.6.
-const MAX_SHIFT: f32 = 0.55;
+const MAX_SHIFT_STRENGTH: f32 = 0.55;
 /// Largest shift of a particle in a step, in h.
 const MAX_DISPLACEMENT: f32 = 0.55;
 /// The speed limit, relative to the speed of sound.
@@ -27,8 +27,8 @@ const SPEED_LIMIT: f32 = 1.5;
 /// While more than one particle in this number is faster than this share of the speed limit, gas
 /// has at least this artificial viscosity. In a closed domain with little viscosity and no seam,
 /// shear and the noise of the particles would keep it there.
-const ONE_AT_LIMIT: usize = 100;
-const AT_LIMIT: f32 = 0.99;
+const INVERSE_FAST_SHARE: usize = 100;
+const FAST_SPEED_SHARE: f32 = 0.99;
 const VISCOSITY_AT_LIMIT: f32 = 0.2;
 /// Courant number for the sound of the hottest gas. Noise in gas at rest decays with 1.05 too, whether cold or at 3700 K.
 const COURANT: f32 = 0.9;
@@ -68,10 +68,10 @@ pub(crate) struct Motion {
 /// The coefficient α of the artificial viscosity: the parameter, and more while much gas is at
 /// the speed limit.
 pub(crate) fn artificial_viscosity(gas: &Gas, values: &Physics, sound: f32) -> f32 {
-    let limit = AT_LIMIT * SPEED_LIMIT * sound;
+    let limit = FAST_SPEED_SHARE * SPEED_LIMIT * sound;
     let is_at_limit = |velocity: &Vec2| velocity.length_squared() > limit * limit;
     let fast = gas.velocity.iter().filter(|v| is_at_limit(v)).count();
-    if fast * ONE_AT_LIMIT > gas.len() {
+    if fast * INVERSE_FAST_SHARE > gas.len() {
         fast_max(values.artificial_viscosity, VISCOSITY_AT_LIMIT)
     } else {
         values.artificial_viscosity
@@ -136,8 +136,8 @@ impl Motion {
     /// Moves every particle with its new velocity, and shifts it down the concentration gradient.
     pub fn advance(&mut self, gas: &mut Gas, shifting: f32, h: f32, dt: f32) {
         let shift = fast_min(
-            SHIFT * shifting * h * self.max_speed * dt,
-            MAX_SHIFT * h * h,
+            SHIFT_STRENGTH * shifting * h * self.max_speed * dt,
+            MAX_SHIFT_STRENGTH * h * h,
         );
         let max_displacement = MAX_DISPLACEMENT * h;
         let mut clamped = 0;
@@ -178,7 +178,7 @@ mod tests {
             let limit = SPEED_LIMIT * sound;
             gas.velocity.fill(Vec2::new(0.9 * limit, 0.0));
             assert_eq!(artificial_viscosity(&gas, &parameters, sound), own as f32);
-            let few = gas.len() / ONE_AT_LIMIT;
+            let few = gas.len() / INVERSE_FAST_SHARE;
             gas.velocity[..few].fill(Vec2::new(0.0, -limit));
             assert_eq!(artificial_viscosity(&gas, &parameters, sound), own as f32);
             gas.velocity[few] = Vec2::new(limit, 0.0);

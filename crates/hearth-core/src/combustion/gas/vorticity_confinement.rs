@@ -87,11 +87,14 @@ impl PairSum<1> for Curl {
         Broadcast::of(block, pick)
     }
 
-    fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 1], [Lanes; 1]) {
-        let [x, y] = one.minus_gradient(others);
-        let curl_term =
-            x * (one.velocity[1] - others.velocity[1]) - y * (one.velocity[0] - others.velocity[0]);
-        ([curl_term * others.volume], [-(curl_term * one.volume)])
+    fn pair(&self, particle: &Broadcast, others: &Block) -> ([Lanes; 1], [Lanes; 1]) {
+        let [x, y] = particle.minus_gradient(others);
+        let curl_term = x * (particle.velocity[1] - others.velocity[1])
+            - y * (particle.velocity[0] - others.velocity[0]);
+        (
+            [curl_term * others.volume],
+            [-(curl_term * particle.volume)],
+        )
     }
 
     fn accumulator(block: &mut Block) -> &mut [Lanes; 1] {
@@ -110,13 +113,13 @@ impl PairSum<2> for CurlGradient {
         Broadcast::of(block, pick)
     }
 
-    fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
+    fn pair(&self, particle: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
         let magnitude = |curl: Lanes| curl.fast_max(-curl);
-        let difference = magnitude(one.curl) - magnitude(others.curl[0]);
-        let gradient = one.minus_gradient(others);
+        let difference = magnitude(particle.curl) - magnitude(others.curl[0]);
+        let gradient = particle.minus_gradient(others);
         (
             gradient.map(|along| along * difference * others.volume),
-            gradient.map(|along| -(along * difference * one.volume)),
+            gradient.map(|along| -(along * difference * particle.volume)),
         )
     }
 
@@ -258,8 +261,12 @@ mod tests {
         let plates = Solids::of(&scene, &domain, 0.2);
         for (solids, felt) in [(&Solids::default(), true), (&plates, false)] {
             let (gas, added) = confined(0.9, solids);
-            let still = gas.position.iter().zip(&added).filter(|one| one.0.y < 0.9);
-            let moved = still.filter(|one| *one.1 != Vec2::ZERO).count();
+            let still = gas
+                .position
+                .iter()
+                .zip(&added)
+                .filter(|particle| particle.0.y < 0.9);
+            let moved = still.filter(|particle| *particle.1 != Vec2::ZERO).count();
             assert_eq!(moved > 0, felt, "{moved} particles");
             assert!(added.iter().any(|&a| a != Vec2::ZERO));
         }

@@ -33,7 +33,7 @@ use crate::solids::Solids;
 /// Smallest distance of a particle from a wall, in spacings.
 pub(crate) const MIN_DISTANCE: f32 = 0.15;
 /// Smallest distance over which a velocity is continued linearly, in smoothing lengths.
-const MIN_LINEAR: f32 = 0.3;
+const MIN_LINEAR_DISTANCE: f32 = 0.3;
 /// Cosine between the normals before and after a step, below which a particle may have passed through a solid.
 const MIN_NORMAL_COSINE: f32 = 0.5;
 /// The floor, in place of the index of a solid.
@@ -186,7 +186,7 @@ impl Walls {
             let wall = (body.as_ref()).map_or(Vec2::ZERO, |body| body.velocity_at(near.from));
             let velocity = gas.velocity[i] - wall;
             let mixed = eddy * velocity.length();
-            let linear = near.slope / fast_max(near.distance, MIN_LINEAR * h);
+            let linear = near.slope / fast_max(near.distance, MIN_LINEAR_DISTANCE * h);
             let friction = values.kinematic_viscosity * linear + mixed * near.friction;
             let inward = fast_min(velocity.dot(normal), 0.0);
             let pressed = 2.0 * gas.volume[i] / mass * gas.pressure[i] * near.slope;

@@ -11,27 +11,27 @@ use super::map::{Layout, Map, measure};
 use crate::params::Physics;
 
 /// Width of the band of air around what is awake \[m\].
-const BAND: f32 = 0.08;
+const BAND_WIDTH: f32 = 0.08;
 /// Smallest width of the band, in cells.
 const MIN_BAND: f32 = 1.0;
 /// Width of the rim, whose pressure and motion are those of the far air, in cells.
-const RING: f32 = 2.0;
+const RIM_CELLS: f32 = 2.0;
 /// How much farther gas stays than it comes, in cells, so that the rim does not flicker.
-const HYSTERESIS: f32 = 0.5;
+const HYSTERESIS_CELLS: f32 = 0.5;
 /// Gas hotter than the air by this wakes its cell \[K\], as do this much soot and fuel.
-const HOT: f32 = 40.0;
-const SOOTY: f32 = 0.02;
-const FUELLED: f32 = 1e-3;
+const WAKING_HEAT: f32 = 40.0;
+const WAKING_SOOT: f32 = 0.02;
+const WAKING_FUEL: f32 = 1e-3;
 /// Time for which a cell stays awake \[s\].
-pub(super) const HOLD: f32 = 0.3;
+pub(super) const AWAKE_TIME: f32 = 0.3;
 /// The outermost ring wakes no cell: noise there must not spread.
 pub(super) const MIN_DEPTH: f32 = 2.0;
 /// Distance to a cell that is awake where there is none.
-const FAR: f32 = 1e6;
+const NO_DISTANCE: f32 = 1e6;
 /// Share of the capacity that the cells below the ceiling may need.
-const FULL: f32 = 0.97;
+const MAX_FILLING: f32 = 0.97;
 /// Share of it below which the ceiling rises.
-const ROOM: f32 = 0.9;
+const MIN_FILLING: f32 = 0.9;
 
 /// How far the cells sleep that would need too many particles.
 #[derive(Clone, Debug, Default)]
@@ -54,10 +54,10 @@ pub(crate) struct Rectangle {
 /// Activates the cells of gas that is hotter than this or otherwise active, at least this deep.
 pub(super) fn activate(map: &mut Map, gas: &Gas, hot: f32, min_depth: f32) {
     for (state, &position) in gas.state.iter().zip(&gas.position) {
-        if state.x > hot || state.y > FUELLED || state.w > SOOTY {
+        if state.x > hot || state.y > WAKING_FUEL || state.w > WAKING_SOOT {
             let cell = map.layout.at(position);
             if map.depth(cell) >= min_depth {
-                map.cell(cell).remaining = HOLD;
+                map.cell(cell).remaining = AWAKE_TIME;
             }
         }
     }
@@ -65,7 +65,7 @@ pub(super) fn activate(map: &mut Map, gas: &Gas, hot: f32, min_depth: f32) {
 
 /// Temperature of the coldest gas that is active by its heat \[K\].
 pub(super) fn hot(values: &Physics) -> f32 {
-    values.ambient_temperature + HOT
+    values.ambient_temperature + WAKING_HEAT
 }
 
 /// Activates the cells of a source; none of one outside of the map.
@@ -79,7 +79,7 @@ pub(super) fn activate_source(map: &mut Map, source: &Rectangle) {
     let (low, high) = (map.layout.place(source.low), map.layout.place(source.high));
     for row in low.1..=high.1 {
         for cell in &mut map.cells[row * columns..][low.0..=high.0] {
-            cell.remaining = HOLD;
+            cell.remaining = AWAKE_TIME;
         }
     }
 }
@@ -87,7 +87,7 @@ pub(super) fn activate_source(map: &mut Map, source: &Rectangle) {
 impl Awake {
     pub fn new(layout: &Layout) -> Awake {
         Awake {
-            distance: vec![FAR; layout.len()],
+            distance: vec![NO_DISTANCE; layout.len()],
             ceiling: layout.rows,
             asleep: 0.0,
         }
@@ -108,11 +108,19 @@ impl Awake {
     pub fn spread(&mut self, map: &mut Map, per_cell: f32, capacity: f32, kept: bool) {
         let (layout, distance) = (map.layout, &mut self.distance);
         for (distance, cell) in distance.iter_mut().zip(&map.cells) {
-            *distance = if cell.remaining > 0.0 { 0.0 } else { FAR };
+            *distance = if cell.remaining > 0.0 {
+                0.0
+            } else {
+                NO_DISTANCE
+            };
         }
         measure(distance, &layout, std::f32::consts::SQRT_2);
-        let reach = (BAND / layout.cell).max(MIN_BAND) + RING;
-        let farthest = if kept { FAR } else { reach + HYSTERESIS };
+        let reach = (BAND_WIDTH / layout.cell).max(MIN_BAND) + RIM_CELLS;
+        let farthest = if kept {
+            NO_DISTANCE
+        } else {
+            reach + HYSTERESIS_CELLS
+        };
         let (mut needed, mut wanted, mut cells) = (0.0, 0.0, 0);
         let mut ceiling = layout.rows;
         for row in layout.inner_rows() {
@@ -129,7 +137,7 @@ impl Awake {
                     };
                 }
             }
-            if wanted > FULL * capacity && ceiling == layout.rows {
+            if wanted > MAX_FILLING * capacity && ceiling == layout.rows {
                 ceiling = row;
             }
             if row < self.ceiling {
@@ -138,7 +146,7 @@ impl Awake {
         }
         if ceiling <= self.ceiling {
             self.ceiling = ceiling;
-        } else if needed < ROOM * capacity {
+        } else if needed < MIN_FILLING * capacity {
             self.ceiling += 1;
         }
         let mut sleeping = 0;
@@ -193,7 +201,7 @@ mod tests {
         assert!(!live(&map).is_empty());
         for cell in live(&map) {
             let at = corner(&map.layout, cell) + Vec2::splat(0.04);
-            let reach = (RING + MIN_BAND + 1.0) * 0.08;
+            let reach = (RIM_CELLS + MIN_BAND + 1.0) * 0.08;
             assert!(
                 (at.x - 0.3).abs() < 0.1 + reach && (at.y - 0.8).abs() < 0.05 + reach,
                 "{at}"
@@ -220,7 +228,7 @@ mod tests {
             assert_eq!(map.cells[cell].remaining > 0.0, wakes, "depth {depth}");
         }
         for cell in &mut map.cells {
-            cell.remaining -= 2.0 * HOLD;
+            cell.remaining -= 2.0 * AWAKE_TIME;
         }
         update(&mut map, &mut awake, None, 1e6);
         assert!(live(&map).is_empty());

@@ -9,40 +9,40 @@
 use glam::Vec2;
 
 use super::super::gas::Gas;
-use super::map::{Cell, Layout, Map, NONE, RIM};
+use super::map::{Cell, Layout, Map, NONE, RIM_DEPTH};
 use crate::Particle;
 use crate::extremes::fast_min;
 use crate::params::Physics;
 use crate::solids::Solids;
 
 /// Smallest distance of a birth from all particles, in spacings.
-const ROOM: f32 = 0.85;
+const MIN_BIRTH_DISTANCE: f32 = 0.85;
 /// Places of a cell along each axis, of which a birth takes the freest.
-const PLACES: u32 = 5;
+const PLACES_PER_AXIS: u32 = 5;
 /// Most births of a cell at once.
-const MOST: u32 = 3;
+const MAX_BIRTHS: u32 = 3;
 /// Most particles of a cell with births, relative to those of a cell of air.
-const FULL: f32 = 1.11;
+const MAX_FILLING: f32 = 1.11;
 /// A fresh cell with fewer particles than this share of a cell of air gets a lattice.
-const EMPTY: f32 = 0.34;
+const LATTICE_FILLING: f32 = 0.34;
 /// Smallest distance of a particle that the wind brings from all others, in spacings, and how
 /// far inside of the ring it enters.
-const CLOSE: f32 = 0.5;
-const INTO: f32 = 0.1;
+const MIN_LATTICE_DISTANCE: f32 = 0.5;
+const ENTRY_DEPTH: f32 = 0.1;
 /// Smallest distance of a birth from solids, in spacings.
 const FROM_SOLIDS: f32 = 0.5;
 /// Longest time for which the wind brings air at once \[s\]: the first exchange has no last one.
-const LONG: f32 = 0.1;
+const MAX_INFLOW_TIME: f32 = 0.1;
 /// Rate at which the velocity at the rim follows the gas inside [1/s].
-const FOLLOW: f32 = 30.0;
+const FOLLOW_RATE: f32 = 30.0;
 
 /// Finds the velocity at the rim after a time `dt`: that of the gas inside where it leaves, that
 /// of the far air where it enters.
 pub(super) fn follow(map: &mut Map, wind: Vec2, dt: f32) {
-    let share = fast_min(dt * FOLLOW, 1.0);
+    let share = fast_min(dt * FOLLOW_RATE, 1.0);
     for at in map.layout.inner() {
         let depth = map.depth(at);
-        if depth == 0.0 || depth > RIM {
+        if depth == 0.0 || depth > RIM_DEPTH {
             continue;
         }
         let (mut momentum, mut count) = (Vec2::ZERO, 0);
@@ -168,10 +168,13 @@ impl Exchange {
     /// cell of the ring that the wind enters, whenever it has blown as far as a spacing.
     pub fn blow(&mut self, map: &mut Map, gas: &mut Gas, inflow: &Inflow<'_>, dt: f32) {
         let (wind, spacing, layout) = (inflow.wind.x, inflow.spacing, map.layout);
-        self.blown += fast_min(wind.abs() * fast_min(dt, LONG) / spacing, MOST as f32);
+        self.blown += fast_min(
+            wind.abs() * fast_min(dt, MAX_INFLOW_TIME) / spacing,
+            MAX_BIRTHS as f32,
+        );
         while self.blown >= 1.0 {
             self.blown -= 1.0;
-            let into = (self.blown + INTO) * spacing;
+            let into = (self.blown + ENTRY_DEPTH) * spacing;
             for row in layout.inner_rows() {
                 for cell in layout.row(row) {
                     let before = if wind > 0.0 { cell - 1 } else { cell + 1 };
@@ -181,7 +184,15 @@ impl Exchange {
                         let x = if wind > 0.0 { into } else { layout.cell - into };
                         self.gather(map, gas, cell, corner, inflow);
                         let at = (cell, row);
-                        self.add_column(map, gas, inflow, at, corner.x + x, inflow.wind, CLOSE);
+                        self.add_column(
+                            map,
+                            gas,
+                            inflow,
+                            at,
+                            corner.x + x,
+                            inflow.wind,
+                            MIN_LATTICE_DISTANCE,
+                        );
                     }
                 }
             }
@@ -192,24 +203,36 @@ impl Exchange {
     pub fn fill(&mut self, map: &mut Map, gas: &mut Gas, inflow: &Inflow<'_>) {
         let layout = map.layout;
         let per_cell = per_cell(&layout, inflow.spacing);
-        let full = (FULL * per_cell) as u32;
+        let full = (MAX_FILLING * per_cell) as u32;
         for row in layout.inner_rows() {
             for (column, at) in (1..).zip(layout.row(row)) {
                 let (depth, cell) = (map.depth(at), *map.cell(at));
                 if depth == 0.0 || (!cell.fresh && depth > 1.0) {
                     continue;
                 }
-                let lattice = cell.fresh && (cell.count as f32) < EMPTY * per_cell;
+                let lattice = cell.fresh && (cell.count as f32) < LATTICE_FILLING * per_cell;
                 if !lattice && cell.count >= full {
                     continue;
                 }
-                let velocity = if depth <= RIM { cell.flow } else { inflow.wind };
+                let velocity = if depth <= RIM_DEPTH {
+                    cell.flow
+                } else {
+                    inflow.wind
+                };
                 let corner = layout.corner((column, row));
                 self.gather(map, gas, at, corner, inflow);
                 if lattice {
                     for x in layout.points(column, inflow.spacing) {
                         let x = layout.left + (x as f32 + 0.5) * inflow.spacing;
-                        self.add_column(map, gas, inflow, (at, row), x, velocity, ROOM);
+                        self.add_column(
+                            map,
+                            gas,
+                            inflow,
+                            (at, row),
+                            x,
+                            velocity,
+                            MIN_BIRTH_DISTANCE,
+                        );
                     }
                 } else {
                     self.add_to_gaps(map, gas, inflow, at, corner, velocity, full);
@@ -221,7 +244,7 @@ impl Exchange {
     /// Collects the particles of a cell and those around it.
     fn gather(&mut self, map: &Map, gas: &Gas, cell: usize, corner: Vec2, inflow: &Inflow<'_>) {
         self.nearby.clear();
-        let reach = ROOM * inflow.spacing;
+        let reach = MIN_BIRTH_DISTANCE * inflow.spacing;
         let low = corner - Vec2::splat(reach);
         let high = low + Vec2::splat(map.layout.cell + 2.0 * reach);
         map.layout.around(cell, &mut |other| {
@@ -291,20 +314,26 @@ impl Exchange {
         velocity: Vec2,
         full: u32,
     ) {
-        let step = map.layout.cell / PLACES as f32;
+        let step = map.layout.cell / PLACES_PER_AXIS as f32;
         let place = |index: usize| {
-            let (x, y) = (index as u32 % PLACES, index as u32 / PLACES);
+            let (x, y) = (
+                index as u32 % PLACES_PER_AXIS,
+                index as u32 / PLACES_PER_AXIS,
+            );
             corner + (Vec2::new(x as f32, y as f32) + 0.5) * step
         };
-        let mut rooms = [0.0; (PLACES * PLACES) as usize];
+        let mut rooms = [0.0; (PLACES_PER_AXIS * PLACES_PER_AXIS) as usize];
         for (index, room) in rooms.iter_mut().enumerate() {
             *room = self.room(place(index));
         }
-        for _ in 0..MOST {
+        for _ in 0..MAX_BIRTHS {
             if map.cell(cell).count >= full {
                 return;
             }
-            let (mut freest, mut most) = (None, ROOM * inflow.spacing * (ROOM * inflow.spacing));
+            let (mut freest, mut most) = (
+                None,
+                MIN_BIRTH_DISTANCE * inflow.spacing * (MIN_BIRTH_DISTANCE * inflow.spacing),
+            );
             for (index, &room) in rooms.iter().enumerate() {
                 if room > most && inflow.is_free(place(index)) {
                     (freest, most) = (Some(place(index)), room);

@@ -1,7 +1,7 @@
 //! A map of square cells over all places that may hold gas.
 //!
 //! A cell is as wide as the support of the kernel. Its depth is its chessboard distance to the
-//! nearest cell without gas: 0 without gas, 1 in the outermost ring, up to [`DEEP`]. A border of
+//! nearest cell without gas: 0 without gas, 1 in the outermost ring, up to [`MAX_DEPTH`]. A border of
 //! cells without gas surrounds the map, so a cell's neighbours need no check. Below a floor,
 //! the border mirrors the lowest cells.
 
@@ -15,9 +15,9 @@ use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 
 /// Largest depth that the map distinguishes.
-pub(super) const DEEP: f32 = 5.0;
+pub(super) const MAX_DEPTH: f32 = 5.0;
 /// Largest depth of a cell near the rim: deeper ones only hold ordinary gas.
-pub(super) const RIM: f32 = 3.0;
+pub(super) const RIM_DEPTH: f32 = 3.0;
 /// No particle, at the end of a list.
 pub(super) const NONE: u32 = u32::MAX;
 
@@ -165,9 +165,9 @@ pub(super) struct Cell {
     pub inside: bool,
     /// Whether gas came to it with the last change.
     pub fresh: bool,
-    /// Unit vector to the outside, up to the depth [`RIM`].
+    /// Unit vector to the outside, up to the depth [`RIM_DEPTH`].
     pub outward: Vec2,
-    /// Velocity with which gas crosses the rim [m/s], up to the depth [`RIM`].
+    /// Velocity with which gas crosses the rim [m/s], up to the depth [`RIM_DEPTH`].
     pub flow: Vec2,
     /// Its first particle, the number of its particles, and the sum of their velocities [m/s].
     pub first: u32,
@@ -213,10 +213,10 @@ impl Map {
         let Layout { columns, floor, .. } = self.layout;
         for (cell, depth) in self.cells.iter_mut().zip(&mut self.depth) {
             cell.fresh = cell.inside && *depth == 0.0;
-            *depth = if cell.inside { DEEP } else { 0.0 };
+            *depth = if cell.inside { MAX_DEPTH } else { 0.0 };
         }
         // Below a floor it is deep.
-        self.depth[..columns].fill(if floor { DEEP } else { 0.0 });
+        self.depth[..columns].fill(if floor { MAX_DEPTH } else { 0.0 });
         measure(&mut self.depth, &self.layout, 1.0);
         if floor {
             self.depth.copy_within(columns..2 * columns, 0);

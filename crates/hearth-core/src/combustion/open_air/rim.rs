@@ -10,15 +10,15 @@
 //! act wherever the pressure has a gradient.
 
 use super::super::gas::Gas;
-use super::map::{Map, RIM};
+use super::map::{Map, RIM_DEPTH};
 use crate::extremes::{fast_max, fast_min};
 
 /// Depths between which the motion becomes that of the gas.
-const LIVE: (f32, f32) = (0.75, 1.5);
+const MOTION_DEPTHS: (f32, f32) = (0.75, 1.5);
 /// Depths between which the pressure becomes that of the gas.
-const PRESSURE: (f32, f32) = (1.5, 2.5);
+const PRESSURE_DEPTHS: (f32, f32) = (1.5, 2.5);
 /// Rate at which the ring relaxes to the velocity at the rim [1/s].
-const RELAXATION: f32 = 100.0;
+const RELAXATION_RATE: f32 = 100.0;
 
 /// A particle near the outside.
 #[derive(Clone, Copy, Debug)]
@@ -50,17 +50,17 @@ impl Rim {
         self.near.clear();
         for (index, &position) in gas.position.iter().enumerate() {
             let cell = map.layout.at(position);
-            if map.depth(cell) > RIM {
+            if map.depth(cell) > RIM_DEPTH {
                 continue;
             }
             let depth = map.depth_at(position);
-            if depth < PRESSURE.1 {
-                let weight = share(depth, PRESSURE);
+            if depth < PRESSURE_DEPTHS.1 {
+                let weight = share(depth, PRESSURE_DEPTHS);
                 self.near.push(Near {
                     index: index as u32,
                     cell: cell as u32,
                     weight: weight * weight * (3.0 - 2.0 * weight),
-                    live: share(depth, LIVE),
+                    live: share(depth, MOTION_DEPTHS),
                 });
             }
         }
@@ -96,7 +96,7 @@ impl Rim {
 
     /// Relaxes the velocity of the ring towards the flow at the rim for `dt`.
     pub fn relax_velocity(&self, map: &Map, gas: &mut Gas, dt: f32) {
-        let relaxation = fast_min(RELAXATION * dt, 1.0);
+        let relaxation = fast_min(RELAXATION_RATE * dt, 1.0);
         for near in &self.near {
             let cell = near.cell as usize;
             // Gas that has just left has no flow, and the next exchange removes it.

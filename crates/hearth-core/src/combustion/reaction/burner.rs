@@ -17,7 +17,7 @@ use crate::solids::Body;
 use crate::source;
 
 /// Height of the block, in spacings of the particles.
-const ROWS: f32 = 3.0;
+const HEIGHT_ROWS: f32 = 3.0;
 /// Rate at which gas in the block relaxes to the emission velocity [1/s].
 const VELOCITY_RELAXATION: f32 = 400.0;
 /// Minimum width of the block, in spacings: a burner between two particles would heat
@@ -71,7 +71,7 @@ impl Burner {
     }
 
     fn at(values: &Physics, spacing: f32) -> Burner {
-        let height = ROWS * spacing;
+        let height = HEIGHT_ROWS * spacing;
         let seam = match values.edges {
             Edges::Periodic => values.seam,
             Edges::Open => 0.0,

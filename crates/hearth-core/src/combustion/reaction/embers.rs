@@ -49,7 +49,7 @@ const MAX_EMBERS: usize = 4000;
 /// Smallest size, as a share of the parameter.
 const MIN_SIZE: f32 = 0.4;
 /// Share of its speed that an ember keeps when it bounces.
-const BOUNCE: f32 = 0.5;
+const RESTITUTION: f32 = 0.5;
 /// Longest time whose births may wait for flames \[s\].
 const MAX_WAIT: f32 = 1.0 / 30.0;
 
@@ -162,7 +162,7 @@ fn bounce(ember: &mut Ember, body: &Body) {
         ember.position -= normal * distance;
         let wall = body.velocity_at(ember.position);
         let inward = fast_min((ember.velocity - wall).dot(normal), 0.0);
-        ember.velocity -= normal * (inward * (1.0 + BOUNCE));
+        ember.velocity -= normal * (inward * (1.0 + RESTITUTION));
     }
 }
 
@@ -196,7 +196,7 @@ impl Air<'_> {
                 let place = self.gas.position[j] + shift;
                 let distance = (at - shift).distance(self.gas.position[j]);
                 let weight = self.kernel.value(distance) * self.gas.volume[j];
-                if weight > 0.0 && beside.part(at, place, support) {
+                if weight > 0.0 && beside.separate(at, place, support) {
                     continue;
                 }
                 sum += self.gas.velocity[j] * weight;

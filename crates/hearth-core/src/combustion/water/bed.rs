@@ -16,13 +16,13 @@ use crate::scene::Scene;
 use crate::solids::Solids;
 
 /// Water that wets a surface throughout [kg/m²]: a film of a quarter of a millimetre.
-const FILM: f32 = 0.25;
+const FILM_MASS: f32 = 0.25;
 /// Share of its power that a fire returns to its fuel: the heat of gasification of wood over its heat of
 /// combustion, 1.8 of 17.5 MJ/kg (Tewarson 2002, table 3-4.7).
-const RETURNED: f32 = 0.1;
+const RETURNED_SHARE: f32 = 0.1;
 
 /// Share of the water that boils at once where it lands on what is not wet: what burns there is hot.
-const HOT: f32 = 0.4;
+const BOILING_SHARE: f32 = 0.4;
 
 /// The bed of a source.
 #[derive(Clone, Debug, Default)]
@@ -53,14 +53,14 @@ impl Bed {
             }
             Some((_, surface)) => {
                 let (_, circumference) = surface.measures();
-                (self.full, self.burner) = (FILM * circumference, None);
+                (self.full, self.burner) = (FILM_MASS * circumference, None);
                 let body = self.solid.and_then(|solid| solids.first(solid));
                 let surface = body.map_or(surface, |body| &body.surface);
                 self.centre = surface.frame.centre;
             }
             None => {
                 let burner = Burner::of(source);
-                self.full = FILM * 2.0 * burner.half_width;
+                self.full = FILM_MASS * 2.0 * burner.half_width;
                 self.centre = Vec2::new(burner.middle, burner.bottom);
                 self.burner = Some(burner);
             }
@@ -89,7 +89,7 @@ impl Bed {
     /// Dries it by its own fire. Returns the steam [kg/m].
     pub(super) fn dry(&mut self, source: &Physics, values: &Physics, dt: f32) -> f32 {
         let warming = WATER_CAPACITY * fast_max(BOILING - values.ambient_temperature, 0.0);
-        let power = RETURNED * source.fuel_power * (1.0 - self.wet());
+        let power = RETURNED_SHARE * source.fuel_power * (1.0 - self.wet());
         let steam = fast_min(power * dt / (warming + VAPORISATION), self.water);
         self.water -= steam;
         steam
@@ -97,8 +97,8 @@ impl Bed {
 
     /// A mass of its steam in relation to what wets it, for pictures.
     pub(super) fn relative(&self, steam: f32) -> f32 {
-        const PUFFS: f32 = 200.0;
-        PUFFS * steam / fast_max(self.full, 1e-6)
+        const PUFFS_PER_FILM: f32 = 200.0;
+        PUFFS_PER_FILM * steam / fast_max(self.full, 1e-6)
     }
 
     /// A place in it.
@@ -114,7 +114,7 @@ impl Bed {
 
     /// Takes a mass of water [kg/m]. Returns the steam of what its hot part boils at once, and the rest.
     pub(super) fn take(&mut self, mass: f32) -> (f32, f32) {
-        let steam = HOT * (1.0 - self.wet()) * mass;
+        let steam = BOILING_SHARE * (1.0 - self.wet()) * mass;
         let taken = fast_min(fast_max(self.full - self.water, 0.0), mass - steam);
         self.water += taken;
         // Exact, so that a full bed is wet throughout.

@@ -23,15 +23,15 @@ use crate::extremes::{fast_max, fast_min};
 use crate::instance::{EmberParticle, Instance};
 
 /// Density of water [kg/m³].
-const WATER: f32 = 1000.0;
+const WATER_DENSITY: f32 = 1000.0;
 /// Viscosity [kg/(m·s)] and conductivity [kW/(m·K)] of air of 293 K, which grow as T^¾.
-const VISCOSITY: f32 = 1.81e-5;
-const CONDUCTIVITY: f32 = 2.57e-5;
-const REFERENCE: f32 = 293.0;
+const AIR_VISCOSITY: f32 = 1.81e-5;
+const AIR_CONDUCTIVITY: f32 = 2.57e-5;
+const REFERENCE_TEMPERATURE: f32 = 293.0;
 /// 0.6 Pr^⅓ with Pr = 0.7.
-const NUSSELT: f32 = 0.533;
+const NUSSELT_FACTOR: f32 = 0.533;
 /// Share of the mass at first below which a parcel is gone.
-const GONE: f32 = 1e-3;
+const MIN_MASS_SHARE: f32 = 1e-3;
 
 /// Sums over the gas around a place, by kernel and volume.
 #[derive(Default)]
@@ -77,14 +77,14 @@ pub(super) fn exchange(
         (Vec2::new(values.wind, 0.0), values.ambient_temperature)
     };
 
-    let hot = fast_max(kelvin / REFERENCE, 0.1).sqrt();
+    let hot = fast_max(kelvin / REFERENCE_TEMPERATURE, 0.1).sqrt();
     let hotter = hot * hot.sqrt();
     let density = values.ambient_density * values.ambient_temperature / fast_max(kelvin, 1.0);
-    let viscosity = VISCOSITY * hotter;
+    let viscosity = AIR_VISCOSITY * hotter;
     let d = parcel.diameter;
     let reynolds = (parcel.velocity - flow).length() * d * density / viscosity;
     let drag = 1.0 + 0.15 * libm::expf(0.687 * libm::logf(fast_max(reynolds, 1e-6)));
-    let share = dt * 18.0 * viscosity * drag / (WATER * d * d);
+    let share = dt * 18.0 * viscosity * drag / (WATER_DENSITY * d * d);
     // The gas that a parcel moves, so that the exchange is implicit in both velocities.
     let moved = parcel.mass * sums.square * per_weight * per_weight / gas.mass;
     let falling = parcel.velocity - Vec2::new(0.0, values.gravity * dt);
@@ -94,7 +94,7 @@ pub(super) fn exchange(
         return 0.0;
     }
 
-    let nusselt = 2.0 + NUSSELT * reynolds.sqrt();
+    let nusselt = 2.0 + NUSSELT_FACTOR * reynolds.sqrt();
     let transfer = HEAT_CAPACITY * fast_max(kelvin - own, 0.0) / VAPORISATION;
     let blowing = if transfer > 1e-3 {
         libm::logf(1.0 + transfer) / transfer
@@ -102,7 +102,7 @@ pub(super) fn exchange(
         1.0
     };
     let conductance =
-        nusselt * CONDUCTIVITY * hotter * blowing * 6.0 * parcel.mass / (WATER * d * d);
+        nusselt * AIR_CONDUCTIVITY * hotter * blowing * 6.0 * parcel.mass / (WATER_DENSITY * d * d);
     // No more heat than evaporates all of it.
     let most = parcel.mass * (WATER_CAPACITY * (BOILING - own) + VAPORISATION);
     let available = fast_max(sums.hotter * per_weight, 1e-6);
@@ -132,7 +132,7 @@ pub(super) fn exchange(
     account.heat += heat;
     let vapour = parcel.warm(heat as f32);
     account.evaporated += f64::from(vapour);
-    if parcel.mass < GONE * parcel.first {
+    if parcel.mass < MIN_MASS_SHARE * parcel.first {
         account.evaporated += f64::from(parcel.mass);
         parcel.mass = 0.0;
     }
@@ -140,7 +140,7 @@ pub(super) fn exchange(
 }
 
 impl Around<'_> {
-    /// Finds the particles of the gas around a place that no thin solid parts from it, and the weight of
+    /// Finds the particles of the gas around a place that no thin solid separates from it, and the weight of
     /// each by kernel and volume.
     fn find_near(&mut self, at: Vec2) {
         let support = self.kernel.support();
@@ -152,7 +152,7 @@ impl Around<'_> {
             for j in run.start..last {
                 let place = gas.position[j] + shift;
                 let weight = kernel.value(at.distance(place)) * gas.volume[j];
-                if weight > 0.0 && !beside.part(at, place, support) {
+                if weight > 0.0 && !beside.separate(at, place, support) {
                     near.push((j, weight));
                 }
             }
@@ -191,13 +191,13 @@ impl Droplets {
 
     /// Their instance: a streak, the fainter the finer they are.
     pub(super) fn instance(&self, height: f32) -> Instance {
-        let coarse = fast_min(self.diameter / COARSE, 1.0);
+        let coarse = fast_min(self.diameter / OPAQUE_DIAMETER, 1.0);
         EmberParticle {
             position: self.position,
             velocity: self.velocity,
             temperature: -1.0,
-            size: STREAK * height,
-            age: OPACITY * coarse,
+            size: STREAK_WIDTH * height,
+            age: MAX_OPACITY * coarse,
             life: 1.0,
         }
         .into()
@@ -206,6 +206,6 @@ impl Droplets {
 
 /// Width of a streak in heights of the frame, the diameter from which it is drawn in full \[m\], and its
 /// opacity then.
-const STREAK: f32 = 0.006;
-const COARSE: f32 = 0.7e-3;
-const OPACITY: f32 = 0.9;
+const STREAK_WIDTH: f32 = 0.006;
+const OPAQUE_DIAMETER: f32 = 0.7e-3;
+const MAX_OPACITY: f32 = 0.9;

@@ -11,23 +11,23 @@ use crate::instance::{EmberParticle, Instance};
 use crate::random::Random;
 
 /// Most puffs.
-const MOST: usize = 800;
+const MAX_PUFFS: usize = 800;
 /// Steam of a puff, in shares of a parcel.
-const PUFF: f32 = 0.12;
+const PARCELS_PER_PUFF: f32 = 0.12;
 /// Age at which a puff has faded \[s\].
-const LIFE: f32 = 1.8;
+const MAX_AGE: f32 = 1.8;
 /// Width of a puff at first and its growth over its life, in heights of the frame.
-const WIDTH: f32 = 0.05;
-const GROWTH: f32 = 0.16;
+const BIRTH_WIDTH: f32 = 0.05;
+const WIDTH_GROWTH: f32 = 0.16;
 /// Speed at which it rises without gas [m/s].
-const RISE: f32 = 0.3;
+const RISE_SPEED: f32 = 0.3;
 /// Age at which it shows fully \[s\].
-const APPEARS: f32 = 0.15;
+const APPEARANCE_TIME: f32 = 0.15;
 /// Brightness of a new puff.
 const BRIGHTNESS: f32 = 0.22;
 /// Temperatures of the gas between which it condenses \[K\].
-const FOG: f32 = 340.0;
-const CLEAR: f32 = 900.0;
+const FOG_TEMPERATURE: f32 = 340.0;
+const CLEAR_TEMPERATURE: f32 = 900.0;
 
 /// A puff.
 #[derive(Clone, Copy, Debug)]
@@ -50,22 +50,22 @@ pub(super) struct Steam {
 impl Steam {
     /// Makes room for all puffs.
     pub fn reserve(&mut self) {
-        let more = MOST.saturating_sub(self.puffs.len());
+        let more = MAX_PUFFS.saturating_sub(self.puffs.len());
         self.puffs.reserve(more);
     }
 
     /// Adds steam from a place, in parcels.
     pub fn rise(&mut self, place: Vec2, parcels: f32, random: &mut Random) {
-        self.due = fast_min(self.due + parcels / PUFF, 4.0);
+        self.due = fast_min(self.due + parcels / PARCELS_PER_PUFF, 4.0);
         if self.due < 1.0 {
             return;
         }
         self.due -= 1.0;
-        if self.puffs.len() < MOST {
+        if self.puffs.len() < MAX_PUFFS {
             self.puffs.push(Puff {
                 position: place,
                 age: 0.0,
-                life: LIFE * random.between(0.5, 1.0),
+                life: MAX_AGE * random.between(0.5, 1.0),
                 width: 0.0,
                 condensed: 0.0,
             });
@@ -77,14 +77,14 @@ impl Steam {
         let (dt, height) = (around.dt, around.values.domain_height);
         for puff in &mut self.puffs {
             let still = (
-                Vec2::new(around.values.wind, RISE),
+                Vec2::new(around.values.wind, RISE_SPEED),
                 around.values.ambient_temperature,
             );
             let (velocity, kelvin) = around.gas_at(puff.position).unwrap_or(still);
             puff.position += velocity * dt;
             puff.age += dt;
-            puff.width = height * (WIDTH + GROWTH * puff.age / LIFE);
-            let condensed = (CLEAR - kelvin) / (CLEAR - FOG);
+            puff.width = height * (BIRTH_WIDTH + WIDTH_GROWTH * puff.age / MAX_AGE);
+            let condensed = (CLEAR_TEMPERATURE - kelvin) / (CLEAR_TEMPERATURE - FOG_TEMPERATURE);
             puff.condensed = fast_min(fast_max(condensed, 0.0), 1.0);
         }
         self.puffs.retain(|puff| puff.age < puff.life);
@@ -94,7 +94,7 @@ impl Steam {
     pub fn write_instances(&self, out: &mut Vec<Instance>) {
         out.extend(self.puffs.iter().map(|puff| {
             let fades = 1.0 - puff.age / puff.life;
-            let appears = fast_min(puff.age / APPEARS, 1.0);
+            let appears = fast_min(puff.age / APPEARANCE_TIME, 1.0);
             Instance::from(EmberParticle {
                 position: puff.position,
                 velocity: Vec2::ZERO,

@@ -14,9 +14,9 @@ use crate::random::Random;
 use crate::solids::Solids;
 
 /// Distance from a surface at which a droplet touches it \[m\].
-const TOUCHES: f32 = 2e-4;
+const TOUCH_DISTANCE: f32 = 2e-4;
 /// Steps along a path at most.
-const STEPS: u32 = 32;
+const MAX_PATH_STEPS: u32 = 32;
 
 impl Water {
     /// Moves a parcel along its path. Returns whether it still flies.
@@ -106,19 +106,19 @@ fn trace(from: Vec2, path: Vec2, solids: &Solids) -> (Vec2, Option<usize>) {
     let along = path / fast_max(length, 1e-9);
     let mut gone = 0.0;
     let mut at = from;
-    for _ in 0..STEPS {
+    for _ in 0..MAX_PATH_STEPS {
         at = from + along * gone;
         // A droplet that has arrived only must not touch one.
-        let (mut nearest, mut body) = (fast_max(length - gone, TOUCHES), None);
-        for (number, one) in solids.bodies.iter().enumerate() {
-            if one.may_touch(at, nearest) {
-                let (distance, _) = one.surface.distance(at);
+        let (mut nearest, mut body) = (fast_max(length - gone, TOUCH_DISTANCE), None);
+        for (number, solid) in solids.bodies.iter().enumerate() {
+            if solid.may_touch(at, nearest) {
+                let (distance, _) = solid.surface.distance(at);
                 if distance < nearest {
                     (nearest, body) = (distance, Some(number));
                 }
             }
         }
-        if nearest < TOUCHES {
+        if nearest < TOUCH_DISTANCE {
             return (at, body);
         }
         if gone >= length {

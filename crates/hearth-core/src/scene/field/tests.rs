@@ -67,7 +67,7 @@ fn closed(points: &[Vec2]) -> Vec<Line> {
     points
         .iter()
         .zip(next)
-        .map(|(&one, &other)| [one, other])
+        .map(|(&first, &second)| [first, second])
         .collect()
 }
 
@@ -114,10 +114,10 @@ fn a_polygon_that_crosses_itself_is_solid_where_its_outline_winds_around() {
     let inner = 0.3 * 0.381_966;
     let simple = outline("polygon", &text(&star(5, 0.3, inner)), 0.1);
     for place in places(0.8) {
-        let [one, other] = [&surface, &simple].map(|surface| surface.distance(place).0);
+        let [first, second] = [&surface, &simple].map(|surface| surface.distance(place).0);
         assert!(
-            (one - other).abs() < 2.0 * step(&surface),
-            "{one}, {other} at {place}"
+            (first - second).abs() < 2.0 * step(&surface),
+            "{first}, {second} at {place}"
         );
     }
     assert!(surface.distance(Vec2::ZERO).0 < -0.05);
@@ -256,9 +256,9 @@ fn random_outlines_have_finite_distances() {
 fn a_line_between_the_arms_of_a_solid_crosses_them_and_one_within_a_hollow_does_not() {
     let surface = outline("stroke", "-0.1,0.2 -0.1,0 0.1,0 0.1,0.2", 0.02);
     let field = surface.field.as_ref().expect("a field");
-    let crosses = |one: [f32; 2], other: [f32; 2]| {
-        let [one, other] = [one, other].map(|place| surface.frame.local(place.into()));
-        field.crosses(one, other)
+    let crosses = |start: [f32; 2], end: [f32; 2]| {
+        let [start, end] = [start, end].map(|place| surface.frame.local(place.into()));
+        field.crosses(start, end)
     };
     assert!(crosses([-0.13, 0.1], [-0.05, 0.12]));
     assert!(crosses([-0.05, 0.1], [0.13, 0.12]), "the other arm");

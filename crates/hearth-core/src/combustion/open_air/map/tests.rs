@@ -51,11 +51,11 @@ fn a_position_is_in_its_cell_and_any_other_in_the_border() {
 fn common_cells_of_two_layouts_are_the_same_place() {
     for floor in [false, true] {
         let (small, large) = (layout(floor), Layout::new(2.0, 1.1, 1.75, 0.1, floor));
-        for (one, other) in [(small, large), (large, small)] {
-            let pairs: Vec<_> = one.common(&other).collect();
+        for (map, other) in [(small, large), (large, small)] {
+            let pairs: Vec<_> = map.common(&other).collect();
             assert_eq!(pairs.len(), small.inner().count());
             for (cell, same) in pairs {
-                assert!(corner(&one, cell).distance(corner(&other, same)) < 1e-5);
+                assert!(corner(&map, cell).distance(corner(&other, same)) < 1e-5);
             }
         }
     }
@@ -67,7 +67,7 @@ fn the_depth_is_the_distance_to_the_outside() {
     for cell in map.layout.inner() {
         let at = corner(&map.layout, cell) + Vec2::splat(0.05);
         let to_edge = (0.7 - at.x.abs()).min(at.y).min(1.2 - at.y);
-        let expected = ((to_edge / 0.1).round() + 1.0).clamp(0.0, DEEP);
+        let expected = ((to_edge / 0.1).round() + 1.0).clamp(0.0, MAX_DEPTH);
         let depth = map.depth[cell];
         assert!((depth - expected).abs() <= 1.0, "{depth} at {at}");
         assert!((map.depth_at(at) - depth).abs() < 1e-4);
@@ -82,7 +82,7 @@ fn the_normal_points_outward_and_a_floor_is_no_outside() {
     let left = outward(-0.55, 0.45);
     assert!(left.distance(Vec2::NEG_X) < 1e-4, "{left}");
     assert!(outward(0.0, 0.95).distance(Vec2::Y) < 1e-4);
-    assert_eq!(map.depth[at(0.05, 0.05)], DEEP);
+    assert_eq!(map.depth[at(0.05, 0.05)], MAX_DEPTH);
     assert!(outward(-0.55, 0.05).distance(Vec2::NEG_X) < 1e-4);
 }
 

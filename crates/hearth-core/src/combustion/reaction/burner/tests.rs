@@ -235,7 +235,7 @@ fn on_a_solid_it_keeps_its_power_and_burns_at_the_surface_alone() {
                     "{power} kW/m on {shape:?} at {place:?}"
                 );
                 let solids = Solids::of(&scene, &bounds, 3.0 * settings.spacing());
-                let thickness = ROWS * settings.spacing();
+                let thickness = HEIGHT_ROWS * settings.spacing();
                 for (state, &position) in gas.state.iter().zip(&gas.position) {
                     let distances = solids
                         .bodies
@@ -270,7 +270,7 @@ fn on_a_solid_excess_fuel_goes_to_the_gas_farther_from_it() {
         (near.min(distance), far.max(distance))
     });
     assert!(
-        near > 0.0 && far > ROWS * settings.spacing(),
+        near > 0.0 && far > HEIGHT_ROWS * settings.spacing(),
         "{near} to {far} m"
     );
     assert!(gas.state.iter().all(|state| state.y <= 1.0));

@@ -4,6 +4,9 @@
 /** Most objects of a kind in a scene. */
 export const MAX_OBJECTS = 64;
 
+/** The kinds of bodies, which gas flows around. */
+export const BODIES = ["solid"];
+
 /** The properties of each kind that are no parameters, in the order of a panel.
  * @type {{[kind: string]: ({id: string, label: string, unit: string, doc: string, kind: string} & {[field: string]: any})[]}} */
 export const KINDS = {

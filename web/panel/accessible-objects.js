@@ -6,7 +6,7 @@
  */
 
 import { ACTS } from './acts.js';
-import { KINDS, entriesOf, isFirstSource, isFull, isSame, nameOf, objectsOf, sliderDomain } from './objects.js';
+import { KINDS, entriesOf, isBody, isFirstSource, isFull, isSame, nameOf, objectsOf, sliderDomain } from './objects.js';
 import { makeControl, noteConditions } from './native-controls.js';
 import { MAX_OBJECTS } from '../generated/scene-objects.js';
 
@@ -53,7 +53,7 @@ export function mountAccessibleObjects({ root, fire, controller, reveal, addButt
   }, () => controller.selected && controller.duplicate(controller.selected.id));
   add('delete', 'Delete', () => controller.selected !== undefined, () => controller.selected && controller.remove(controller.selected.id));
   for (const [end, front] of /** @type {[string, boolean][]} */ ([['back', false], ['front', true]])) {
-    add(`to:${end}`, `To ${end}`, () => controller.selected?.kind === 'solid', () => controller.selected && controller.order(controller.selected.id, front));
+    add(`to:${end}`, `To ${end}`, () => isBody(controller.selected ?? {}), () => controller.selected && controller.order(controller.selected.id, front));
   }
   for (const { name, label } of ACTS) {
     add(name, label, () => controller.selected !== undefined, () => controller.selected && controller.act(name, controller.selected.id));

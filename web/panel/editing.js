@@ -3,7 +3,7 @@
  * panel and the toolbar of the same fire share it, so an undo in one undoes a step of the other.
  */
 
-import { objectsOf } from './objects.js';
+import { isBody, objectsOf } from './objects.js';
 import { randomValues } from './random-values.js';
 import { modelDefault, sceneValue } from './scene.js';
 import { UndoHistory } from './undo-history.js';
@@ -155,7 +155,7 @@ export class Editing extends EventTarget {
   order(ids, front) {
     return this.history.objects(() => {
       const all = objectsOf(this.#fire);
-      const moves = (/** @type {Fields} */ { id, kind }) => kind === 'solid' && ids.includes(id);
+      const moves = (/** @type {Fields} */ object) => isBody(object) && ids.includes(object.id);
       const [moved, others] = [all.filter(moves), all.filter((object) => !moves(object))];
       return this.#fire.set({ objects: /** @type {any[]} */ (front ? [...others, ...moved] : [...moved, ...others]) });
     });

@@ -4,7 +4,7 @@
  */
 
 import { SOURCE } from '../generated/objects.js';
-import { KINDS as OWN, MAX_OBJECTS } from '../generated/scene-objects.js';
+import { BODIES, KINDS as OWN, MAX_OBJECTS } from '../generated/scene-objects.js';
 import { PARAMETERS } from '../generated/table.js';
 
 /**
@@ -58,7 +58,7 @@ ENTRIES.source.push(...Object.entries(SOURCE).flatMap(([name, id]) => {
  */
 export function idDomain(fire, id, value, domain) {
   if (!['source_solid', 'hangs_from'].includes(id) || !domain) return domain;
-  const ids = objectsOf(fire).filter(({ kind }) => kind === 'solid').map((solid) => solid.id);
+  const ids = objectsOf(fire).filter(isBody).map((solid) => solid.id);
   return { ...domain, max: Math.max(1, Number(value) || 0, ...ids) };
 }
 
@@ -94,6 +94,11 @@ export function objectsOf(fire) {
   return /** @type {Fields[]} */ (fire.objects ?? []);
 }
 
+/** Whether an object is a body that gas flows around. @param {{[name: string]: any}} object */
+export function isBody({ kind }) {
+  return BODIES.includes(kind);
+}
+
 /**
  * Whether the properties of an object are parameters.
  * @type {(fire: Pick<HearthFire, 'objects'>, object: Fields) => boolean}
@@ -113,7 +118,7 @@ export function isFull(fire, kind) {
 /** An object in a list: "Source 1", "Solid 2 · wood line", "Back log · Solid 3 · off". @param {Fields} object */
 export function nameOf({ id, kind, shape, material, name, enabled }) {
   const numbered = `${kind[0].toUpperCase()}${kind.slice(1)} ${id}`;
-  const looks = kind === 'solid' ? `${numbered} · ${material === 'none' ? 'invisible' : material} ${shape}` : numbered;
+  const looks = isBody({ kind }) ? `${numbered} · ${material === 'none' ? 'invisible' : material} ${shape}` : numbered;
   return `${name ? `${name} · ${numbered}` : looks}${enabled === false ? ' · off' : ''}`;
 }
 
@@ -165,7 +170,7 @@ function freePosition(fire, fields, anchor) {
   const radius = sizeOf(fields).radius;
   const step = radius / 2;
   const start = sizeOf(anchor).width / 2 + radius * (1 + GAP);
-  const solids = objectsOf(fire).filter((object) => fields.kind === 'solid' && object.kind === 'solid');
+  const solids = isBody(fields) ? objectsOf(fire).filter(isBody) : [];
   const ground = Math.max(0, Math.min(...solids.map((object) => object.y - sizeOf(object).height / 2)));
   const lowest = solids.length > 0 ? ground + radius : anchor.y;
   const all = objectsOf(fire);

@@ -18,7 +18,7 @@
  */
 
 import { element, iconButton } from '../element/controls/icon-button.js';
-import { nameOf } from '../panel/objects.js';
+import { isBody, nameOf } from '../panel/objects.js';
 import { ALIGNMENTS, ARROWS, ICONS, TOOLS } from './table.js';
 
 /** Materials of new solids. */
@@ -128,7 +128,7 @@ export class Bar {
     }
     this.#list.value = first && more.length === 0 ? String(first.id) : '';
     this.align.hidden = more.length === 0;
-    const solid = selected.some(({ kind }) => kind === 'solid');
+    const solid = selected.some(isBody);
     for (const [name, works] of Object.entries({ undo: canUndo, redo: canRedo, duplicate: first, remove: first, back: solid, front: solid })) {
       this.#buttons.get(name)?.setAttribute('aria-disabled', String(!works));
     }

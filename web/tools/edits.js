@@ -11,7 +11,7 @@
  */
 
 import { MAX_OBJECTS } from '../generated/scene-objects.js';
-import { copyOf, entriesOf, isFull, nameOf, newObject } from '../panel/objects.js';
+import { copyOf, entriesOf, isBody, isFull, nameOf, newObject } from '../panel/objects.js';
 import { aligned, moved, outlineOf, rounded } from './geometry.js';
 import { placed } from './gestures.js';
 
@@ -57,7 +57,7 @@ export class Edits {
       if (isFull(this.#fire, kind)) throw new Error(`A fire has at most ${MAX_OBJECTS} ${kind}s.`);
       const { material, burns } = this.#newSolidStyle();
       const fields = kind === 'source' ? this.#sourceOf(drawn) : { ...drawn, material };
-      const isSurface = kind === 'solid' && burns && !isFull(this.#fire, 'source');
+      const isSurface = isBody(drawn) && burns && !isFull(this.#fire, 'source');
       let id = 0;
       await this.#editing.history.objects(async () => {
         id = await this.#fire.addObject(/** @type {any} */ (fields));
@@ -121,7 +121,7 @@ export class Edits {
 
   /** Moves the selected solids before all others, or behind them. @param {boolean} front */
   order(front) {
-    const solids = this.#editing.all.filter(({ kind }) => kind === 'solid');
+    const solids = this.#editing.all.filter(isBody);
     if (solids.length === 0) return;
     this.#showStatus(`${this.#named} ${solids.length > 1 ? 'are' : 'is'} ${front ? 'before' : 'behind'} the other solids.`);
     this.attempt(() => this.#editing.order(solids.map(({ id }) => id), front));

@@ -8,7 +8,7 @@
  */
 
 import { giveFuel, needCombustion } from '../panel/effects.js';
-import { distance } from '../panel/objects.js';
+import { distance, isBody } from '../panel/objects.js';
 
 /** How far a press lights, and the distance between two points that a drag lights [m]. */
 const REACH = 0.1;
@@ -44,7 +44,7 @@ export function ignite(context, from, pressed) {
   const { fire, editing } = context;
   return repeatAlong(context, from, APART, async (at) => {
     needCombustion(fire, 'fuels');
-    if (at === from && pressed?.kind === 'solid') await giveFuel(editing, pressed);
+    if (at === from && pressed && isBody(pressed)) await giveFuel(editing, pressed);
     // A source there may be wet.
     if (!context.objects().some((source) => source.kind === 'source' && distance(source, at.x, at.y) <= REACH)) needFuel(context, at, REACH);
     await fire.ignite(at.x, at.y);
@@ -61,7 +61,7 @@ export function extinguish(context, from) {
 
 /** Throws unless a solid with fuel is that near. @type {(context: ToolContext, at: Point, radius: number) => void} */
 function needFuel({ objects }, { x, y }, radius) {
-  if (!objects().some((solid) => solid.kind === 'solid' && solid.fuel !== 'none' && distance(solid, x, y) <= radius)) {
+  if (!objects().some((solid) => isBody(solid) && solid.fuel !== 'none' && distance(solid, x, y) <= radius)) {
     throw new Error('Nothing there has fuel: press a solid.');
   }
 }

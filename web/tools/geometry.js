@@ -7,7 +7,7 @@
  * @typedef {Fields & Point} Placed  Those of an object with a position.
  */
 
-import { boxOf } from '../panel/objects.js';
+import { boxOf, isBody } from '../panel/objects.js';
 
 /** The smallest side of a drawn solid [m], and the thickness of a line. */
 const SMALLEST = 0.02;
@@ -184,13 +184,13 @@ export function outlineOf(object) {
   if (object.shape === 'polygon' || object.shape === 'stroke') {
     return { points: pointsOf(object).map((point) => outOf(object, point)), closed: object.shape === 'polygon' };
   }
-  if (object.kind === 'solid' && object.shape === 'circle') {
+  if (object.shape === 'circle') {
     const points = Array.from({ length: CORNERS }, (_, at) => direction((360 * at) / CORNERS));
     return { points: points.map(({ x, y }) => outOf(object, { x: (x * width) / 2, y: (y * width) / 2 })), closed: true };
   }
   const [right, up] = [width / 2, height / 2];
-  const corners = object.kind === 'source' ? [[-right, 0], [right, 0]] : [[-right, -up], [right, -up], [right, up], [-right, up]];
-  return { points: corners.map(([x, y]) => outOf(object, { x, y })), closed: object.kind === 'solid' };
+  const corners = isBody(object) ? [[-right, -up], [right, -up], [right, up], [-right, up]] : [[-right, 0], [right, 0]];
+  return { points: corners.map(([x, y]) => outOf(object, { x, y })), closed: isBody(object) };
 }
 
 /** @typedef {{left: number, right: number, bottom: number, top: number}} Bounds */
@@ -260,7 +260,7 @@ export function aligned(objects, to) {
 export function handlesOf(object, perPixel) {
   const { width, height } = sizeOf(object);
   const [right, up] = [width / 2, height / 2];
-  const corners = object.kind === 'source' ? [[-right, 0], [right, 0]] : [[-right, -up], [right, -up], [right, up], [-right, up]];
+  const corners = isBody(object) ? [[-right, -up], [right, -up], [right, up], [-right, up]] : [[-right, 0], [right, 0]];
   /** @type {{does: 'size' | 'turn', at: Point}[]} */
   const handles = corners.map(([x, y]) => ({ does: 'size', at: outOf(object, { x, y }) }));
   if (isTurned(object)) handles.push({ does: 'turn', at: outOf(object, { x: 0, y: up + ARM * perPixel }) });

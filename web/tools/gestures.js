@@ -36,7 +36,7 @@
  * @property {() => void} cancel
  */
 
-import { distance } from '../panel/objects.js';
+import { distance, isBody } from '../panel/objects.js';
 import { blow, spray, throwSparks } from './air.js';
 import { extinguish, ignite } from './fire.js';
 import {
@@ -56,7 +56,7 @@ const SNAP_PX = 6;
 /** The objects that are on and have a position of their own, which a source on a solid lacks. @param {Owned[]} objects */
 export function placed(objects) {
   return objects.filter(({ kind, shape, solid, enabled }) => enabled !== false && (
-    kind !== 'source' || shape !== 'solid' || !objects.some((other) => other.kind === 'solid' && other.id === solid)
+    kind !== 'source' || shape !== 'solid' || !objects.some((other) => isBody(other) && other.id === solid)
   ));
 }
 

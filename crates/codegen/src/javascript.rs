@@ -226,6 +226,8 @@ pub(super) fn scene_objects(scenes: &[Scene]) -> String {
         format!("{}: [\n{}  ]", kind.name, entries.collect::<String>())
     });
     let kinds = constant(doc, "KINDS", OBJECT, kinds);
+    let bodies = KINDS.iter().filter(|kind| kind.is_body);
+    let bodies: Vec<_> = bodies.map(|kind| kind.name).collect();
     let doc = "The fields of the objects of each preset besides its source. One without a kind has those of the one before it, too.\n \
                * @type {{[preset: string]: {[name: string]: string | number | boolean}[]}}";
     let with_objects = scenes.iter().filter(|scene| !scene.objects.is_empty());
@@ -239,8 +241,11 @@ pub(super) fn scene_objects(scenes: &[Scene]) -> String {
         "// Generated from the table of objects of hearth-core and the files of scenes/ by\n\
          // `cargo xtask codegen`; edit those instead.\n\n\
          /** Most objects of a kind in a scene. */\n\
-         export const MAX_OBJECTS = {MAX_OBJECTS};\n\
-         {kinds}{objects}{WHOLE}"
+         export const MAX_OBJECTS = {MAX_OBJECTS};\n\n\
+         /** The kinds of bodies, which gas flows around. */\n\
+         export const BODIES = {};\n\
+         {kinds}{objects}{WHOLE}",
+        json!(bodies)
     )
 }
 

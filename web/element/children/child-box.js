@@ -12,7 +12,7 @@ const REACH = 5;
 /** Lengths are whole multiples of this [m], so that a still box has the same values in each frame. */
 const RESOLUTION = 1e-4;
 
-/** The properties that a target sets. */
+/** The properties that a target sets. @type {{[kind: string]: string[]}} */
 export const TARGET_PROPERTIES = { source: ['x', 'y', 'width'], solid: ['shape', 'x', 'y', 'angle', 'width', 'height', 'corner', 'mask'] };
 
 /** The default mask, which a solid of another shape has. */

@@ -9,8 +9,8 @@ import { PROPERTIES } from '../../generated/properties.js';
 import { NO_MASK, TARGET_PROPERTIES, boxOf, inMetres, solidOf, sourceOf, targetOf } from './child-box.js';
 import { Look } from './child-look.js';
 
-/** The kind of object of each element. @type {{[name: string]: 'source' | 'solid'}} */
-export const KINDS = { 'hearth-source': 'source', 'hearth-solid': 'solid' };
+/** The kind of object of each element. @type {{[name: string]: string}} */
+export const KINDS = Object.fromEntries(Object.keys(PROPERTIES).map((kind) => [`hearth-${kind}`, kind]));
 
 /** The origin of the changes in events. */
 export const ORIGIN = 'child';
@@ -21,7 +21,10 @@ const OF = 'of';
 /** The attribute with which the glyphs of that element count. */
 const OF_TEXT = 'of-text';
 
-/** The property that names the solid that a source is on, and that which names the solid that another hangs from. */
+/**
+ * The property that names the solid that a source is on, and that which names the solid that another hangs from.
+ * @type {{[kind: string]: string}}
+ */
 const REFERENCES = { source: 'solid', solid: 'hangs_from' };
 
 /** The maximum length of an id in a message. */
@@ -39,7 +42,7 @@ export const attributeOf = (/** @type {string} */ property) => property.replaceA
 const propertyOf = (/** @type {string} */ attribute) => attribute.replaceAll('-', '_');
 
 /** The attributes of a kind. */
-export const attributesOf = (/** @type {string} */ kind) => [OF, ...(kind === 'solid' ? [OF_TEXT] : []), ...Object.keys(PROPERTIES[kind]).map(attributeOf)];
+export const attributesOf = (/** @type {string} */ kind) => [OF, ...(PROPERTIES[kind].mask ? [OF_TEXT] : []), ...Object.keys(PROPERTIES[kind]).map(attributeOf)];
 
 /** A child of one fire. */
 export class Child {
@@ -133,7 +136,7 @@ export class Child {
       if (this.readTarget()) this.synchronise();
     } else if (this.#isAdding) {
       this.#staleProperties.add(property);
-    } else if (this.lacksBox || (this.of && TARGET_PROPERTIES[this.kind].includes(property))) {
+    } else if (this.lacksBox || (this.of && TARGET_PROPERTIES[this.kind]?.includes(property))) {
       // The target sets it.
     } else if (this.exists || (this.isSettingsSource && this.id === undefined)) {
       this.#write({ [property]: this.#valueOf(property) }, true);
@@ -208,7 +211,7 @@ export class Child {
 
   /** The property that names a solid. */
   get #reference() {
-    return REFERENCES[this.kind];
+    return REFERENCES[this.kind] ?? '';
   }
 
   /** The id of an element that it names; undefined if it is a number. */
@@ -345,10 +348,10 @@ export class Child {
     if (!box) this.look.close();
     if (!viewport || !box) return null;
     /** @type {ReturnType<Look['of']>} */
-    const seen = this.kind === 'solid' ? this.look.of(target, box, (this.element.getAttribute(OF_TEXT) ?? 'false') !== 'false') : box;
+    const seen = PROPERTIES[this.kind].mask ? this.look.of(target, box, (this.element.getAttribute(OF_TEXT) ?? 'false') !== 'false') : box;
     if (!seen) return seen;
     const metres = inMetres(seen, fire.getBoundingClientRect(), viewport);
-    if (this.kind === 'solid') return solidOf(metres, state.params.domain_height / 2, seen.mask);
+    if (PROPERTIES[this.kind].mask) return solidOf(metres, state.params.domain_height / 2, seen.mask);
     return sourceOf(metres, (property) => this.#owner.domain('source', property));
   }
 }

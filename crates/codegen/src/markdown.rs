@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 
 use hearth_core::params::{
-    Description, Domain, Kind, Model, PARAMETERS, Param, SOLID, Scale, Value, conditions_in_words,
+    Description, Domain, Kind, Model, PARAMETERS, Param, Scale, Value, conditions_in_words,
 };
 
-use hearth_core::scene;
+use hearth_core::scene::{self, KINDS};
 
 use super::{attribute, models};
 
@@ -42,12 +42,27 @@ pub(super) fn reference() -> String {
             property.name, property.id
         );
     }
-    let mut solids = String::new();
-    for param in SOLID {
+    let kinds = KINDS.iter().filter(|kind| !kind.is_of_parameters());
+    let kinds: String = kinds.map(|kind| properties(kind)).collect();
+    include_str!("templates/parameters.md")
+        .replace("{{parameters}}", &tables)
+        .replace("{{objects}}", &objects)
+        .replace("{{kinds}}\n", &kinds)
+}
+
+/// The properties of a kind that are no parameters.
+fn properties(kind: &scene::Kind) -> String {
+    let name = kind.name;
+    let mut text = format!(
+        "A {name} (`kind` `{name}`) has these properties, which are the same in both models.\n\n\
+         | property | unit | default | |\n|---|---|---|---|\n"
+    );
+    let own = kind.properties().filter(|property| !property.is_common());
+    for param in own.filter_map(|property| property.entry()) {
         let domain = &param.domains[0];
         let description = param.description();
         let _ = writeln!(
-            solids,
+            text,
             "| `{}` | {} | {} ({}) | **{}.** {} |",
             param.id,
             param.unit,
@@ -57,10 +72,7 @@ pub(super) fn reference() -> String {
             cell(&(description.doc.to_owned() + &condition(description))),
         );
     }
-    include_str!("templates/parameters.md")
-        .replace("{{parameters}}", &tables)
-        .replace("{{objects}}", &objects)
-        .replace("{{solids}}", &solids)
+    text + "\n"
 }
 
 fn row(param: &Param) -> String {

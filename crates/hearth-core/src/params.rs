@@ -38,3 +38,13 @@ pub(crate) use solid::SOLID_NAMES;
 pub use solid::{SOLID, Solid};
 pub use table::{DESCRIPTIONS, PARAMETERS, Param, Physics, Values};
 pub use value::{AnyValue, Colour, Input, ParamError, ParamErrorKind, Value};
+
+/// A table of entries: a reference to the static itself, of which there is one.
+pub(crate) type Table = &'static &'static [Param];
+
+/// Every table of entries, with their descriptions.
+static TABLES: &[(Table, &&[Description])] = &[
+    (&PARAMETERS, &DESCRIPTIONS),
+    (&COMMON, &name::COMMON_DESCRIPTIONS),
+    (&SOLID, &solid::SOLID_DESCRIPTIONS),
+];

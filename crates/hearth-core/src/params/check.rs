@@ -1,10 +1,9 @@
 //! The validator of values, and the search for a parameter by its id.
 
+use super::TABLES;
 use super::choices::Model;
 use super::entry::{Description, Domain, Kind};
-use super::name::{COMMON, COMMON_DESCRIPTIONS};
 use super::slot::Slot;
-use super::solid::{SOLID, SOLID_DESCRIPTIONS};
 use super::table::{DESCRIPTIONS, PARAMETERS, Param};
 use super::value::{AnyValue, Colour, Input, ParamError, ParamErrorKind, Value};
 
@@ -33,9 +32,8 @@ impl Param {
 
     /// The label and documentation.
     pub fn description(&self) -> &'static Description {
-        let all = PARAMETERS.iter().zip(DESCRIPTIONS);
-        let all = all.chain(SOLID.iter().zip(SOLID_DESCRIPTIONS));
-        let mut all = all.chain(COMMON.iter().zip(COMMON_DESCRIPTIONS));
+        let tables = TABLES.iter();
+        let mut all = tables.flat_map(|(params, descriptions)| params.iter().zip(**descriptions));
         let found = all.find(|(param, _)| std::ptr::eq(*param, self));
         found.map_or(&DESCRIPTIONS[0], |(_, description)| description)
     }

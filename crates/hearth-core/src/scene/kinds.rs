@@ -5,7 +5,7 @@
 //! default and doc the parameter gives. [`SOLID`] gives those of a solid's properties.
 
 use super::object::Values;
-use crate::params::{PARAMETERS, Param, Parameters, Property, SOLID, SOLID_NAMES};
+use crate::params::{PARAMETERS, Parameters, Property, SOLID, SOLID_NAMES, Table};
 
 /// A kind of object.
 #[derive(Debug)]
@@ -24,7 +24,7 @@ pub struct Kind {
     /// The ids of their entries, in the same order.
     ids: &'static [&'static str],
     /// The table of these entries.
-    table: &'static [Param],
+    table: Table,
 }
 
 /// The properties that are parameters: the names of all, and the ids of their entries.
@@ -63,7 +63,7 @@ static SOURCE: Kind = Kind {
     new: Values::new_source,
     names: OF_PARAMETERS.0,
     ids: OF_PARAMETERS.1,
-    table: PARAMETERS,
+    table: &PARAMETERS,
 };
 
 static BODY: Kind = Kind {
@@ -73,7 +73,7 @@ static BODY: Kind = Kind {
     new: Values::new_solid,
     names: SOLID_NAMES,
     ids: SOLID_NAMES,
-    table: SOLID,
+    table: &SOLID,
 };
 
 /// The names of all kinds, for an error.
@@ -91,7 +91,7 @@ impl Kind {
 
     /// Whether its properties are parameters of the settings, which have the values of its first object.
     pub fn is_of_parameters(&self) -> bool {
-        std::ptr::eq(self.table, PARAMETERS)
+        std::ptr::eq(self.table, &PARAMETERS)
     }
 
     /// Its properties, in the order of a panel.

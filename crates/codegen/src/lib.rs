@@ -48,7 +48,10 @@ fn generate(checkout: &Path) -> Result<Vec<Generated>> {
         ("web/generated/table.js", javascript::table(&scenes)),
         ("web/generated/quantities.js", javascript::quantities()),
         ("web/generated/prewarmed.js", javascript::prewarmed()),
-        ("web/generated/interpolation.js", javascript::interpolation()),
+        (
+            "web/generated/interpolation.js",
+            javascript::interpolation(),
+        ),
         ("web/generated/objects.js", javascript::objects(&scenes)),
         ("web/generated/properties.js", javascript::properties()),
         (

@@ -120,13 +120,7 @@ impl FireRenderer {
             let passes = &mut drawing.passes;
             let [width, height] = canvas.resize(input.size);
             renderer.upload(gl, parameters.display_mode, input.particles, input.embers);
-            renderer.upload_solids(
-                gl,
-                scene,
-                input.poses,
-                input.temperatures,
-                input.charred,
-            );
+            renderer.upload_solids(gl, scene, input.poses, input.temperatures, input.charred);
             let sent = clock.now();
             renderer.set_limits(input.limits);
             passes.begin(context, clock);

@@ -17,7 +17,7 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 
 use hearth_core::params::{Input, PARAMETERS, Parameters};
-use hearth_core::preset::{PRESETS, Preset};
+use hearth_core::preset::Preset;
 use hearth_core::{Particle, Scene, Simulation, Vec2, Where};
 
 /// Runs each case once, on as many threads as the machine has cores: the last test of a program
@@ -84,7 +84,9 @@ fn fingerprint_of(mut simulation: Simulation, steps: u32) -> u64 {
 /// The fingerprint of every preset, and of fires that take the ways that no
 /// preset takes, a line each: for comparison between platforms.
 pub fn fingerprints() -> String {
-    let presets = PRESETS.iter().map(|preset| (preset.name, preset.scene()));
+    let presets = Preset::all()
+        .iter()
+        .map(|preset| (preset.name, preset.scene()));
     let printed = PARAMETERS
         .iter()
         .filter(|param| param.id.starts_with("printed_"))

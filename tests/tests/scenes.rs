@@ -7,7 +7,7 @@ use std::path::Path;
 
 use hearth_bindings::{Untrusted, settings};
 use hearth_core::params::{Input, Model};
-use hearth_core::preset::{PRESETS, Preset};
+use hearth_core::preset::Preset;
 use hearth_core::scene::KINDS;
 use hearth_core::{Parameters, Particle, Scene, Simulation};
 use hearth_tests::sweep;
@@ -35,7 +35,7 @@ fn scene(name: &str) -> Parameters {
 fn every_scene_glows_is_stable_and_costs_little_more_than_twice_the_default() {
     let mut default_work = f64::INFINITY;
     // The default scene is the first.
-    for preset in PRESETS {
+    for preset in Preset::all() {
         let parameters = preset.parameters();
         let seconds = SECONDS * f64::from(parameters.time_scale);
         let has_soot = parameters.model() == Model::Combustion;
@@ -153,7 +153,7 @@ fn in_version_1(file: &Value) -> Value {
 #[test]
 fn every_scene_file_is_its_preset_in_versions_1_and_2() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
-    for preset in PRESETS {
+    for preset in Preset::all() {
         let text = fs::read_to_string(folder.join(format!("{}.json", preset.name)));
         let file: Value = serde_json::from_str(&text.expect("a file")).expect("JSON");
         assert_eq!(file["hearth"], 2, "{}", preset.name);

@@ -17,7 +17,7 @@
 use hearth_bindings::settings::{self, OBJECTS};
 use hearth_bindings::{Argument, Check, Form, Untrusted, ValidationError, Values};
 use hearth_core::params::{Input, Model, PARAMETERS};
-use hearth_core::preset::PRESETS;
+use hearth_core::preset::Preset;
 use hearth_core::scene::KINDS;
 
 use crate::requested::{COUNT, Requested, SPACING};
@@ -145,7 +145,7 @@ pub fn export(requested: &Requested) -> Untrusted {
         "hearth",
         Untrusted::Number(VERSION.into()),
     )];
-    if requested.preset != PRESETS[0].name {
+    if requested.preset != Preset::all()[0].name {
         let name = Untrusted::Text(requested.preset.to_owned());
         fields.push(Untrusted::named("preset", name));
     }

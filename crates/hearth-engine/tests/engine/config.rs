@@ -3,7 +3,7 @@
 use hearth_bindings::{Untrusted, Whole};
 use hearth_core::Scene;
 use hearth_core::params::{Input, Model, PARAMETERS};
-use hearth_core::preset::PRESETS;
+use hearth_core::preset::Preset;
 use hearth_engine::commands::Command;
 use hearth_engine::config::{Config, export};
 use hearth_engine::requested::Requested;
@@ -47,7 +47,7 @@ fn set(requested: &Requested, id: &str, value: Untrusted) -> Requested {
 
 #[test]
 fn an_unchanged_preset_exports_no_values() {
-    for preset in PRESETS {
+    for preset in Preset::all() {
         let requested = Requested::of_preset(preset.name);
         let changes = requested.as_ref().map(differing);
         assert_eq!(changes, Ok((vec![], 0)), "{}", preset.name);
@@ -56,7 +56,7 @@ fn an_unchanged_preset_exports_no_values() {
 
 #[test]
 fn import_restores_every_exported_change() {
-    for preset in PRESETS {
+    for preset in Preset::all() {
         for model in [Model::Classic, Model::Combustion] {
             let requested = Requested::of_preset(preset.name).unwrap_or_default();
             let mut requested = set(&requested, "model", text(model.name()));
@@ -194,7 +194,7 @@ fn sources(all: &[&[(&str, f64)]]) -> Untrusted {
 
 #[test]
 fn version_1_is_read_and_exported_as_version_2() {
-    for preset in PRESETS {
+    for preset in Preset::all() {
         // A scene file of version 1 with all differences from the defaults.
         let values = preset.values().map(|(id, input)| {
             let value = match input {

@@ -5,7 +5,7 @@ use crate::harness::{at_level, imported, text};
 use hearth_bindings::{Untrusted, settings};
 use hearth_core::Simulation;
 use hearth_core::params::{IN_DOMAIN, Parameters};
-use hearth_core::preset::PRESETS;
+use hearth_core::preset::Preset;
 use hearth_engine::commands::Command;
 use hearth_engine::config::export;
 use hearth_engine::pacing::particle_count::Resolution;
@@ -267,7 +267,7 @@ fn without_a_spacing_the_resolution_follows_the_frame_again() {
 
 #[test]
 fn the_resolution_of_a_scene_is_that_of_medium_quality_or_its_own() {
-    for preset in PRESETS {
+    for preset in Preset::all() {
         let values = preset.parameters();
         if !values.has_open_edges() {
             continue;

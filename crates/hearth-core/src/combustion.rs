@@ -25,19 +25,21 @@ use crate::particle::Particle;
 use crate::random::Random;
 use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
+use crate::simulation::burning::SavedFire;
 use crate::solids::Solids;
 use crate::solids::free::FreeBodies;
 use crate::solver::Solver;
 
 pub use charred::{Charred, CharredSolid};
 use fuels::Fuels;
-pub use fuels::{BurningSolid, BurningState, FuelTotal, NoFuel, Where};
+pub use fuels::{BurningSolid, BurningState, FuelTotal, IgniteError, IgnitionTarget};
 pub(crate) use gas::Gas;
 use gas::interactions::Interactions;
 use gas::number_density::NumberDensity;
 use gas::periodic_bounds;
-pub use gas::removed::Removed;
-use gas::resample::{self, Discretisation, Old};
+pub use gas::removed::RemovedGas;
+pub(crate) use gas::resample::Discretisation;
+use gas::resample::{self, Old};
 pub(crate) use gas::time_step::sound_speed;
 use gas::time_step::{self, Motion};
 use gas::vorticity_confinement::VorticityConfinement;
@@ -49,17 +51,17 @@ use reaction::burner::BurnerParticle;
 pub use reaction::embers::Ember;
 use reaction::embers::Embers;
 use water::Water;
-pub use water::{Droplets, NoWater, Sprayed};
+pub use water::{Droplets, SprayError, SprayTotals};
 
 /// The errors for a number of particles that does not match the smoothing length, and for one
 /// that open air cannot hold.
 const WRONG_COUNT: &str = "there must be from half to twice max_particles of them";
 const TOO_MANY: &str = "there must be at most max_particles of them";
 
-/// The rectangle that holds the gas of a fire with these values that was
-/// [`made_with`](Combustion::made_with) this, whatever is seen.
-pub(crate) fn bounds(values: &Physics, made_with: u32) -> Bounds {
-    match Discretisation::made_with(made_with, values) {
+/// The rectangle that holds the gas of a fire with these values and this discretisation, whatever is
+/// seen.
+pub(crate) fn bounds(values: &Physics, discretisation: Discretisation) -> Bounds {
+    match discretisation {
         Discretisation::Open { spacing } => open_air::layout(values, None, spacing).bounds(),
         Discretisation::Periodic { .. } => periodic_bounds(values),
     }
@@ -88,7 +90,7 @@ pub(crate) struct Combustion {
     walls: Walls,
     /// The particles at a burner.
     burner_particles: Vec<BurnerParticle>,
-    removed: Removed,
+    removed: RemovedGas,
     /// The solids that burn.
     fuels: Option<Box<Fuels>>,
     /// What has been sprayed.
@@ -129,7 +131,7 @@ impl Combustion {
             solids,
             walls: Walls::default(),
             burner_particles: Vec::new(),
-            removed: Removed::default(),
+            removed: RemovedGas::default(),
             fuels: None,
             water: None,
             power: 0.0,
@@ -192,31 +194,19 @@ impl Combustion {
         }
     }
 
-    /// Continues from the particles and embers of a fire that was [`made_with`](Self::made_with)
-    /// this. If this fire's is different, the gas is resampled. The numbers of `bodies` are those of the
-    /// free solids.
-    #[allow(clippy::too_many_arguments)]
-    pub fn resume(
-        &mut self,
-        particles: &[Particle],
-        embers: Vec<Ember>,
-        bodies: &[f32],
-        made_with: u32,
-        scene: &Scene,
-        random: &mut Random,
-        time: f64,
-    ) {
+    /// Continues from a saved fire. If its discretisation is not this fire's, the gas is resampled.
+    pub fn resume(&mut self, saved: SavedFire<'_>, scene: &Scene, random: &mut Random, time: f64) {
         // A saved fire does not hold what solids with fuel have lost.
         self.fuels = None;
         // The solids first: the gas of the particles is around them.
         self.place_solids(scene, time);
-        self.resume_bodies(bodies);
-        self.set_particles(particles, scene.settings());
-        self.embers = Embers::of(embers);
-        self.discretisation = Discretisation::made_with(made_with, scene.settings());
+        self.resume_bodies(saved.bodies);
+        self.set_particles(saved.particles, scene.settings());
+        self.embers = Embers::of(saved.embers);
+        self.discretisation = saved.discretisation;
         self.adapt(scene, random, time);
         // A change of the scene wakes them.
-        self.resume_bodies(bodies);
+        self.resume_bodies(saved.bodies);
     }
 
     fn resume_bodies(&mut self, numbers: &[f32]) {
@@ -225,10 +215,9 @@ impl Combustion {
         }
     }
 
-    /// What a fire needs to be resampled besides its values: `max_particles` or, in open air, the
-    /// bits of the spacing.
-    pub fn made_with(&self) -> u32 {
-        self.discretisation.as_number()
+    /// The division of the present gas into particles.
+    pub fn discretisation(&self) -> Discretisation {
+        self.discretisation
     }
 
     /// Moves the solids to where they are in a scene at a time \[s\].

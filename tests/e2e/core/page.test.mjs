@@ -79,9 +79,9 @@ test('the address follows the fire: its scene and its changed values, and nothin
   );
   await tab.fire((fire) => fire.set({ exposure: 0.25, seed: 7 }));
   await follows('?scene=fireside&exposure=0.25&seed=7&quality=low#hearth');
-  await tab.fire((fire) => fire.importConfig({ hearth: 1, values: { seed: 7 } }));
+  await tab.fire((fire) => fire.importConfig({ hearth: 2, values: { seed: 7 } }));
   await follows('?scene=default&seed=7&quality=low#hearth');
-  await tab.fire((fire) => fire.importConfig({ hearth: 1, preset: 'seed', values: { viscosity: 0.02 } }));
+  await tab.fire((fire) => fire.importConfig({ hearth: 2, preset: 'seed', values: { viscosity: 0.02 } }));
   await follows('?scene=seed&viscosity=0.02&quality=low#hearth');
   const shown = await tab.fire((fire) => fire.exportConfig());
   const length = await tab.evaluate(() => history.length);
@@ -92,7 +92,7 @@ test('the address follows the fire: its scene and its changed values, and nothin
   assert.deepEqual(await again.fire((fire) => fire.exportConfig()), shown);
   await again.fire((fire) => fire.restore());
   await again.until('the address names the scene', () => location.search === '?scene=default&quality=low');
-  await again.fire((fire) => fire.importConfig({ hearth: 1, preset: 'fireside', values: {} }));
+  await again.fire((fire) => fire.importConfig({ hearth: 2, preset: 'fireside', values: {} }));
   await again.until('the address is clean', () => location.search === '?quality=low');
   assert.deepEqual([...tab.problems, ...again.problems], []);
 });

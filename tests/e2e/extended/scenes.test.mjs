@@ -67,7 +67,7 @@ describe('the scenes', () => {
   test('are named in the panel, with a mark after changes', async () => {
     const { tab, panel } = await openPage();
     for (const { name, label } of PRESETS) {
-      await tab.fire((fire, preset) => fire.importConfig({ hearth: 1, preset, values: {} }), name);
+      await tab.fire((fire, preset) => fire.importConfig({ hearth: 2, preset, values: {} }), name);
       assert.equal(await heading(panel), `Scene: ${label}`);
     }
     await tab.fire((fire) => fire.set('gravity', 3));

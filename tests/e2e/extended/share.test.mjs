@@ -144,12 +144,12 @@ describe('the panel', () => {
     const field = '[data-card="paste"] textarea';
     for (const [text, words] of [
       ['', /field is empty/],
-      ['{"hearth": 1, "values": {"viscosity": 99}}', /viscosity.*99.*0\.1/],
-      ['{"hearth": 1, "values": {"viscosity": 0.03, "viscosty": 0.02}}', /viscosty.*viscosity/],
+      ['{"hearth": 2, "values": {"viscosity": 99}}', /viscosity.*99.*0\.1/],
+      ['{"hearth": 2, "values": {"viscosity": 0.03, "viscosty": 0.02}}', /viscosty.*viscosity/],
       ['viscosity = 0.02', /JSON/],
       ['[]', /./],
-      ['{"hearth": 1, "preset": "volcano"}', /volcano/],
-      [`{"hearth": 1, "values": {"seed": "${'9'.repeat(70_000)}"}}`, /64/],
+      ['{"hearth": 2, "preset": "volcano"}', /volcano/],
+      [`{"hearth": 2, "values": {"seed": "${'9'.repeat(70_000)}"}}`, /64/],
     ]) {
       await pasteSettings(tab, panel, text);
       const said = await tab.until(`${text.slice(0, 60)} is refused`, () => (

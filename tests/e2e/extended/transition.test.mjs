@@ -201,7 +201,7 @@ test('setting a value ends its transition, and the others continue', async () =>
     return fire.set('wind', -0.5);
   });
   await at(tab, 0.5, { wind: -0.5, exposure: 0.5 });
-  await tab.fire((fire) => fire.importConfig({ hearth: 1, values: { exposure: 2 } }));
+  await tab.fire((fire) => fire.importConfig({ hearth: 2, values: { exposure: 2 } }));
   assert.equal(await end(tab, 'four'), false);
   assert.equal(await tab.fire((fire) => fire.exposure), 2);
 });

@@ -105,9 +105,9 @@ test('replacing all values keeps an automatic seed, unless they name one', async
     };
     fire.preset = 'torch';
     await next();
-    await fire.importConfig({ hearth: 1, preset: 'seed', values: {} });
+    await fire.importConfig({ hearth: 2, preset: 'seed', values: {} });
     await next();
-    await fire.importConfig({ hearth: 1, values: { seed: 3 } });
+    await fire.importConfig({ hearth: 2, values: { seed: 3 } });
     await next();
     await fire.restore();
     await next();
@@ -149,7 +149,7 @@ test('a colour is any colour of CSS, and its settings hold it as hex', async () 
       await fire.set({ background: value });
       const set = fire.background;
       await fire.set('background', '#010203');
-      await fire.importConfig({ hearth: 1, values: { background: value } });
+      await fire.importConfig({ hearth: 2, values: { background: value } });
       return [set, fire.background];
     }, colour);
     assert.deepEqual(found, [hex, hex], colour);
@@ -181,7 +181,7 @@ test('colours of a file and of an address are those of CSS too', async () => {
   assert.equal(await tab.fire((fire) => fire.background), '#0000ff');
   const seed = await tab.fire((fire) => fire.seed);
   assert.ok(seed > 1, `${seed}`);
-  const file = `data:application/json,${encodeURIComponent('{"hearth":1,"values":{"background":"gold"}}')}`;
+  const file = `data:application/json,${encodeURIComponent('{"hearth":2,"values":{"background":"gold"}}')}`;
   const other = await browser.open(`<hearth-fire ${SMALL} src='${file}'></hearth-fire>`);
   await other.ready();
   assert.equal(await other.fire((fire) => fire.background), '#ffd700');

@@ -3,7 +3,10 @@
 use glam::Vec2;
 
 use super::reaction::chemistry;
-use super::{BurningSolid, Charred, Combustion, Ember, FuelTotal, Gas, NoFuel, Removed, Where};
+use super::{
+    BurningSolid, Charred, Combustion, Ember, FuelTotal, Gas, IgniteError, IgnitionTarget,
+    RemovedGas,
+};
 use crate::instance::Instance;
 use crate::params::Physics;
 use crate::random::Random;
@@ -32,7 +35,7 @@ impl Combustion {
     }
 
     /// The gas that solids have taken the place of.
-    pub fn removed(&self) -> Removed {
+    pub fn removed(&self) -> RemovedGas {
         self.removed
     }
 
@@ -54,13 +57,13 @@ impl Combustion {
     /// Lights solids that have fuel, and sources that are wet.
     pub fn ignite(
         &mut self,
-        at: Where,
+        at: IgnitionTarget,
         values: &Physics,
         random: &mut Random,
-    ) -> Result<(), NoFuel> {
+    ) -> Result<(), IgniteError> {
         let fuel = match &mut self.fuels {
             Some(fuels) => fuels.ignite(at, &mut self.gas, &self.solids, values),
-            None => Err(NoFuel),
+            None => Err(IgniteError),
         };
         let water = self.water.as_mut();
         let dried = water.is_some_and(|water| water.light(at, &self.solids, random));
@@ -68,10 +71,10 @@ impl Combustion {
     }
 
     /// Puts out solids that have fuel, and gas.
-    pub fn extinguish(&mut self, at: Where, values: &Physics) -> Result<(), NoFuel> {
+    pub fn extinguish(&mut self, at: IgnitionTarget, values: &Physics) -> Result<(), IgniteError> {
         match &mut self.fuels {
             Some(fuels) => fuels.extinguish(at, &mut self.gas, &self.solids, values),
-            None => Err(NoFuel),
+            None => Err(IgniteError),
         }
     }
 

@@ -19,5 +19,5 @@ mod state;
 mod steam;
 mod strike;
 
-pub use report::{Droplets, NoWater, Sprayed};
+pub use report::{Droplets, SprayError, SprayTotals};
 pub(super) use state::Water;

@@ -28,7 +28,7 @@ const AROUND: f32 = 0.15;
 
 /// What is lit or put out.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Where {
+pub enum IgnitionTarget {
     /// A solid, by its id.
     Object(u32),
     /// What is near a place, and how near: 0 for a usual distance \[m\].
@@ -37,21 +37,21 @@ pub enum Where {
 
 /// The error of lighting or putting out what has no fuel. The classic model has none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct NoFuel;
+pub struct IgniteError;
 
-impl NoFuel {
+impl IgniteError {
     /// What it must be instead.
     pub const ALLOWED: &'static str =
         "a solid with fuel, or a place within 0.1 m of one or of a source that is wet";
 }
 
-impl fmt::Display for NoFuel {
+impl fmt::Display for IgniteError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "it must be {}", NoFuel::ALLOWED)
+        write!(f, "it must be {}", IgniteError::ALLOWED)
     }
 }
 
-impl std::error::Error for NoFuel {}
+impl std::error::Error for IgniteError {}
 
 impl Fuels {
     /// Heats the surface there to above the pyrolysis temperature, and the gas beside it.
@@ -61,11 +61,11 @@ impl Fuels {
     #[inline(never)]
     pub fn ignite(
         &mut self,
-        at: Where,
+        at: IgnitionTarget,
         gas: &mut Gas,
         solids: &Solids,
         values: &Physics,
-    ) -> Result<(), NoFuel> {
+    ) -> Result<(), IgniteError> {
         self.each(at, solids, &mut |burning, index| {
             burning.light(index, values.ambient_temperature);
         })?;
@@ -73,8 +73,10 @@ impl Fuels {
         for (&position, state) in gas.position.iter().zip(&mut gas.state) {
             let is_there = solids.bodies.iter().any(|body| {
                 let there = match at {
-                    Where::Object(id) => self.is_of(body, id),
-                    Where::Place(place, radius) => position.distance(place) < reach(radius),
+                    IgnitionTarget::Object(id) => self.is_of(body, id),
+                    IgnitionTarget::Place(place, radius) => {
+                        position.distance(place) < reach(radius)
+                    }
                 };
                 there
                     && body.burns
@@ -96,11 +98,11 @@ impl Fuels {
     #[inline(never)]
     pub fn extinguish(
         &mut self,
-        at: Where,
+        at: IgnitionTarget,
         gas: &mut Gas,
         solids: &Solids,
         values: &Physics,
-    ) -> Result<(), NoFuel> {
+    ) -> Result<(), IgniteError> {
         let air = values.ambient_temperature;
         let done = self.each(at, solids, &mut |burning, index| burning.cool(index, air));
         if at_object(at) {
@@ -108,8 +110,8 @@ impl Fuels {
         }
         for (&position, state) in gas.position.iter().zip(&mut gas.state) {
             let is_there = match at {
-                Where::Place(place, radius) => position.distance(place) < radius,
-                Where::Object(id) => solids.bodies.iter().any(|body| {
+                IgnitionTarget::Place(place, radius) => position.distance(place) < radius,
+                IgnitionTarget::Object(id) => solids.bodies.iter().any(|body| {
                     self.is_of(body, id)
                         && body.may_touch(position, AROUND)
                         && body.surface.distance(position).0 < AROUND
@@ -133,10 +135,10 @@ impl Fuels {
     /// radius.
     fn each(
         &mut self,
-        at: Where,
+        at: IgnitionTarget,
         solids: &Solids,
         act: &mut dyn FnMut(&mut Burning, usize),
-    ) -> Result<(), NoFuel> {
+    ) -> Result<(), IgniteError> {
         let mut found = false;
         for burning in &mut self.all {
             let Some(body) = solids.first(burning.id) else {
@@ -148,8 +150,8 @@ impl Fuels {
                     .get(index)
                     .is_some_and(|cell| cell.mass() > 0.0);
                 let is_there = match at {
-                    Where::Object(id) => burning.object == id,
-                    Where::Place(point, radius) => {
+                    IgnitionTarget::Object(id) => burning.object == id,
+                    IgnitionTarget::Place(point, radius) => {
                         let place = body.surface.frame.local(point);
                         place.distance(burning.place(index)) < reach(radius)
                     }
@@ -160,12 +162,12 @@ impl Fuels {
                 }
             }
         }
-        if found { Ok(()) } else { Err(NoFuel) }
+        if found { Ok(()) } else { Err(IgniteError) }
     }
 }
 
-fn at_object(at: Where) -> bool {
-    matches!(at, Where::Object(_))
+fn at_object(at: IgnitionTarget) -> bool {
+    matches!(at, IgnitionTarget::Object(_))
 }
 
 /// How near a place is meant \[m\].

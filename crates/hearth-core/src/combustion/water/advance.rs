@@ -2,7 +2,7 @@
 
 use super::around::Around;
 use super::exchange;
-use super::report::{Droplets, Sprayed};
+use super::report::{Droplets, SprayTotals};
 use super::state::Water;
 use crate::combustion::Combustion;
 use crate::instance::Instance;
@@ -48,10 +48,10 @@ impl Combustion {
     }
 
     /// Where all water is.
-    pub fn sprayed(&self) -> Sprayed {
+    pub fn sprayed(&self) -> SprayTotals {
         self.water
             .as_ref()
-            .map_or_else(Sprayed::default, |water| water.sprayed())
+            .map_or_else(SprayTotals::default, |water| water.sprayed())
     }
 }
 

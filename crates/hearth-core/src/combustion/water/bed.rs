@@ -7,7 +7,7 @@
 
 use glam::Vec2;
 
-use crate::combustion::fuels::{BOILING, VAPORISATION, WATER_CAPACITY, Where, reach};
+use crate::combustion::fuels::{BOILING, IgnitionTarget, VAPORISATION, WATER_CAPACITY, reach};
 use crate::combustion::reaction::burner::Burner;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Parameters, Physics};
@@ -131,10 +131,10 @@ impl Bed {
     }
 
     /// Whether it is on that solid or near that place.
-    pub(super) fn is_there(&self, at: Where, solids: &Solids) -> bool {
+    pub(super) fn is_there(&self, at: IgnitionTarget, solids: &Solids) -> bool {
         let (place, radius) = match at {
-            Where::Object(id) => return self.solid == Some(id),
-            Where::Place(place, radius) => (place, reach(radius)),
+            IgnitionTarget::Object(id) => return self.solid == Some(id),
+            IgnitionTarget::Place(place, radius) => (place, reach(radius)),
         };
         let distance = match &self.burner {
             Some(burner) => {

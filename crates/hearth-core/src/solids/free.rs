@@ -15,7 +15,7 @@ mod contacts;
 mod hinge;
 mod hinges;
 mod parts;
-mod rest;
+mod sleep;
 mod resume;
 mod samples;
 mod solve;

@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::body::Rigid;
-use super::rest::DROWSY;
+use super::sleep::DROWSY;
 use super::state::FreeBodies;
 use crate::extremes::fast_max;
 use crate::solids::Solids;

@@ -87,7 +87,7 @@ impl Simulation {
     /// Draws the free solids where they are.
     fn show_free(&mut self) {
         if let Some(free) = &self.solver.solids().free {
-            free.show(&mut self.scene);
+            free.write_poses(&mut self.scene);
         }
     }
 

@@ -16,7 +16,7 @@ pub(super) const GAP: f32 = 0.05;
 const FRICTION: f32 = 0.3;
 
 /// Keeps the particles outside of the solids. The life of those without a place ends. What changes
-/// their velocities took `dt` \[s\]; free solids feel nothing of what takes no time.
+/// their velocities took `dt` \[s\]; what takes no time does not accelerate free solids.
 pub(super) fn hold(particles: &mut Particles, solids: &mut Solids, values: &Physics, dt: f32) {
     if solids.is_empty() {
         return;

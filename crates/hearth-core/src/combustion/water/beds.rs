@@ -15,9 +15,7 @@ impl Water {
             if count == self.beds.len() {
                 self.beds.push(Bed::default());
             }
-            if let Some(bed) = self.beds.get_mut(count) {
-                self.account.run_off += f64::from(bed.follow(source, scene));
-            }
+            self.account.run_off += f64::from(self.beds[count].follow(source, scene));
             count += 1;
         }
         for gone in self.beds.drain(count..) {

@@ -62,9 +62,7 @@ impl Water {
         around: &mut Around,
         random: &mut Random,
     ) {
-        let Some(body) = around.solids.bodies.get(solid) else {
-            return;
-        };
+        let body = &around.solids.bodies[solid];
         let (id, place) = (body.id(), parcel.position);
         let air = around.values.ambient_temperature;
         let mut left = parcel.mass;

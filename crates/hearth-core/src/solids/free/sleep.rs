@@ -2,61 +2,62 @@
 
 use glam::Vec2;
 
-use super::hinge::Hinge;
+use super::body::Rigid;
+use super::contacts::PLANES;
 use super::state::FreeBodies;
 use crate::extremes::fast_min;
 
 /// Speed below which a body is still [m/s].
-const STILL: f32 = 0.01;
+const SLEEP_SPEED: f32 = 0.01;
 /// For how long it is still before it sleeps \[s\].
-pub(super) const DROWSY: f32 = 0.5;
+pub(super) const TIME_TO_SLEEP: f32 = 0.5;
 /// Push of the gas that keeps a body awake, and that wakes it, as a share of its weight.
-const KEEPS: f32 = 0.1;
-const WAKES: f32 = 0.2;
+const AWAKE_PUSH: f32 = 0.1;
+const WAKING_PUSH: f32 = 0.2;
 
 impl FreeBodies {
     /// Lets bodies fall asleep and wake.
-    pub(super) fn rest(&mut self, dt: f32) {
-        for (number, one) in self.all.iter_mut().enumerate() {
-            one.root = number;
-            one.touches &= one.asleep;
+    pub(super) fn update_sleep(&mut self, dt: f32) {
+        for (number, body) in self.all.iter_mut().enumerate() {
+            body.root = number;
+            body.touches &= body.asleep;
         }
         for index in 0..self.contacts.len() {
-            if let Some(contact) = self.contacts.get(index).filter(|one| one.most > 0.0) {
+            let contact = &self.contacts[index];
+            if contact.most > 0.0 {
                 self.touch(contact.one, contact.other);
             }
         }
         for index in 0..self.hinges.len() {
-            if let Some([one, other]) = self.hinges.get(index).and_then(Hinge::bodies) {
+            if let Some([one, other]) = self.hinges[index].bodies() {
                 self.touch(one, other);
             }
         }
-        for one in self.all.iter_mut().filter(|one| one.is_free) {
-            let limit = if one.asleep { WAKES } else { KEEPS };
-            if one.speed() > STILL || one.pushed > limit || !one.touches {
-                one.still = 0.0;
+        for body in self.all.iter_mut().filter(|body| body.is_free) {
+            let limit = if body.asleep { WAKING_PUSH } else { AWAKE_PUSH };
+            if body.speed() > SLEEP_SPEED || body.pushed > limit || !body.touches {
+                body.still = 0.0;
             } else {
-                one.still += dt;
+                body.still += dt;
             }
         }
         // The least of those that touch each other, at the first of them.
         for index in 0..self.all.len() {
-            let root = self.root_of(index);
-            let still = self.all.get(index).filter(|one| one.is_free);
-            let still = still.map_or(f32::MAX, |one| one.still);
-            if let Some(first) = self.all.get_mut(root) {
-                first.still = fast_min(first.still, still);
-            }
+            let body = &self.all[index];
+            let still = if body.is_free { body.still } else { f32::MAX };
+            let first = self.root_of(index);
+            let first = &mut self.all[first];
+            first.still = fast_min(first.still, still);
         }
         for index in 0..self.all.len() {
-            let root = self.root_of(index);
-            let sleeps = self.all.get(root).is_some_and(|one| one.still >= DROWSY);
-            if let Some(one) = self.all.get_mut(index).filter(|one| one.is_free) {
-                one.asleep = sleeps;
+            let sleeps = self.all[self.root_of(index)].still >= TIME_TO_SLEEP;
+            let body = &mut self.all[index];
+            if body.is_free {
+                body.asleep = sleeps;
                 if sleeps {
-                    (one.velocity, one.spin) = (Vec2::ZERO, 0.0);
+                    (body.velocity, body.spin) = (Vec2::ZERO, 0.0);
                 } else {
-                    one.still = fast_min(one.still, DROWSY);
+                    body.still = fast_min(body.still, TIME_TO_SLEEP);
                 }
             }
         }
@@ -64,37 +65,28 @@ impl FreeBodies {
 
     /// Notes that a body touches another, hangs from it, or touches a plane.
     fn touch(&mut self, one: usize, other: usize) {
-        let is_free = |index: usize| self.all.get(index).is_some_and(|one| one.is_free);
-        if is_free(one) && is_free(other) {
+        let is_plane = other >= PLANES;
+        if !is_plane && self.all[one].is_free && self.all[other].is_free {
             let (one, other) = (self.root_of(one), self.root_of(other));
-            if let Some(body) = self.all.get_mut(one.max(other)) {
-                body.root = one.min(other);
-            }
+            self.all[one.max(other)].root = one.min(other);
         }
-        let moves = |index: usize| {
-            let body = self.all.get(index);
-            body.is_some_and(|body| !body.is_free && body.is_live())
-        };
-        let is_moved = moves(one) || moves(other);
-        for index in [one, other] {
-            if let Some(body) = self.all.get_mut(index) {
-                body.touches = true;
-                if is_moved {
-                    body.still = 0.0;
-                }
+        let moves = |body: &Rigid| !body.is_free && body.is_live();
+        let is_moved = moves(&self.all[one]) || !is_plane && moves(&self.all[other]);
+        let bodies = [Some(one), (!is_plane).then_some(other)];
+        for index in bodies.into_iter().flatten() {
+            let body = &mut self.all[index];
+            body.touches = true;
+            if is_moved {
+                body.still = 0.0;
             }
         }
     }
 
     /// The first body of those that touch each other.
-    fn root_of(&self, index: usize) -> usize {
-        let mut at = index;
-        for _ in 0..self.all.len() {
-            match self.all.get(at) {
-                Some(one) if one.root != at => at = one.root,
-                _ => break,
-            }
+    fn root_of(&self, mut index: usize) -> usize {
+        while self.all[index].root != index {
+            index = self.all[index].root;
         }
-        at
+        index
     }
 }

@@ -11,7 +11,6 @@ use crate::instance::Measured;
 use crate::params::DisplayMode;
 use crate::particle::Particle;
 use crate::solids::free::FreeSolid;
-use crate::solver::Solver;
 
 impl Simulation {
     /// Power of the combustion in the last step [kW/m]; `None` in the classic model.

@@ -85,15 +85,15 @@ impl Fuels {
         for block in 0..self.blocks.len() {
             let Block { power, moment } = self.blocks[block];
             if power > 0.0 {
-                let source = (moment / power, 0.5 * side);
-                let seen = self.view(solids, source);
+                let seen = self.view(solids, moment / power, 0.5 * side);
                 self.receive(power * fast_min(MAX_RECEIVED_SHARE / fast_max(seen, 1e-6), 1.0));
             }
         }
     }
 
-    /// Finds the share of a source that each cell sees. Returns that of all cells.
-    fn view(&mut self, solids: &Solids, (source, nearest): (Vec2, f32)) -> f32 {
+    /// Finds the share of a source that each cell sees, from no nearer than that. Returns that of all
+    /// cells.
+    fn view(&mut self, solids: &Solids, source: Vec2, nearest: f32) -> f32 {
         let mut sum = 0.0;
         for burning in &self.all {
             let Some(body) = solids.first(burning.id) else {

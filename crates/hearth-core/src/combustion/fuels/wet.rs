@@ -26,7 +26,8 @@ impl Fuels {
         &mut self,
         body: &Body,
         place: Vec2,
-        (mass, temperature): (f32, f32),
+        mass: f32,
+        temperature: f32,
         air: f32,
         random: &mut Random,
     ) -> (f32, bool) {
@@ -45,7 +46,7 @@ impl Fuels {
         let upward = Vec2::new(frame.axis.y, frame.axis.x);
         let (mut at, mut left, mut boils) = ((index, [sideways, 0]), mass, false);
         for _ in 0..MAX_FILM_CELLS {
-            let soaked = burning.soak(at.0, (left, temperature), air);
+            let soaked = burning.soak(at.0, left, temperature, air);
             left -= soaked;
             boils |= soaked > 0.0 && burning.cells[at.0].temperature > BOILING;
             let next = burning.downstream(at, upward);
@@ -60,7 +61,7 @@ impl Fuels {
 
 impl Burning {
     /// Gives water of a mass [kg/m] and a temperature \[K\] to a cell. Returns what that takes.
-    fn soak(&mut self, index: usize, (mass, temperature): (f32, f32), air: f32) -> f32 {
+    fn soak(&mut self, index: usize, mass: f32, temperature: f32, air: f32) -> f32 {
         let material = self.material;
         let cell = &mut self.cells[index];
         let taken = fast_min(mass, cell.room());

@@ -38,16 +38,18 @@ pub(super) struct Soft {
 
 /// The velocity, the inverse mass and the inverse inertia of a body; a plane has none.
 fn motion(all: &[Rigid], index: usize) -> (Vec2, f32, f32, f32) {
-    if index >= PLANES {
-        return (Vec2::ZERO, 0.0, 0.0, 0.0);
+    match all.get(index) {
+        Some(body) => (
+            body.velocity,
+            body.spin,
+            body.inverse_mass,
+            body.inverse_inertia,
+        ),
+        None => {
+            assert!(index >= PLANES, "there is no body {index}");
+            (Vec2::ZERO, 0.0, 0.0, 0.0)
+        }
     }
-    let body = &all[index];
-    (
-        body.velocity,
-        body.spin,
-        body.inverse_mass,
-        body.inverse_inertia,
-    )
 }
 
 /// The velocity of the one relative to the other where an impulse acts.
@@ -61,10 +63,11 @@ pub(super) fn relative(all: &[Rigid], pair: &Pair) -> Vec2 {
 pub(super) fn apply(all: &mut [Rigid], pair: &Pair, impulse: Vec2) {
     let signs = [1.0, -1.0];
     for ((index, sign), arm) in pair.bodies.into_iter().zip(signs).zip(pair.arms) {
-        if index < PLANES {
-            let body = &mut all[index];
+        if let Some(body) = all.get_mut(index) {
             body.velocity += impulse * (sign * body.inverse_mass);
             body.spin += arm.perp_dot(impulse) * (sign * body.inverse_inertia);
+        } else {
+            assert!(index >= PLANES, "there is no body {index}");
         }
     }
 }

@@ -159,7 +159,8 @@ impl Burning {
         let (account, mut part) = (&self.account, self.clone());
         let mut number = 0;
         for row in bottom..top {
-            for index in row * columns + left..row * columns + right {
+            for column in left..right {
+                let index = row * columns + column;
                 let cell = self.cells[index];
                 let is_in = now[index] == region;
                 part.cells[number] = if is_in { cell } else { cell.apart() };

@@ -4,7 +4,7 @@
 //! returns whether to request another frame, so no loop runs while no fire has work.
 
 use hearth_bindings::{Untrusted, ValidationError, memory, panic, parts, settings};
-use hearth_core::{IgniteError, SprayError, Vec2, IgnitionTarget};
+use hearth_core::{IgniteError, IgnitionTarget, SprayError, Vec2};
 use js_sys::Set;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;

@@ -3,7 +3,7 @@
 use hearth_bindings::{Record, Untrusted, ValidationError, memory, panic, parts, settings};
 use hearth_core::params::{PARAMETERS, Parameters};
 use hearth_core::simulation::ParticleError;
-use hearth_core::{IgniteError, SprayError, Scene, Simulation, Vec2, IgnitionTarget};
+use hearth_core::{IgniteError, IgnitionTarget, Scene, Simulation, SprayError, Vec2};
 use js_sys::{Array, Set};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};

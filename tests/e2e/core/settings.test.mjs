@@ -44,7 +44,7 @@ function refusal(tab, config) {
 }
 
 test('the export of a fire holds its changes alone', async () => {
-  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
   await tab.ready();
   assert.deepEqual((await state(tab)).config, { hearth: 2, values: {} });
   await tab.fire((fire) => fire.set({ exposure: 0.5, background: '#102030' }));
@@ -57,7 +57,7 @@ test('the export of a fire holds its changes alone', async () => {
 });
 
 test('one fire imports the export of another, as data or as text', async () => {
-  const tab = await browser.open(
+  const tab = await browser.show(
     '<hearth-fire paused preset="seed" viscosity="0.02" seed="7"></hearth-fire><hearth-fire paused exposure="2"></hearth-fire>',
   );
   await tab.ready();
@@ -78,7 +78,7 @@ test('one fire imports the export of another, as data or as text', async () => {
 });
 
 test('settings that are wrong anywhere are refused whole, by name', async () => {
-  const tab = await browser.open(recording('<hearth-fire paused exposure="0.5"></hearth-fire>'));
+  const tab = await browser.show(recording('<hearth-fire paused exposure="0.5"></hearth-fire>'));
   await tab.ready();
   const before = await state(tab);
   const deep = `${'['.repeat(5000)}${']'.repeat(5000)}`;
@@ -123,7 +123,7 @@ test('settings that are wrong anywhere are refused whole, by name', async () => 
 });
 
 test('values that throw when they are read are refused, and no others', async () => {
-  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
   await tab.ready();
   const said = await tab.fire(async (fire) => {
     const thrower = { get exposure() { throw new Error('no'); } };
@@ -223,7 +223,7 @@ test('a fire that is removed while its file loads starts from it when it is inse
 });
 
 test('without a spacing, a number of particles states the resolution of open air', async () => {
-  const tab = await browser.open(
+  const tab = await browser.show(
     '<hearth-fire seam="0.03" domain-width="2.4" max-particles="5000" paused></hearth-fire>',
   );
   await tab.ready();
@@ -244,7 +244,7 @@ test('without a spacing, a number of particles states the resolution of open air
 });
 
 test('a fire that follows a stopped one keeps whether its spacing is set', async () => {
-  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
   await tab.ready();
   for (const [spacing, stated] of [[undefined, {}], [0.03, { spacing: 0.03 }]]) {
     const values = await tab.fire(async (fire, spacing) => {

@@ -36,7 +36,7 @@ function set(tab, ...args) {
 }
 
 test('an attribute out of range is rejected with an error event, and the fire burns with the default', async () => {
-  const tab = await browser.open(recording('<hearth-fire viscosity="99"></hearth-fire>'));
+  const tab = await browser.show(recording('<hearth-fire viscosity="99"></hearth-fire>'));
   await tab.ready();
   const [{ kind, id, value, min, max, message }, ...more] = await events(tab, 'error');
   assert.deepEqual(more, []);
@@ -66,7 +66,7 @@ for (const [attribute, text, reason] of [
 ]) {
   test(`${attribute}="${text}" is rejected with an error event`, async () => {
     const body = recording(`<hearth-fire ${attribute}="${text}"></hearth-fire>`);
-    const tab = await browser.open(body);
+    const tab = await browser.show(body);
     await tab.ready();
     const errors = await events(tab, 'error');
     assert.equal(errors.length, 1);
@@ -79,7 +79,7 @@ for (const [attribute, text, reason] of [
 }
 
 test('a bad value leaves the last good one in place', async () => {
-  const tab = await browser.open(recording('<hearth-fire viscosity="0.02"></hearth-fire>'));
+  const tab = await browser.show(recording('<hearth-fire viscosity="0.02"></hearth-fire>'));
   await tab.ready();
   await tab.fire((fire) => fire.setAttribute('viscosity', 'much'));
   await tab.until('the refusal', () => /** @type {any} */ (window).events.at(-1)?.type === 'error');
@@ -87,7 +87,7 @@ test('a bad value leaves the last good one in place', async () => {
 });
 
 test('a set of values is taken as a whole or not at all', async () => {
-  const tab = await browser.open('<hearth-fire></hearth-fire>');
+  const tab = await browser.show('<hearth-fire></hearth-fire>');
   await tab.ready();
   const good = await set(tab, { viscosity: 0.02, buoyancy: 0.5 });
   assert.equal(good.error, null);
@@ -101,14 +101,14 @@ test('a set of values is taken as a whole or not at all', async () => {
 });
 
 test('an unknown name is answered with the nearest known one', async () => {
-  const tab = await browser.open('<hearth-fire></hearth-fire>');
+  const tab = await browser.show('<hearth-fire></hearth-fire>');
   await tab.ready();
   const { error } = await set(tab, 'viscosty', 0.02);
   assert.match(error.message, /viscosty.*viscosity/);
 });
 
 test('no kind of nonsense is taken for a number', async () => {
-  const tab = await browser.open('<hearth-fire></hearth-fire>');
+  const tab = await browser.show('<hearth-fire></hearth-fire>');
   await tab.ready();
   const nonsense = [null, {}, [], '', ' ', true, 'x'.repeat(100_000), '0.02m'];
   for (const value of nonsense) {
@@ -131,7 +131,7 @@ test('no kind of nonsense is taken for a number', async () => {
 });
 
 test('a rejection without a handler is no uncaught exception', async () => {
-  const tab = await browser.open(recording('<hearth-fire></hearth-fire>'));
+  const tab = await browser.show(recording('<hearth-fire></hearth-fire>'));
   await tab.ready();
   await tab.fire((fire) => {
     fire.set('viscosity', 99);

@@ -21,7 +21,7 @@ const FIRE = '<hearth-fire paused quality="low" style="width: 40px; height: 50px
  * @param {string} [html]
  */
 async function open(html = FIRE) {
-  const tab = await browser.open(`<script>
+  const tab = await browser.show(`<script>
     const moves = (window.moves = new Set());
     let share = 0;
     const play = Animation.prototype.play;
@@ -240,7 +240,7 @@ test('values arrive at once while the fire is out of sight', async () => {
 });
 
 test('a transition that is requested before the fire is ready starts with it, by the real clock', async () => {
-  const tab = await browser.open('<p></p>');
+  const tab = await browser.show('<p></p>');
   const found = await tab.evaluate(async () => {
     await import('./web/hearth-fire.js');
     const fire = /** @type {any} */ (document.createElement('hearth-fire'));

@@ -22,21 +22,25 @@ const FIRE = '<hearth-fire paused quality="low" style="width: 40px; height: 50px
  */
 async function open(html = FIRE) {
   const tab = await browser.show(`<script>
-    const moves = (window.moves = new Set());
-    let share = 0;
-    const play = Animation.prototype.play;
-    Animation.prototype.play = function () {
-      play.call(this);
-      this.pause();
-      moves.add(this);
-      this.currentTime = share * this.effect.getTiming().duration;
-    };
-    const cancel = Animation.prototype.cancel;
-    Animation.prototype.cancel = function () { moves.delete(this); cancel.call(this); };
-    window.clock = (now) => {
-      share = now;
-      for (const one of moves) one.currentTime = now * one.effect.getTiming().duration;
-    };
+    if (!window.clock) {
+      const moves = (window.moves = new Set());
+      let share = 0;
+      const { play, cancel } = Animation.prototype;
+      Animation.prototype.play = function () {
+        play.call(this);
+        this.pause();
+        moves.add(this);
+        this.currentTime = share * this.effect.getTiming().duration;
+      };
+      Animation.prototype.cancel = function () { moves.delete(this); cancel.call(this); };
+      window.clock = (now) => {
+        share = now;
+        for (const move of moves) move.currentTime = now * move.effect.getTiming().duration;
+      };
+    }
+    window.ended = {};
+    window.moves.clear();
+    window.clock(0);
   </script>${recording(html)}`);
   await tab.ready();
   return tab;

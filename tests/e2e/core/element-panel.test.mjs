@@ -25,10 +25,10 @@ const sized = (width, height) => `style="width: ${width}px; height: ${height}px"
  * @param {number} width @param {number} height @param {object} [options]
  */
 async function openFire(width, height, options = {}) {
-  const tab = await browser.open(
-    `<input id="before"><hearth-fire controls ${sized(width, height)}></hearth-fire>
+  const tab = await browser.show(
+    `<input id="before"><hearth-fire controls max-pixels="30000" ${sized(width, height)}></hearth-fire>
     <input id="after"><div style="height: 2000px"></div>`,
-    { width: width + 40, height: height + 80, pixels: 30_000, ...options },
+    { width: width + 40, height: height + 80, ...options },
   );
   await tab.ready();
   return { tab, panel: await new Panel(tab, { inside: true }).mounted() };

@@ -144,11 +144,11 @@ export class Browser {
    * Shows another body in the page of the last call, whose code is loaded already. Its fires are destroyed first. The
    * first call opens a page, as does one with other options, after `open`, or after a loss of contexts.
    * @param {string} body
-   * @param {{width?: number, height?: number, draws?: boolean, files?: {[name: string]: import('../server.mjs').Instead}}} [options]
+   * @param {{width?: number, height?: number, draws?: boolean, before?: () => void, files?: {[name: string]: import('../server.mjs').Instead}}} [options]
    * @returns {Promise<PuppeteerTab>}
    */
   async show(body, { files = {}, ...options } = {}) {
-    const wanted = JSON.stringify(options);
+    const wanted = JSON.stringify({ ...options, before: String(options.before) });
     if (!this.tab || this.tab.shows !== wanted) {
       const tab = await this.open(body, { ...options, files });
       tab.shows = wanted;

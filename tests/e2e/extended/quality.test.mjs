@@ -96,11 +96,12 @@ test('a requested number of particles stays until the default is restored', asyn
 const twoCores = () => Object.defineProperty(navigator, 'hardwareConcurrency', { value: 2 });
 const eightCores = () => Object.defineProperty(navigator, 'hardwareConcurrency', { value: 8 });
 
-for (const asked of ['quality="medium"', 'max-particles="1500"', 'max-particles="3000"']) {
-  test(`with ${asked} the same seed gives the same fire, whatever quality the device starts with`, async () => {
-    const fires = [];
-    for (const before of [twoCores, eightCores]) {
-      const tab = await browser.open(`<hearth-fire seed="7" ${asked} autoplay="false"></hearth-fire>`, { ...small, before });
+test('with a quality or a number of particles the same seed gives the same fire, whatever quality the device starts with', async () => {
+  const asked = ['quality="medium"', 'max-particles="1500"', 'max-particles="3000"'];
+  const [slow, fast] = [[], []];
+  for (const [fires, before] of /** @type {[object[], () => void][]} */ ([[slow, twoCores], [fast, eightCores]])) {
+    for (const attributes of asked) {
+      const tab = await browser.show(`<hearth-fire seed="7" ${attributes} autoplay="false"></hearth-fire>`, { ...small, before });
       fires.push(await tab.fire(async (fire) => {
         await fire.ready;
         await fire.step(40);
@@ -109,10 +110,10 @@ for (const asked of ['quality="medium"', 'max-particles="1500"', 'max-particles=
       }));
       assert.deepEqual(tab.problems, []);
     }
-    assert.ok(fires[0].time > 0);
-    assert.deepEqual(fires[0], fires[1]);
-  });
-}
+  }
+  assert.ok(slow.every(({ time }) => time > 0));
+  assert.deepEqual(slow, fast);
+});
 
 test('an unknown quality is rejected with an error event, and the last good one stays', async () => {
   const tab = await browser.show(recording('<hearth-fire quality="low"></hearth-fire>'), small);

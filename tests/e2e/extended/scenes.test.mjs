@@ -76,14 +76,6 @@ describe('the scenes', () => {
     assert.equal(await heading(panel), `Scene: ${PRESETS[0].label}`);
   });
 
-  test('are set by an address', async () => {
-    for (const { name, label } of PRESETS.slice(1, 4)) {
-      const { tab, panel } = await openPage(`scene=${name}`);
-      assert.equal(await tab.fire((fire) => fire.preset), name);
-      assert.equal(await heading(panel), `Scene: ${label}`);
-    }
-  });
-
   test('are one step of undo each, chosen by mouse, and the list stays for the next', async () => {
     const { tab, panel } = await openPage();
     await tab.fire((fire) => fire.set('gravity', 3));

@@ -152,7 +152,7 @@ test('values that throw when they are read are refused, and no others', async ()
 test('a fire starts from a settings file, and attributes override it', async () => {
   const body = JSON.stringify({ hearth: 2, preset: 'seed', values: { viscosity: 0.02 } });
   const files = { 'mine.json': { body, type: JSON_TYPE }, 'other.json': { body: '{"values": {"bloom": 0.5}}', type: JSON_TYPE } };
-  const tab = await browser.open(
+  const tab = await browser.show(
     '<hearth-fire paused src="/mine.json" exposure="0.5"></hearth-fire>',
     { files },
   );
@@ -175,7 +175,7 @@ for (const [what, instead, named] of [
   ['has an unknown key', { body: '{"values": {"exposurr": 1}}', type: JSON_TYPE }, 'exposure'],
 ]) {
   test(`a settings file that ${what} causes an error event, and the fire burns`, async () => {
-    const tab = await browser.open(recording('<hearth-fire src="/mine.json"></hearth-fire>'), {
+    const tab = await browser.show(recording('<hearth-fire src="/mine.json"></hearth-fire>'), {
       files: { 'mine.json': instead },
     });
     await tab.burnt(0.3);
@@ -189,7 +189,7 @@ for (const [what, instead, named] of [
 
 test('a fire that is removed while its file loads starts from it when it is inserted again', async () => {
   const body = JSON.stringify({ values: { model: 'classic', viscosity: 0.02 } });
-  const tab = await browser.open('<p>Nothing yet</p>', {
+  const tab = await browser.show('<p>Nothing yet</p>', {
     files: { 'mine.json': { body, type: JSON_TYPE }, 'other.json': { body: '{"values": {"bloom": 0.5}}', type: JSON_TYPE } },
   });
   const params = await tab.evaluate(async () => {

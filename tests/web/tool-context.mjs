@@ -103,7 +103,7 @@ export async function toolsOf(objects = [], { model = 'combustion' } = {}) {
     guide: (lines) => (shown.guides = lines),
     toggle: (id) => edits.toggle(id),
     thickness: () => 0.03,
-    write: (at) => (shown.word = at),
+    askForText: (at) => (shown.word = at),
     probe: (...args) => shown.probes.push(args),
   };
   const pointers = new Pointers(context);

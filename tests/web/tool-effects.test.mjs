@@ -156,7 +156,7 @@ test('pointers and keys probe where they are, and keys have it announced', async
   await tools.drag('probe', [[0.1, 0.5], [0.2, 0.5]]);
   tools.cross.move(0.1, 0, tools.how());
   tools.cross.press('probe', tools.how());
-  assert.deepEqual(tools.shown.probes.map(([{ x }, announced]) => [x, announced ?? false]), [
+  assert.deepEqual(tools.shown.probes.map(([{ x }, { announce = false } = {}]) => [x, announce]), [
     [0.1, false], [0.2, false], [0.1, false], [0.1, true],
   ]);
 });

@@ -27,7 +27,7 @@ for (const size of [SIZES[0], /** @type {[number, number]} */ (SIZES.at(-1))]) {
 test('the floor and the height above it have the same places on the stage in pages of all sizes', async () => {
   /** @type {{[size: string]: number[]}} */
   const places = {};
-  /** @type {import('./driver.mjs').Tab | undefined} */
+  /** @type {import('../driver.mjs').Tab | undefined} */
   let tab;
   for (const [width, height] of [...SIZES].sort((a, b) => Math.min(...a) - Math.min(...b))) {
     const touch = Math.min(width, height) < 500;

@@ -106,7 +106,7 @@ for (const size of PHONES) {
 
 test('plots are loaded with their first use, their CSV has the numbers of stats and measures, and they follow the fire', async () => {
   const tab = await openTools(browser, WIDE, PAUSED);
-  const loaded = () => tab.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name).filter((name) => name.includes('/plots/') || name.includes('_quantities')));
+  const loaded = () => tab.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name).filter((name) => name.includes('/plots/')));
   assert.deepEqual(await loaded(), []);
   await assertShows(tab, WIDE);
   assert.ok((await loaded()).some((name) => name.includes('/plots/')));
@@ -170,15 +170,4 @@ test('the classic model has no power, and its own height, light, spectrum and pr
   assert.equal(shown['Luminosity spectrum'], `the peak is at ${peak.toFixed(1)} Hz`);
   assert.ok(Math.max(...columns['temperature [K]']) > 900);
   assert.deepEqual(tab.problems, []);
-});
-
-test('a part that does not load is reported, and the fire burns on', async () => {
-  const tab = await browser.open('index.html?scene=default&paused&quality=low', { ...WIDE, files: { 'hearth-engine_quantities.wasm': { status: 404 } } });
-  await tab.ready();
-  await tab.page.waitForSelector('#draw:not([hidden])');
-  await tab.page.click('#draw');
-  await tab.page.waitForSelector('.hearth-toolbar [data-tool="plots"]');
-  await openPlots(tab);
-  await tab.until('why', () => /^The code for quantities of the gas could not be loaded/.test(document.querySelector('.hearth-status')?.textContent ?? ''));
-  await tab.burnt(0.2);
 });

@@ -15,7 +15,7 @@ const PER_PIXEL = 0.0025;
 
 const defaultsOf = (kind, model) => Object.fromEntries(entriesOf(kind)
   .filter((entry) => entry.domain(model))
-  .map((entry) => [entry.name, entry.domain(model).default]));
+  .map((entry) => [entry.name, entry.domain(model)?.default]));
 
 /** A fire of a model with its source; its calls are `[name, ...arguments]`. */
 class Fire extends EventTarget {
@@ -77,24 +77,24 @@ class Fire extends EventTarget {
 
 /** The tools of a fire of this model with these objects beside its source, as the toolbar wires them. */
 export async function toolsOf(objects = [], { model = 'combustion' } = {}) {
-  const fire = new Fire(model);
+  const fire = /** @type {any} */ (new Fire(model));
   for (const object of objects) await fire.addObject(object);
   const editing = new Editing(fire);
   const { history } = editing;
   /** What the toolbar shows. */
-  const shown = { messages: [], preview: [], guides: [], word: undefined, probes: [], cross: undefined };
+  const shown = /** @type {{[name: string]: any}} */ ({ messages: [], preview: [], guides: [], word: undefined, probes: [], cross: undefined });
   const style = { material: 'stone', burns: false };
   /** Where forces have moved objects, by their ids. */
   const places = new Map();
   const now = () => fire.objects.map((object) => ({ ...object, ...places.get(object.id) }));
   const edits = new Edits(fire, editing, () => style, (text) => shown.messages.push(text), now);
-  const context = {
+  const context = /** @type {import('../../web/tools/gestures.js').ToolContext} */ ({
     fire,
     editing,
     objects: now,
     add: (fields) => edits.add(fields),
     remove: (id) => editing.takeAway(id),
-    changes: (...args) => edits.changes(...args),
+    changes: (changed, fields, held) => edits.changes(changed, fields, held),
     attempt: (act) => edits.attempt(act),
     handleAt: (object, at) => (object ? handlesOf(object, PER_PIXEL) : []).find((handle) => (
       Math.hypot(handle.at.x - at.x, handle.at.y - at.y) <= 16 * PER_PIXEL
@@ -105,10 +105,10 @@ export async function toolsOf(objects = [], { model = 'combustion' } = {}) {
     thickness: () => 0.03,
     askForText: (at) => (shown.word = at),
     probe: (...args) => shown.probes.push(args),
-  };
+  });
   const pointers = new Pointers(context);
   const overlay = { seen: { x: 0, y: 0.9, width: 1.4 }, cross: (at) => (shown.cross = at) };
-  const cross = new Cross(context, pointers, overlay);
+  const cross = new Cross(context, pointers, /** @type {any} */ (overlay));
   const how = (keys) => ({ snaps: false, adds: false, free: false, perPixel: PER_PIXEL, ...keys });
   const point = ([x, y]) => ({ x, y });
   return {

@@ -38,7 +38,7 @@ const dialog = (name) => async (tab) => {
   await tab.page.click(`[data-opens="${name}"]`);
   await tab.until('the dialog', () => document.querySelector('dialog[open]') !== null);
 };
-const escape = (tab) => tab.key('Escape');
+const leave = (tab) => tab.key('Escape');
 const openPanel = async (tab) => void await new Panel(tab).mounted();
 
 for (const [about, size, states] of /** @type {[string, typeof WIDE, [string, (tab: any) => Promise<unknown>][]][]} */ ([
@@ -52,11 +52,11 @@ for (const [about, size, states] of /** @type {[string, typeof WIDE, [string, (t
       await dialog('about')(tab);
     }],
     ['with the code to embed it', async (tab) => {
-      await escape(tab);
+      await leave(tab);
       await dialog('embed')(tab);
     }],
     ['with its tools', async (tab) => {
-      await escape(tab);
+      await leave(tab);
       await tools(tab);
     }],
   ]],

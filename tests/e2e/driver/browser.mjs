@@ -189,7 +189,7 @@ async function replaceBody(body) {
   localStorage.clear();
   scrollTo(0, 0);
   const fragment = document.createRange().createContextualFragment(body);
-  const modules = [...fragment.querySelectorAll('script[type="module"]')];
+  const modules = /** @type {HTMLScriptElement[]} */ ([...fragment.querySelectorAll('script[type="module"]')]);
   const ran = modules.map((script) => new Promise((resolve) => { script.onload = resolve; }));
   document.body.append(fragment);
   await Promise.all(ran);

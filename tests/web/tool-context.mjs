@@ -1,6 +1,6 @@
 /**
- * What the gestures of tools act on in tests without a browser: a fire that answers in order and records each call, with
- * the history, the selection and the edits that the toolbar uses.
+ * What the gestures of tools act on in tests without a browser: a fire that answers in order and records each call,
+ * with the history, the selection and the edits that the toolbar uses.
  */
 import { Editing } from '../../web/panel/editing.js';
 import { entriesOf } from '../../web/panel/objects.js';
@@ -13,9 +13,12 @@ import { Pointers } from '../../web/tools/pointers.js';
 /** Metres of a pixel. */
 const PER_PIXEL = 0.0025;
 
-const defaultsOf = (kind, model) => Object.fromEntries(entriesOf(kind)
-  .filter((entry) => entry.domain(model))
-  .map((entry) => [entry.name, entry.domain(model)?.default]));
+const defaultsOf = (kind, model) =>
+  Object.fromEntries(
+    entriesOf(kind)
+      .filter((entry) => entry.domain(model))
+      .map((entry) => [entry.name, entry.domain(model)?.default]),
+  );
 
 /** A fire of a model with its source; its calls are `[name, ...arguments]`. */
 class Fire extends EventTarget {
@@ -45,7 +48,14 @@ class Fire extends EventTarget {
 
   /** Answers later, as a worker does. */
   #ask(act) {
-    const answer = this.#answers.then(() => new Promise((resolve) => { setImmediate(resolve); })).then(act);
+    const answer = this.#answers
+      .then(
+        () =>
+          new Promise((resolve) => {
+            setImmediate(resolve);
+          }),
+      )
+      .then(act);
     this.#answers = answer.catch(() => {});
     return answer;
   }
@@ -55,7 +65,12 @@ class Fire extends EventTarget {
   }
 
   changeObject(id, fields) {
-    return this.#ask(() => Object.assign(this.#objects.find((object) => object.id === id), fields));
+    return this.#ask(() =>
+      Object.assign(
+        this.#objects.find((object) => object.id === id),
+        fields,
+      ),
+    );
   }
 
   removeObject(id) {
@@ -82,12 +97,25 @@ export async function toolsOf(objects = [], { model = 'combustion' } = {}) {
   const editing = new Editing(fire);
   const { history } = editing;
   /** What the toolbar shows. */
-  const shown = /** @type {{[name: string]: any}} */ ({ messages: [], preview: [], guides: [], word: undefined, probes: [], cross: undefined });
+  const shown = /** @type {{[name: string]: any}} */ ({
+    messages: [],
+    preview: [],
+    guides: [],
+    word: undefined,
+    probes: [],
+    cross: undefined,
+  });
   const style = { material: 'stone', burns: false };
   /** Where forces have moved objects, by their ids. */
   const places = new Map();
   const now = () => fire.objects.map((object) => ({ ...object, ...places.get(object.id) }));
-  const edits = new Edits(fire, editing, () => style, (text) => shown.messages.push(text), now);
+  const edits = new Edits(
+    fire,
+    editing,
+    () => style,
+    (text) => shown.messages.push(text),
+    now,
+  );
   const context = /** @type {import('../../web/tools/gestures.js').ToolContext} */ ({
     fire,
     editing,
@@ -96,9 +124,10 @@ export async function toolsOf(objects = [], { model = 'combustion' } = {}) {
     remove: (id) => editing.takeAway(id),
     changes: (changed, fields, held) => edits.changes(changed, fields, held),
     attempt: (act) => edits.attempt(act),
-    handleAt: (object, at) => (object ? handlesOf(object, PER_PIXEL) : []).find((handle) => (
-      Math.hypot(handle.at.x - at.x, handle.at.y - at.y) <= 16 * PER_PIXEL
-    )),
+    handleAt: (object, at) =>
+      (object ? handlesOf(object, PER_PIXEL) : []).find(
+        (handle) => Math.hypot(handle.at.x - at.x, handle.at.y - at.y) <= 16 * PER_PIXEL,
+      ),
     preview: (outlines) => (shown.preview = outlines),
     guide: (lines) => (shown.guides = lines),
     toggle: (id) => edits.toggle(id),
@@ -112,7 +141,16 @@ export async function toolsOf(objects = [], { model = 'combustion' } = {}) {
   const how = (keys) => ({ snaps: false, adds: false, free: false, perPixel: PER_PIXEL, ...keys });
   const point = ([x, y]) => ({ x, y });
   return {
-    fire, editing, history, edits, pointers, cross, shown, style, places, how,
+    fire,
+    editing,
+    history,
+    edits,
+    pointers,
+    cross,
+    shown,
+    style,
+    places,
+    how,
     /** Presses at the first place, moves through the others and releases at the last one. */
     async drag(tool, path, keys) {
       pointers.begin(tool, 1, point(path[0]), how(keys));

@@ -39,11 +39,18 @@ for (const way of [1, -1]) {
 
 test('a drag throws sparks along its way', async () => {
   const tools = await toolsOf();
-  await tools.drag('sparks', [[-0.3, 1.1], [0, 1.1], [0.3, 1.1]]);
+  await tools.drag('sparks', [
+    [-0.3, 1.1],
+    [0, 1.1],
+    [0.3, 1.1],
+  ]);
   const thrown = calls(tools, 'sparks');
   assert.ok(thrown.reduce((sum, [, , count]) => sum + count, 0) > 40);
   const places = thrown.map(([x]) => x);
-  assert.deepEqual(places, [...places].sort((a, b) => a - b));
+  assert.deepEqual(
+    places,
+    [...places].sort((a, b) => a - b),
+  );
   assert.ok(places[0] === -0.3 && close(places.at(-1), 0.3) && thrown.every(([, y]) => close(y, 1.1)));
   assert.equal(tools.fire.objects.length, 1);
   assert.equal(tools.history.canUndo, false);
@@ -61,9 +68,17 @@ test('a press lights a solid of wood, which gets fuel in one step', async () => 
 test('a press lights a wet source, and a drag what it crosses', async () => {
   const tools = await toolsOf();
   const [{ x, y }] = tools.fire.objects;
-  await tools.drag('ignite', [[x + 0.05, y + 0.02], [x + 0.12, y + 0.02], [x + 0.13, y + 0.02], [x + 0.9, y + 0.5]]);
+  await tools.drag('ignite', [
+    [x + 0.05, y + 0.02],
+    [x + 0.12, y + 0.02],
+    [x + 0.13, y + 0.02],
+    [x + 0.9, y + 0.5],
+  ]);
   // The second place is too near to the first one, and the last one has no fuel.
-  assert.deepEqual(calls(tools, 'ignite'), [[x + 0.05, y + 0.02], [x + 0.12, y + 0.02]]);
+  assert.deepEqual(calls(tools, 'ignite'), [
+    [x + 0.05, y + 0.02],
+    [x + 0.12, y + 0.02],
+  ]);
   assert.deepEqual(tools.shown.messages, []);
 });
 
@@ -100,7 +115,10 @@ test('water falls from the pointer while it is pressed', async (t) => {
   tools.pointers.end(1, { x: 0.35, y: 0.8 }, tools.how());
   pass(1000);
   const sprayed = calls(tools, 'spray');
-  assert.deepEqual(sprayed.map(([x]) => x), [0.25, 0.35, 0.35]);
+  assert.deepEqual(
+    sprayed.map(([x]) => x),
+    [0.25, 0.35, 0.35],
+  );
   for (const [, y, u, v, grams] of sprayed) assert.ok(y === 0.8 && u === 0 && v < 0 && grams > 0);
 });
 
@@ -112,7 +130,10 @@ test('the cross presses and releases, and what acts on the fire acts at once', a
   cross.press('sparks', how());
   cross.press('ignite', how());
   await Promise.resolve();
-  assert.deepEqual(tools.fire.calls.slice(0, 2), [['sparks', 0, 0.9, 24], ['sparks', 0, 0.9, 24]]);
+  assert.deepEqual(tools.fire.calls.slice(0, 2), [
+    ['sparks', 0, 0.9, 24],
+    ['sparks', 0, 0.9, 24],
+  ]);
   assert.deepEqual(shown.cross, { x: 0, y: 0.9 });
   cross.press('water', how());
   pass(200);
@@ -123,7 +144,10 @@ test('the cross presses and releases, and what acts on the fire acts at once', a
   assert.equal(calls(tools, 'spray').length, length, 'the second press ends it');
   assert.deepEqual(cross.move(0.1, 0.2, how()), { x: 0.1, y: 1.1 });
   assert.deepEqual(shown.cross, { x: 0.1, y: 1.1 });
-  for (const [u, v] of [[1, 0], [-1, 0]]) {
+  for (const [u, v] of [
+    [1, 0],
+    [-1, 0],
+  ]) {
     cross.puff(how(), { x: u, y: v });
     const [x, y, right] = calls(tools, 'stir').at(-1);
     assert.deepEqual([x, y, Math.sign(right)], [0.1, 1.1, u], 'it blows and moves nothing');
@@ -136,7 +160,10 @@ test('the cross presses and releases, and what acts on the fire acts at once', a
 });
 
 test('keys draw with the cross, and choose several', async () => {
-  const tools = await toolsOf([{ ...wood, x: 0 }, { ...wood, x: 0.3 }]);
+  const tools = await toolsOf([
+    { ...wood, x: 0 },
+    { ...wood, x: 0.3 },
+  ]);
   const { cross, editing, how } = tools;
   cross.press('box', how());
   cross.move(0.1, 0.1, how());
@@ -147,16 +174,28 @@ test('keys draw with the cross, and choose several', async () => {
   editing.select(2);
   cross.point({ x: 0.3, y: 0.6 });
   cross.press('select', how({ adds: true }));
-  assert.deepEqual(editing.all.map(({ id }) => id), [2, 3]);
+  assert.deepEqual(
+    editing.all.map(({ id }) => id),
+    [2, 3],
+  );
   assert.equal(tools.pointers.active, false, 'a press that adds is a click');
 });
 
 test('pointers and keys probe where they are, and keys have it announced', async () => {
   const tools = await toolsOf();
-  await tools.drag('probe', [[0.1, 0.5], [0.2, 0.5]]);
+  await tools.drag('probe', [
+    [0.1, 0.5],
+    [0.2, 0.5],
+  ]);
   tools.cross.move(0.1, 0, tools.how());
   tools.cross.press('probe', tools.how());
-  assert.deepEqual(tools.shown.probes.map(([{ x }, { announce = false } = {}]) => [x, announce]), [
-    [0.1, false], [0.2, false], [0.1, false], [0.1, true],
-  ]);
+  assert.deepEqual(
+    tools.shown.probes.map(([{ x }, { announce = false } = {}]) => [x, announce]),
+    [
+      [0.1, false],
+      [0.2, false],
+      [0.1, false],
+      [0.1, true],
+    ],
+  );
 });

@@ -144,7 +144,12 @@ export class Browser {
    * Shows another body in the page of the last call, whose code is loaded already. Its fires are destroyed first. The
    * first call opens a page, as does one with other options, after `open`, or after a loss of contexts.
    * @param {string} body
-   * @param {{width?: number, height?: number, draws?: boolean, before?: () => void, files?: {[name: string]: import('../server.mjs').Instead}}} [options]
+   * @param {object} [options]  As of {@link open}.
+   * @param {number} [options.width]
+   * @param {number} [options.height]
+   * @param {boolean} [options.draws]
+   * @param {() => void} [options.before]  Runs once, in the page that `show` opens.
+   * @param {{[name: string]: import('../server.mjs').Instead}} [options.files]
    * @returns {Promise<PuppeteerTab>}
    */
   async show(body, { files = {}, ...options } = {}) {

@@ -6,7 +6,7 @@ import type { HearthConfig } from './hearth-fire.js';
 
 /** Settings whose values may be strings, as in a URL. */
 export interface HearthSharedConfig {
-  hearth?: 1 | 2;
+  hearth?: 2;
   preset?: string;
   values?: Record<string, unknown>;
   objects?: object[];

@@ -5,7 +5,7 @@
  * values: the fire that receives a URL's values does.
  *
  * @typedef {object} Config
- * @property {number} [hearth]  The version of the format: 1 or 2.
+ * @property {number} [hearth]  The version of the format, 2.
  * @property {string} [preset]  The preset, unless it is the default one.
  * @property {{[id: string]: unknown}} [values]  The values that differ from the preset.
  * @property {object[]} [objects]  The objects, unless they are the preset's.
@@ -60,7 +60,7 @@ export function fromQuery(search, names = []) {
     else values.push([name.replaceAll('-', '_'), value]);
   }
   // A name such as `__proto__` becomes an own key, which the fire refuses.
-  const config = { hearth: 1, ...(preset !== undefined && { preset }), values: Object.fromEntries(values) };
+  const config = { hearth: 2, ...(preset !== undefined && { preset }), values: Object.fromEntries(values) };
   return { config, others };
 }
 

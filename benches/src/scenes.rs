@@ -1,7 +1,7 @@
 //! The measured fires.
 
 use hearth_core::params::{Input, Model, Parameters};
-use hearth_core::{Particle, Scene, Simulation, Vec2, Where};
+use hearth_core::{IgnitionTarget, Particle, Scene, Simulation, Vec2};
 
 /// Smoothing length of a block [m]: as large as lets 400,000 particles fit the
 /// widest domain.
@@ -154,7 +154,7 @@ pub fn bodies(count: u32) -> Result<Simulation, String> {
     }
     let mut fire = Simulation::new(scene);
     if count > 0 {
-        let all = Where::Place(Vec2::new(0.0, 0.3), 1.0);
+        let all = IgnitionTarget::Place(Vec2::new(0.0, 0.3), 1.0);
         fire.ignite(all).map_err(|_| "nothing burns".to_owned())?;
     }
     while fire.time() < FALLEN {

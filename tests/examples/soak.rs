@@ -14,7 +14,7 @@ use std::thread;
 use std::time::Instant;
 
 use hearth_core::params::Model;
-use hearth_core::preset::PRESETS;
+use hearth_core::preset::Preset;
 use hearth_core::random::Random;
 use hearth_core::{Parameters, Simulation};
 use hearth_tests::sweep::crowd::Crowd;
@@ -119,7 +119,7 @@ fn visit_all(name: &str, kinds: &[Visit], each: u32, seed: u32) -> u32 {
 fn scenes() -> u32 {
     let mut failed = 0;
     println!("Scenes: particles at a guard, steps of particles in a second of the clock, its time");
-    for preset in PRESETS {
+    for preset in Preset::all() {
         let parameters = preset.parameters();
         let clock = MINUTE / f64::from(parameters.time_scale);
         let start = Instant::now();

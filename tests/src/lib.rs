@@ -17,8 +17,8 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 
 use hearth_core::params::{Input, PARAMETERS, Parameters};
-use hearth_core::preset::{PRESETS, Preset};
-use hearth_core::{Particle, Scene, Simulation, Vec2, Where};
+use hearth_core::preset::Preset;
+use hearth_core::{IgnitionTarget, Particle, Scene, Simulation, Vec2};
 
 /// Runs each case once, on as many threads as the machine has cores: the last test of a program
 /// would leave the others idle. A case that panics fails the test.
@@ -84,7 +84,9 @@ fn fingerprint_of(mut simulation: Simulation, steps: u32) -> u64 {
 /// The fingerprint of every preset, and of fires that take the ways that no
 /// preset takes, a line each: for comparison between platforms.
 pub fn fingerprints() -> String {
-    let presets = PRESETS.iter().map(|preset| (preset.name, preset.scene()));
+    let presets = Preset::all()
+        .iter()
+        .map(|preset| (preset.name, preset.scene()));
     let printed = PARAMETERS
         .iter()
         .filter(|param| param.id.starts_with("printed_"))
@@ -228,7 +230,7 @@ fn breaking() -> u64 {
         ("load", Input::Number(0.6)),
     ]);
     let mut fire = Simulation::new(scene);
-    let lit = fire.ignite(Where::Place(Vec2::new(0.0, 0.8), 0.07));
+    let lit = fire.ignite(IgnitionTarget::Place(Vec2::new(0.0, 0.8), 0.07));
     debug_assert!(added.is_ok() && lit.is_ok(), "{added:?} {lit:?}");
     let mut whole = fire.clone();
     for _ in 0..STEPS {
@@ -261,7 +263,7 @@ fn sprayed() -> u64 {
         debug_assert!(added.is_ok(), "{added:?}");
     }
     let mut fire = Simulation::new(scene);
-    let lit = fire.ignite(Where::Object(2));
+    let lit = fire.ignite(IgnitionTarget::Object(2));
     debug_assert_eq!(lit, Ok(()));
     for call in 0..STEPS / 10 {
         let across = 0.01 * (call % 60) as f32 - 0.3;
@@ -311,7 +313,7 @@ fn hinged() -> u64 {
         from = added.unwrap_or_default();
     }
     let mut fire = Simulation::new(scene);
-    let lit = fire.ignite(Where::Object(6));
+    let lit = fire.ignite(IgnitionTarget::Object(6));
     debug_assert_eq!(lit, Ok(()));
     let mut whole = fire.clone();
     for _ in 0..STEPS {

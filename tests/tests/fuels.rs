@@ -2,7 +2,7 @@
 //! equations.
 
 use hearth_core::params::{Input, Parameters};
-use hearth_core::{BurningSolid, BurningState, Scene, Simulation, Vec2, Where};
+use hearth_core::{BurningSolid, BurningState, IgnitionTarget, Scene, Simulation, Vec2};
 use hearth_tests::fires::{burn_on, closed_box, combustion, in_the_open, watch};
 
 /// The id of the solid.
@@ -56,7 +56,7 @@ fn strip(values: &[(&str, f64)], angle: f64, moisture: f64) -> Simulation {
 /// The share of a strip that has burnt so many seconds after it was lit at a place.
 fn spread(mut fire: Simulation, place: Vec2, seconds: f64) -> f64 {
     burn_on(&mut fire, 0.2);
-    assert_eq!(fire.ignite(Where::Place(place, 0.0)), Ok(()));
+    assert_eq!(fire.ignite(IgnitionTarget::Place(place, 0.0)), Ok(()));
     burn_on(&mut fire, seconds);
     let solid = solid(&fire);
     1.0 - solid.fuel / solid.first
@@ -89,7 +89,7 @@ fn what_a_solid_gives_off_is_what_it_loses() {
             within_a_percent(before.water, 0.08 * before.first),
             "{fuel}"
         );
-        assert_eq!(fire.ignite(Where::Object(ID)), Ok(()));
+        assert_eq!(fire.ignite(IgnitionTarget::Object(ID)), Ok(()));
         burn_on(&mut fire, 5.0);
         let after = solid(&fire);
         assert!(after.gas > 0.2 * after.first, "{fuel}: {after:?}");
@@ -116,7 +116,7 @@ fn the_gas_gets_the_fuel_and_the_heat_that_a_solid_loses() {
     let sum = |all: Vec<f32>| all.into_iter().map(f64::from).sum::<f64>();
     let heat = |fire: &Simulation| particle * sum(fire.temperatures());
     let before = heat(&fire);
-    assert_eq!(fire.ignite(Where::Object(ID)), Ok(()));
+    assert_eq!(fire.ignite(IgnitionTarget::Object(ID)), Ok(()));
     // The pilot heats gas beside the solid too.
     let piloted = heat(&fire) - before;
     let mut burnt = 0.0;
@@ -181,7 +181,7 @@ fn a_thick_solid_burns_longer_than_a_thin_one() {
     let half = |load: f64| {
         let numbers = [("y", 0.4), ("width", 0.4), ("height", 0.06), ("load", load)];
         let mut fire = Simulation::new(with_solid(open(&[]), "line", "wood", &numbers));
-        assert_eq!(fire.ignite(Where::Object(ID)), Ok(()));
+        assert_eq!(fire.ignite(IgnitionTarget::Object(ID)), Ok(()));
         while solid(&fire).fuel > 0.5 * solid(&fire).first && fire.time() < 8.0 {
             fire.step();
         }
@@ -209,7 +209,7 @@ fn a_burnt_solid_says_so_and_the_next_one_can_be_lit() {
     ];
     assert_eq!(scene.add(&other), Ok(3));
     let mut fire = Simulation::new(scene);
-    assert_eq!(fire.ignite(Where::Object(ID)), Ok(()));
+    assert_eq!(fire.ignite(IgnitionTarget::Object(ID)), Ok(()));
     burn_on(&mut fire, 1.0);
     assert_eq!(fire.fuel_total().map(|fuel| fuel.state), Some("burning"));
     burn_on(&mut fire, 4.0);
@@ -220,7 +220,7 @@ fn a_burnt_solid_says_so_and_the_next_one_can_be_lit() {
             .collect::<Vec<_>>()
     };
     assert_eq!(states(&fire), [BurningState::Burnt, BurningState::Unlit]);
-    assert_eq!(fire.ignite(Where::Object(3)), Ok(()));
+    assert_eq!(fire.ignite(IgnitionTarget::Object(3)), Ok(()));
     burn_on(&mut fire, 1.0);
     assert_eq!(states(&fire), [BurningState::Burnt, BurningState::Burning]);
     // Nothing is left where the paper was: gas goes through.
@@ -234,7 +234,7 @@ fn fire_goes_out_for_want_of_oxygen() {
     assert_eq!(settings.set("ember_rate", Input::Number(0.0)), Ok(()));
     let numbers = [("y", 0.3), ("width", 0.25), ("load", 20.0)];
     let mut fire = Simulation::new(with_solid(settings, "circle", "wood", &numbers));
-    assert_eq!(fire.ignite(Where::Object(ID)), Ok(()));
+    assert_eq!(fire.ignite(IgnitionTarget::Object(ID)), Ok(()));
     burn_on(&mut fire, 1.0);
     assert_eq!(solid(&fire).state, BurningState::Burning);
     burn_on(&mut fire, 30.0);
@@ -255,17 +255,17 @@ fn fire_goes_out_for_want_of_oxygen() {
 fn a_fire_that_is_put_out_stays_out_and_can_be_lit_again() {
     let numbers = [("y", 0.4), ("width", 0.3), ("height", 0.1), ("load", 8.0)];
     let mut fire = Simulation::new(with_solid(open(&[]), "box", "wood", &numbers));
-    assert_eq!(fire.ignite(Where::Object(ID)), Ok(()));
+    assert_eq!(fire.ignite(IgnitionTarget::Object(ID)), Ok(()));
     burn_on(&mut fire, 3.0);
     assert_eq!(solid(&fire).state, BurningState::Burning);
-    assert_eq!(fire.extinguish(Where::Object(ID)), Ok(()));
+    assert_eq!(fire.extinguish(IgnitionTarget::Object(ID)), Ok(()));
     burn_on(&mut fire, 3.0);
     assert_eq!(solid(&fire).state, BurningState::Out);
-    assert_eq!(fire.ignite(Where::Object(ID)), Ok(()));
+    assert_eq!(fire.ignite(IgnitionTarget::Object(ID)), Ok(()));
     burn_on(&mut fire, 1.0);
     assert_eq!(solid(&fire).state, BurningState::Burning);
     assert_eq!(
-        fire.extinguish(Where::Place(Vec2::new(0.0, 0.4), 1.0)),
+        fire.extinguish(IgnitionTarget::Place(Vec2::new(0.0, 0.4), 1.0)),
         Ok(())
     );
     burn_on(&mut fire, 3.0);
@@ -276,21 +276,21 @@ fn a_fire_that_is_put_out_stays_out_and_can_be_lit_again() {
 fn what_has_no_fuel_is_refused() {
     let mut fire = strip(&[], 0.0, 8.0);
     for at in [
-        Where::Object(1),
-        Where::Object(99),
-        Where::Place(Vec2::new(0.0, 2.0), 0.0),
-        Where::Place(Vec2::NAN, 0.1),
+        IgnitionTarget::Object(1),
+        IgnitionTarget::Object(99),
+        IgnitionTarget::Place(Vec2::new(0.0, 2.0), 0.0),
+        IgnitionTarget::Place(Vec2::NAN, 0.1),
     ] {
         assert!(fire.ignite(at).is_err(), "{at:?}");
     }
-    assert!(fire.extinguish(Where::Object(1)).is_err());
+    assert!(fire.extinguish(IgnitionTarget::Object(1)).is_err());
     let mut classic = Simulation::new(with_solid(
         hearth_tests::fires::with([]),
         "circle",
         "wood",
         &[],
     ));
-    assert!(classic.ignite(Where::Object(ID)).is_err());
+    assert!(classic.ignite(IgnitionTarget::Object(ID)).is_err());
     assert_eq!(classic.burning_solids(), []);
 }
 
@@ -300,7 +300,7 @@ fn the_same_seed_gives_the_same_bits_and_other_changes_keep_the_state() {
     let scene = with_solid(open(&[("ember_rate", 50.0)]), "line", "wood", &numbers);
     let mut fires = [Simulation::new(scene.clone()), Simulation::new(scene)];
     for fire in &mut fires {
-        assert_eq!(fire.ignite(Where::Object(ID)), Ok(()));
+        assert_eq!(fire.ignite(IgnitionTarget::Object(ID)), Ok(()));
         burn_on(fire, 2.0);
     }
     let [one, other] = &mut fires;

@@ -7,8 +7,7 @@ use std::path::Path;
 
 use hearth_bindings::{Untrusted, settings};
 use hearth_core::params::{Input, Model};
-use hearth_core::preset::{PRESETS, Preset};
-use hearth_core::scene::Kind;
+use hearth_core::preset::Preset;
 use hearth_core::{Parameters, Particle, Scene, Simulation};
 use hearth_tests::sweep;
 use serde_json::Value;
@@ -35,7 +34,7 @@ fn scene(name: &str) -> Parameters {
 fn every_scene_glows_is_stable_and_costs_little_more_than_twice_the_default() {
     let mut default_work = f64::INFINITY;
     // The default scene is the first.
-    for preset in PRESETS {
+    for preset in Preset::all() {
         let parameters = preset.parameters();
         let seconds = SECONDS * f64::from(parameters.time_scale);
         let has_soot = parameters.model() == Model::Combustion;
@@ -139,28 +138,13 @@ fn read(file: &Value) -> Scene {
     scene.unwrap_or_else(|errors| panic!("{errors:?}"))
 }
 
-/// The same settings in version 1, in which the parameters describe the source.
-fn in_version_1(file: &Value) -> Value {
-    let mut old = serde_json::json!({"hearth": 1, "values": file["values"]});
-    for (name, value) in file["objects"][0].as_object().into_iter().flatten() {
-        if let Some(property) = Kind::SOURCE.property(name) {
-            old["values"][property.id] = value.clone();
-        }
-    }
-    old
-}
-
 #[test]
-fn every_scene_file_is_its_preset_in_versions_1_and_2() {
+fn every_scene_file_is_its_preset() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
-    for preset in PRESETS {
+    for preset in Preset::all() {
         let text = fs::read_to_string(folder.join(format!("{}.json", preset.name)));
         let file: Value = serde_json::from_str(&text.expect("a file")).expect("JSON");
         assert_eq!(file["hearth"], 2, "{}", preset.name);
         assert_eq!(read(&file), preset.scene(), "{}", preset.name);
-        let old = in_version_1(&file);
-        // Version 1 has one source and no solids.
-        let expected = Scene::new(preset.parameters());
-        assert_eq!(read(&old), expected, "version 1 of {}", preset.name);
     }
 }

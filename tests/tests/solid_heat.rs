@@ -146,13 +146,8 @@ fn a_restored_solid_has_the_temperature_that_it_had() {
     assert_eq!(restored.restore_burning(&saved), Ok(()));
     assert_eq!(all(&restored), cooled);
 
-    // Bytes of the first version have no temperatures: the solids keep theirs.
-    let mut first = saved[..saved.len() - 8].to_vec();
-    first[4] = 1;
-    let mut restored = Simulation::new(hot.clone());
-    assert_eq!(restored.restore_burning(&first), Ok(()));
-    assert_eq!(all(&restored)[0].1, 900.0);
     // Damaged ones change nothing.
+    let mut restored = Simulation::new(hot.clone());
     let mut damaged = Vec::from([saved[..saved.len() - 4].to_vec(), saved.clone()]);
     damaged[1].truncate(saved.len() - 4);
     damaged[1].extend(f32::NAN.to_le_bytes());

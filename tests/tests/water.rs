@@ -5,7 +5,7 @@ mod fires;
 mod gas;
 
 use hearth_core::params::{Input, Parameters};
-use hearth_core::{Scene, Simulation, Sprayed, Vec2};
+use hearth_core::{Scene, Simulation, SprayTotals, Vec2};
 use hearth_tests::fires::{combustion, in_the_open, on_floor};
 
 /// The id of the solid.
@@ -37,7 +37,7 @@ fn log(values: &[(&str, f64)]) -> Simulation {
 }
 
 /// Where the water is.
-fn sprayed(fire: &Simulation) -> Sprayed {
+fn sprayed(fire: &Simulation) -> SprayTotals {
     fire.sprayed().unwrap_or_default()
 }
 

@@ -22,10 +22,10 @@ const OTHERS = {
 
 /** Settings that a fire might export, and hostile ones. */
 const CONFIGS = [
-  { hearth: 1, values: {} },
-  ...PRESETS.map(({ name }) => ({ hearth: 1, preset: name, values: {} })),
-  { hearth: 1, preset: 'seed', values: { model: 'combustion', max_particles: 3000 } },
-  { hearth: 1, values: Object.fromEntries(PARAMETERS.map((entry) => [entry.id, OTHERS[entry.kind](entry)])) },
+  { hearth: 2, values: {} },
+  ...PRESETS.map(({ name }) => ({ hearth: 2, preset: name, values: {} })),
+  { hearth: 2, preset: 'seed', values: { model: 'combustion', max_particles: 3000 } },
+  { hearth: 2, values: Object.fromEntries(PARAMETERS.map((entry) => [entry.id, OTHERS[entry.kind](entry)])) },
 ];
 const HOSTILE = '"\'><script>alert(1)</script>&amp;\u{1f525} \n=#?%00';
 
@@ -55,8 +55,8 @@ describe('an address', () => {
   });
 
   test('holds the scene and changed values by attribute names, and nothing else', () => {
-    assert.equal(toQuery({ hearth: 1, values: {} }), '');
-    const config = { hearth: 1, preset: 'seed', values: { viscosity: 0.02, max_particles: 400 } };
+    assert.equal(toQuery({ hearth: 2, values: {} }), '');
+    const config = { hearth: 2, preset: 'seed', values: { viscosity: 0.02, max_particles: 400 } };
     assert.equal(toQuery(config), 'scene=seed&viscosity=0.02&max-particles=400');
     assert.equal(
       pageLink(config, 'https://fire.example/a/?viscosity=9&paused&lang=de#there'),
@@ -65,7 +65,7 @@ describe('an address', () => {
   });
 
   test('is read with question mark or without, by ids too, and by the preset’s other name', () => {
-    const expected = { hearth: 1, preset: 'seed', values: { source_width: '0.3' } };
+    const expected = { hearth: 2, preset: 'seed', values: { source_width: '0.3' } };
     for (const search of [
       '?scene=seed&source-width=0.3',
       'preset=seed&source_width=0.3',
@@ -95,7 +95,7 @@ describe('an address', () => {
   });
 
   test('escapes every character', () => {
-    const config = { hearth: 1, preset: HOSTILE, values: { background: HOSTILE, 'a&b=c': HOSTILE } };
+    const config = { hearth: 2, preset: HOSTILE, values: { background: HOSTILE, 'a&b=c': HOSTILE } };
     const link = pageLink(config, EMBED);
     assert.match(link, /^[\w:/.?=&%+-]*$/);
     assert.deepEqual(fromQuery(new URL(link).search).config, config);
@@ -105,11 +105,11 @@ describe('an address', () => {
 describe('code to paste', () => {
   test('holds the script, and of each value its attribute', () => {
     const values = { model: 'classic', max_particles: 400, printed_kernel: true, printed_euler: false };
-    const code = elementCode({ hearth: 1, preset: 'seed', values }, SCRIPT);
+    const code = elementCode({ hearth: 2, preset: 'seed', values }, SCRIPT);
     assert.ok(code.startsWith(`<script type="module" src="${SCRIPT}"></script>\n`));
     const { style, ...attributes } = attributesOf(code, 'hearth-fire');
     assert.match(style, /width.*height/);
-    const element = elementCode({ hearth: 1, preset: 'seed', values });
+    const element = elementCode({ hearth: 2, preset: 'seed', values });
     assert.ok(element.startsWith('<hearth-fire ') && code.endsWith(`\n${element}`));
     assert.deepEqual(attributes, {
       preset: 'seed', model: 'classic', 'max-particles': '400', 'printed-kernel': '', 'printed-euler': 'false',
@@ -117,14 +117,14 @@ describe('code to paste', () => {
   });
 
   test('of an iframe holds the whole address', () => {
-    const config = { hearth: 1, preset: 'seed', values: { background: '#204060' } };
+    const config = { hearth: 2, preset: 'seed', values: { background: '#204060' } };
     const { src, width, height } = attributesOf(iframeCode(config, EMBED), 'iframe');
     assert.equal(src, pageLink(config, EMBED));
     assert.ok(Number(width) > 0 && Number(height) > 0);
   });
 
   test('escapes every character of a value', () => {
-    const config = { hearth: 1, preset: HOSTILE, values: { background: HOSTILE } };
+    const config = { hearth: 2, preset: HOSTILE, values: { background: HOSTILE } };
     const code = elementCode(config, `${SCRIPT}?${HOSTILE}`);
     const { preset, background } = attributesOf(code, 'hearth-fire');
     assert.deepEqual([preset, background], [HOSTILE, HOSTILE]);
@@ -137,7 +137,7 @@ describe('code to paste', () => {
   test('does not write unknown parameters into a page', () => {
     for (const name of ['onclick', 'viscosty', 'a b', 'style', '__proto__', 'constructor', '"><script>']) {
       const values = Object.fromEntries([[name, 'alert(1)']]);
-      const write = () => elementCode({ hearth: 1, values }, SCRIPT);
+      const write = () => elementCode({ hearth: 2, values }, SCRIPT);
       assert.throws(write, (error) => error instanceof RangeError && /not a parameter/.test(error.message));
     }
   });

@@ -14,7 +14,7 @@ export type HearthQuality = 'low' | 'medium' | 'high';
  */
 export interface HearthConfig {
   /** The version of the format. */
-  hearth?: 1 | 2;
+  hearth?: 2;
   /** The preset, unless it is the default one. */
   preset?: PresetName;
   values: Partial<HearthParameters>;

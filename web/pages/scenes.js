@@ -34,7 +34,7 @@ export function showStrip(parent, fire, first, warn) {
     image.src = new URL(`../scenes/${name}.jpg`, import.meta.url).href;
     tile.append(image);
     tile.addEventListener('click', () => {
-      fire.importConfig({ hearth: 1, preset: name, values: {} }).then(mark, (/** @type {Error} */ error) => warn(error.message));
+      fire.importConfig({ hearth: 2, preset: name, values: {} }).then(mark, (/** @type {Error} */ error) => warn(error.message));
     });
     tile.addEventListener('focus', () => focus(tile));
     tile.addEventListener('pointerenter', () => describe(label));

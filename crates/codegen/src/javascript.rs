@@ -7,7 +7,6 @@ use hearth_core::params::{Choice, DisplayMode, Domain, Kind, Model, PARAMETERS, 
 use hearth_core::scene::{self, KINDS, MAX_OBJECTS};
 use serde_json::{Map, Value, json};
 
-use super::rust::own_fields;
 use super::scene::Scene;
 use super::{attribute, domains, number, property};
 
@@ -192,15 +191,6 @@ fn of_object(param: &Param) -> Value {
     Value::Object(entry)
 }
 
-/// Fills in the fields of the objects before.
-const WHOLE: &str = "
-for (const objects of Object.values(OBJECTS)) {
-  for (const [at, own] of objects.entries()) {
-    if (!own.kind) objects[at] = { ...objects[at - 1], ...own };
-  }
-}
-";
-
 /// The data of a property that is no parameter.
 fn own_entry(param: &Param) -> Value {
     let mut entry = entry(param);
@@ -228,12 +218,12 @@ pub(super) fn scene_objects(scenes: &[Scene]) -> String {
     let kinds = constant(doc, "KINDS", OBJECT, kinds);
     let bodies = KINDS.iter().filter(|kind| kind.is_body);
     let bodies: Vec<_> = bodies.map(|kind| kind.name).collect();
-    let doc = "The fields of the objects of each preset besides its source. One without a kind has those of the one before it, too.\n \
+    let doc = "The fields of the objects of each preset besides its source.\n \
                * @type {{[preset: string]: {[name: string]: string | number | boolean}[]}}";
     let with_objects = scenes.iter().filter(|scene| !scene.objects.is_empty());
     let entries = with_objects.map(|scene| {
-        let objects = own_fields(&scene.objects);
-        let objects = objects.map(|own| own.into_iter().cloned().collect::<Map<_, _>>());
+        let objects = scene.objects.iter();
+        let objects = objects.map(|fields| fields.iter().cloned().collect::<Map<_, _>>());
         format!("'{}': {}", scene.name, json!(objects.collect::<Vec<_>>()))
     });
     let objects = constant(doc, "OBJECTS", OBJECT, entries);
@@ -244,7 +234,7 @@ pub(super) fn scene_objects(scenes: &[Scene]) -> String {
          export const MAX_OBJECTS = {MAX_OBJECTS};\n\n\
          /** The kinds of bodies, which gas flows around. */\n\
          export const BODIES = {};\n\
-         {kinds}{objects}{WHOLE}",
+         {kinds}{objects}",
         json!(bodies)
     )
 }

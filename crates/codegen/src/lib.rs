@@ -36,7 +36,7 @@ fn generate(checkout: &Path) -> Result<Vec<Generated>> {
     let scenes = scene::read_all(&checkout.join("scenes"))?;
     Ok(vec![
         (
-            "crates/hearth-core/src/preset/scenes.rs",
+            "crates/hearth-core/src/preset/scenes.txt",
             rust::table(&scenes),
         ),
         (

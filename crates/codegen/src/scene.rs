@@ -203,6 +203,11 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
         name != DEFAULT || values.is_empty() && objects.len() == 0,
         "the default scene has neither values nor solids: change the defaults in the table"
     );
+    let objects = objects.map(|mut object| {
+        // The table of presets begins an object with its kind.
+        object.sort_by_key(|(name, _)| name != "kind");
+        object
+    });
     let mut scene = Scene {
         name: name.to_owned(),
         label: file.label,

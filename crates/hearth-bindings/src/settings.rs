@@ -1,7 +1,7 @@
 //! Untrusted values and objects applied to a scene.
 
 use hearth_core::params::{IN_DOMAIN, Input, ParamError, Parameters};
-use hearth_core::preset::{PRESETS, Preset};
+use hearth_core::preset::Preset;
 use hearth_core::scene::{Object, Scene};
 use js_sys::Array;
 
@@ -245,7 +245,7 @@ fn of_object(error: &ParamError, sent: Values<'_>) -> ValidationError {
 /// There is no preset with this name. The message lists all.
 pub fn preset(name: &str) -> Result<&'static Preset, ValidationError> {
     Preset::find(name).ok_or_else(|| {
-        let mut names = PRESETS.iter().map(|preset| preset.name);
+        let mut names = Preset::all().iter().map(|preset| preset.name);
         one_of("preset", &Untrusted::Text(name.into()), &mut names)
     })
 }

@@ -25,6 +25,7 @@ use crate::particle::Particle;
 use crate::random::Random;
 use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
+use crate::simulation::burning::SavedFire;
 use crate::solids::Solids;
 use crate::solids::free::FreeBodies;
 use crate::solver::Solver;
@@ -33,11 +34,11 @@ pub use charred::{Charred, CharredSolid};
 use domain::Domain;
 pub(crate) use domain::bounds;
 use fuels::Fuels;
-pub use fuels::{BurningSolid, BurningState, FuelTotal, NoFuel, Where};
+pub use fuels::{BurningSolid, BurningState, FuelTotal, IgniteError, IgnitionTarget};
 pub(crate) use gas::Gas;
 use gas::pairs::Pairs;
-pub use gas::removed::Removed;
-use gas::resample::Discretisation;
+pub use gas::removed::RemovedGas;
+pub(crate) use gas::resample::Discretisation;
 pub(crate) use gas::time_step::sound_speed;
 use gas::time_step::{self, Motion};
 use obstacles::Obstacles;
@@ -47,7 +48,7 @@ pub use reaction::burner::Burner;
 pub use reaction::embers::Ember;
 use reaction::embers::Embers;
 use water::Water;
-pub use water::{Droplets, NoWater, Sprayed};
+pub use water::{Droplets, SprayError, SprayTotals};
 
 /// The errors for a number of particles that does not match the smoothing length, and for one
 /// that open air cannot hold.
@@ -120,31 +121,19 @@ impl Combustion {
         self.reserve(scene.settings());
     }
 
-    /// Continues from the particles and embers of a fire that was [`made_with`](Self::made_with)
-    /// this. If this fire's is different, the gas is resampled. The numbers of `bodies` are those of the
-    /// free solids.
-    #[allow(clippy::too_many_arguments)]
-    pub fn resume(
-        &mut self,
-        particles: &[Particle],
-        embers: Vec<Ember>,
-        bodies: &[f32],
-        made_with: u32,
-        scene: &Scene,
-        random: &mut Random,
-        time: f64,
-    ) {
+    /// Continues from a saved fire. If its discretisation is not this fire's, the gas is resampled.
+    pub fn resume(&mut self, saved: SavedFire<'_>, scene: &Scene, random: &mut Random, time: f64) {
         // A saved fire does not hold what solids with fuel have lost.
         self.fuels = None;
         // The solids first: the gas of the particles is around them.
         self.place_solids(scene, time);
-        self.resume_bodies(bodies);
-        self.set_particles(particles, scene.settings());
-        self.reaction.embers = Embers::of(embers);
-        self.domain.discretisation = Discretisation::made_with(made_with, scene.settings());
+        self.resume_bodies(saved.bodies);
+        self.set_particles(saved.particles, scene.settings());
+        self.reaction.embers = Embers::of(saved.embers);
+        self.domain.discretisation = saved.discretisation;
         self.adapt(scene, random, time);
         // A change of the scene wakes them.
-        self.resume_bodies(bodies);
+        self.resume_bodies(saved.bodies);
     }
 
     fn resume_bodies(&mut self, numbers: &[f32]) {
@@ -153,10 +142,9 @@ impl Combustion {
         }
     }
 
-    /// What a fire needs to be resampled besides its values: `max_particles` or, in open air, the
-    /// bits of the spacing.
-    pub fn made_with(&self) -> u32 {
-        self.domain.discretisation.as_number()
+    /// The division of the present gas into particles.
+    pub fn discretisation(&self) -> Discretisation {
+        self.domain.discretisation
     }
 
     /// Moves the solids to where they are in a scene at a time \[s\].

@@ -50,8 +50,8 @@ mod source;
 mod time_step;
 
 pub use combustion::{
-    Burner, BurningSolid, BurningState, Charred, CharredSolid, Droplets, Ember, FuelTotal, NoFuel,
-    NoWater, Removed, Sprayed, Where,
+    Burner, BurningSolid, BurningState, Charred, CharredSolid, Droplets, Ember, FuelTotal,
+    IgniteError, IgnitionTarget, RemovedGas, SprayError, SprayTotals,
 };
 pub use forces::{BodyForce, LocalGas};
 pub use glam::Vec2;

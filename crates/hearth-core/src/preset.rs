@@ -1,32 +1,12 @@
 //! Named sets of values: the scenes.
 //!
-//! Each is a file of `scenes/` in Hearth's repository. `cargo xtask codegen` generates the table
-//! of all of them, so this crate reads no file.
+//! Each is a file of `scenes/` in Hearth's repository. `cargo xtask codegen` writes a table of all
+//! of them, `preset/scenes.txt`, which this crate contains.
 
 mod definition;
 mod resolution;
-// Generated code.
-#[rustfmt::skip]
-mod scenes;
 
-pub use definition::{Caption, Preset};
-pub use scenes::{CAPTIONS, PRESETS};
-
-impl Preset {
-    /// The preset with this name.
-    pub fn find(name: &str) -> Option<&'static Preset> {
-        PRESETS.iter().find(|preset| preset.name == name)
-    }
-
-    /// Its label and description.
-    pub fn caption(&self) -> &'static Caption {
-        let at = PRESETS.iter().position(|preset| preset.name == self.name);
-        at.and_then(|at| CAPTIONS.get(at)).unwrap_or(&Caption {
-            label: "",
-            description: "",
-        })
-    }
-}
+pub use definition::Preset;
 
 #[cfg(test)]
 mod tests {
@@ -35,7 +15,7 @@ mod tests {
 
     #[test]
     fn every_value_of_every_preset_is_accepted_and_read_back() {
-        for preset in PRESETS {
+        for preset in Preset::all() {
             let mut parameters = Parameters::default();
             let set = parameters.set_all(preset.values());
             assert_eq!(set, Ok(()), "preset {}", preset.name);
@@ -58,16 +38,14 @@ mod tests {
 
     #[test]
     fn names_labels_and_descriptions_are_unique_and_the_default_is_first() {
-        assert_eq!(PRESETS[0].name, "default");
-        assert_eq!(PRESETS[0].parameters(), Parameters::default());
-        assert_eq!(PRESETS.len(), CAPTIONS.len());
-        for (at, preset) in PRESETS.iter().enumerate() {
-            let caption = preset.caption();
-            assert!(!caption.label.is_empty() && caption.description.ends_with('.'));
-            for other in &PRESETS[..at] {
+        assert_eq!(Preset::all()[0].name, "default");
+        assert_eq!(Preset::all()[0].parameters(), Parameters::default());
+        for (at, preset) in Preset::all().iter().enumerate() {
+            assert!(!preset.label.is_empty() && preset.description.ends_with('.'));
+            for other in &Preset::all()[..at] {
                 assert_ne!(other.name, preset.name);
-                assert_ne!(other.caption().label, caption.label);
-                assert_ne!(other.caption().description, caption.description);
+                assert_ne!(other.label, preset.label);
+                assert_ne!(other.description, preset.description);
                 assert_ne!(other.parameters(), preset.parameters());
             }
         }

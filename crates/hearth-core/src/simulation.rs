@@ -20,7 +20,6 @@ use crate::params::{DisplayMode, Edges, Floor, Input, Model, ParamError, Paramet
 use crate::particle::Particle;
 use crate::random::Random;
 use crate::scene::{Pose, Scene};
-use crate::solver::Solver;
 use model::AnySolver;
 
 pub use crate::particle::ParticleError;

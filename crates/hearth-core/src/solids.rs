@@ -260,7 +260,7 @@ impl Solids {
             }
         }
         if self.free.is_some() {
-            free::FreeBodies::feel(self, dt);
+            free::FreeBodies::apply_gas_forces(self, dt);
         }
     }
 

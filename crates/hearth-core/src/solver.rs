@@ -10,120 +10,67 @@ use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
 use crate::solids::Solids;
 
-/// Declares the trait, and implements it for [`Either`] by delegation: unlike those of a
-/// `dyn Solver`, its calls for each particle are inlined.
-macro_rules! solver {
-    (
-        &mut $this:ident { $(
-            $(#[$doc:meta])+
-            fn $write:ident($($in:ident: $in_type:ty),* $(,)?) $(-> $out:ty)?;
-        )+ }
-        &$me:ident { $(
-            $(#[$read_doc:meta])+
-            fn $read:ident($($arg:ident: $arg_type:ty),* $(,)?) $(-> $type:ty)?;
-        )+ }
-    ) => {
-        /// The gas of a model and its time step.
-        pub(crate) trait Solver { $(
-            $(#[$doc])+
-            fn $write(&mut $this, $($in: $in_type),*) $(-> $out)?;
-        )+ $(
-            $(#[$read_doc])+
-            fn $read(&$me, $($arg: $arg_type),*) $(-> $type)?;
-        )+ }
+/// The gas of a model and its time step.
+pub(crate) trait Solver {
+    /// Makes one step from `time`, with the force `user` besides the model's own. Returns
+    /// the length of the step \[s\].
+    fn step(
+        &mut self,
+        scene: &Scene,
+        random: &mut Random,
+        time: f64,
+        user: Option<&dyn BodyForce>,
+        on_stage: &mut dyn FnMut(Stage),
+    ) -> f64;
 
-        impl<A: Solver, B: Solver> Solver for Either<A, B> { $(
-            #[inline]
-            fn $write(&mut $this, $($in: $in_type),*) $(-> $out)? {
-                match $this {
-                    Either::Classic(solver) => solver.$write($($in),*),
-                    Either::Combustion(solver) => solver.$write($($in),*),
-                }
-            }
-        )+ $(
-            #[inline]
-            fn $read(&$me, $($arg: $arg_type),*) $(-> $type)? {
-                match $me {
-                    Either::Classic(solver) => solver.$read($($arg),*),
-                    Either::Combustion(solver) => solver.$read($($arg),*),
-                }
-            }
-        )+ }
-    };
-}
+    /// Applies changed values at `time`.
+    fn adapt(&mut self, scene: &Scene, random: &mut Random, time: f64);
 
-solver! {
-    &mut self {
-        /// Makes one step from `time`, with the force `user` besides the model's own. Returns
-        /// the length of the step \[s\].
-        fn step(
-            scene: &Scene,
-            random: &mut Random,
-            time: f64,
-            user: Option<&dyn BodyForce>,
-            on_stage: &mut dyn FnMut(Stage),
-        ) -> f64;
+    /// Replaces all particles.
+    fn set_particles(&mut self, particles: &[Particle], values: &Physics);
 
-        /// Applies changed values at `time`.
-        fn adapt(scene: &Scene, random: &mut Random, time: f64);
+    /// The rule that a number of particles breaks, if any.
+    fn broken_count_rule(&self, count: usize, values: &Physics) -> Option<&'static str>;
 
-        /// Replaces all particles.
-        fn set_particles(particles: &[Particle], values: &Physics);
-    }
+    /// The domain.
+    fn bounds(&self, values: &Physics) -> Bounds;
 
-    &self {
-        /// The rule that a number of particles breaks, if any.
-        fn broken_count_rule(count: usize, values: &Physics) -> Option<&'static str>;
+    /// The solids.
+    fn solids(&self) -> &Solids;
 
-        /// The domain.
-        fn bounds(values: &Physics) -> Bounds;
+    /// Speed of sound [m/s].
+    fn sound_speed(&self, scene: &Scene) -> f32;
 
-        /// The solids.
-        fn solids() -> &Solids;
+    /// Estimated length of the next step \[s\].
+    fn step_length(&self, scene: &Scene) -> f64;
 
-        /// Speed of sound [m/s].
-        fn sound_speed(scene: &Scene) -> f32;
+    /// A report of the last step.
+    fn report(&self, values: &Physics) -> StepReport;
 
-        /// Estimated length of the next step \[s\].
-        fn step_length(scene: &Scene) -> f64;
+    /// Number of particles.
+    fn count(&self) -> usize;
 
-        /// A report of the last step.
-        fn report(values: &Physics) -> StepReport;
+    /// Most particles for which a reader makes room at once.
+    fn capacity(&self, values: &Physics) -> usize;
 
-        /// Number of particles.
-        fn count() -> usize;
+    /// The indices of all particles in the order of their ids, the order of birth.
+    fn by_id(&self) -> Vec<usize>;
 
-        /// Most particles for which a reader makes room at once.
-        fn capacity(values: &Physics) -> usize;
+    /// The id of a particle.
+    fn id(&self, i: usize) -> u64;
 
-        /// The indices of all particles in the order of their ids, the order of birth.
-        fn by_id() -> Vec<usize>;
+    /// A particle at `time`.
+    fn particle(&self, i: usize, time: f64) -> Particle;
 
-        /// The id of a particle.
-        fn id(i: usize) -> u64;
+    /// Density of a particle [kg/m³], as the last step found it.
+    fn density(&self, i: usize) -> f32;
 
-        /// A particle at `time`.
-        fn particle(i: usize, time: f64) -> Particle;
+    /// Pressure of a particle \[Pa\], as the last step found it.
+    fn pressure(&self, i: usize) -> f32;
 
-        /// Density of a particle [kg/m³], as the last step found it.
-        fn density(i: usize) -> f32;
+    /// Copies out the particles that the display of the fire shows.
+    fn write_fire(&self, out: &mut Vec<Instance>);
 
-        /// Pressure of a particle \[Pa\], as the last step found it.
-        fn pressure(i: usize) -> f32;
-
-        /// Copies out the particles that the display of the fire shows.
-        fn write_fire(out: &mut Vec<Instance>);
-
-        /// A particle with the quantity of a display mode.
-        fn measured(i: usize, values: &Physics, mode: DisplayMode) -> Measured;
-    }
-}
-
-/// One of two solvers.
-// There is one value of this type, so its size does not matter.
-#[allow(clippy::large_enum_variant)]
-#[derive(Clone, Debug)]
-pub(crate) enum Either<A, B> {
-    Classic(A),
-    Combustion(B),
+    /// A particle with the quantity of a display mode.
+    fn measured(&self, i: usize, values: &Physics, mode: DisplayMode) -> Measured;
 }

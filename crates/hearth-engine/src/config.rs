@@ -6,18 +6,16 @@
 //! label and a description.
 //!
 //! `objects` is the whole list, and missing if it is the preset's. The first source
-//! holds its differences from the preset, other objects those from the defaults. Version 1 has
-//! no objects: its `values` hold the parameters of its one source, which version 2 also reads.
-//! The later of two values of one property wins.
+//! holds its differences from the preset, other objects those from the defaults. `values` may hold
+//! parameters of the first source, too: the later of two values of one property wins.
 //!
 //! `values` without `spacing` state the resolution of open air as the number of particles that would
-//! fill the frame, as files from before open air do: `max_particles` or, without it, that of the
-//! preset.
+//! fill the frame: `max_particles` or, without it, that of the preset.
 
 use hearth_bindings::settings::{self, OBJECTS};
 use hearth_bindings::{Argument, Check, Form, Untrusted, ValidationError, Values};
 use hearth_core::params::{Input, Model, PARAMETERS};
-use hearth_core::preset::PRESETS;
+use hearth_core::preset::Preset;
 use hearth_core::scene::Kind;
 
 use crate::requested::{COUNT, Requested, SPACING};
@@ -63,9 +61,9 @@ impl<'a> Config<'a> {
             }
         }
         let version = config.field("hearth");
-        if !version.is_missing() && ![1.0, f64::from(VERSION)].contains(&version.number()) {
-            let allowed = "1 or 2, the version of the format";
-            return Err(ValidationError::new("hearth", version, allowed));
+        if !version.is_missing() && version.number() != f64::from(VERSION) {
+            let allowed = format!("{VERSION}, the version of the format");
+            return Err(ValidationError::new("hearth", version, &allowed));
         }
         let values = config.field("values").fields();
         if let Some((id, value)) = values.iter().find(|(id, _)| id == OBJECTS) {
@@ -145,7 +143,7 @@ pub fn export(requested: &Requested) -> Untrusted {
         "hearth",
         Untrusted::Number(VERSION.into()),
     )];
-    if requested.preset != PRESETS[0].name {
+    if requested.preset != Preset::all()[0].name {
         let name = Untrusted::Text(requested.preset.to_owned());
         fields.push(Untrusted::named("preset", name));
     }

@@ -4,7 +4,7 @@
 //! returns whether to request another frame, so no loop runs while no fire has work.
 
 use hearth_bindings::{Untrusted, ValidationError, memory, panic, parts, settings};
-use hearth_core::{NoFuel, NoWater, Vec2, Where};
+use hearth_core::{IgniteError, IgnitionTarget, SprayError, Vec2};
 use js_sys::Set;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -192,13 +192,13 @@ fn light(
     y: f64,
 ) -> Result<(), Vec<ValidationError>> {
     let at = if radius < 0.0 {
-        Where::Object(place as u32)
+        IgnitionTarget::Object(place as u32)
     } else {
-        Where::Place(Vec2::new(place as f32, y as f32), radius as f32)
+        IgnitionTarget::Place(Vec2::new(place as f32, y as f32), radius as f32)
     };
     fire.light(lit, at).map_err(|_| {
         let place = Untrusted::Number(place);
-        vec![ValidationError::new("place", &place, NoFuel::ALLOWED)]
+        vec![ValidationError::new("place", &place, IgniteError::ALLOWED)]
     })
 }
 
@@ -208,7 +208,7 @@ fn spray(fire: &mut Fire, [x, y, u, v, grams]: [f64; 5]) -> Result<(), Vec<Valid
     let done = fire.spray(pair(x, y), pair(u, v), 1e-3 * grams as f32);
     done.map_err(|_| {
         let model = Untrusted::Text("classic".into());
-        vec![ValidationError::new("model", &model, NoWater::ALLOWED)]
+        vec![ValidationError::new("model", &model, SprayError::ALLOWED)]
     })
 }
 

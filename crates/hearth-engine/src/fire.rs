@@ -9,7 +9,9 @@ use glam::Vec2;
 use hearth_bindings::memory;
 use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
-use hearth_core::{Charred, Instance, NoFuel, NoWater, Parameters, Simulation, Where, burning};
+use hearth_core::{
+    Charred, IgniteError, IgnitionTarget, Instance, Parameters, Simulation, SprayError, burning,
+};
 use hearth_render::{Camera, Fit, Viewport};
 use js_sys::Float32Array;
 use wasm_bindgen::JsValue;
@@ -228,7 +230,7 @@ impl Fire {
     }
 
     /// Lights what is there, or puts it out.
-    pub fn light(&mut self, lit: bool, at: Where) -> Result<(), NoFuel> {
+    pub fn light(&mut self, lit: bool, at: IgnitionTarget) -> Result<(), IgniteError> {
         self.stale = true;
         let act = if lit {
             Simulation::ignite
@@ -239,7 +241,7 @@ impl Fire {
     }
 
     /// Sprays a mass of water [kg/m] from a position \[m\].
-    pub fn spray(&mut self, place: Vec2, velocity: Vec2, mass: f32) -> Result<(), NoWater> {
+    pub fn spray(&mut self, place: Vec2, velocity: Vec2, mass: f32) -> Result<(), SprayError> {
         self.stale = true;
         self.simulation.spray(place, velocity, mass)
     }

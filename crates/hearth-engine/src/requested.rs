@@ -5,7 +5,7 @@ mod change;
 
 use hearth_bindings::{ValidationError, settings};
 use hearth_core::params::{Input, Model};
-use hearth_core::preset::{PRESETS, Preset};
+use hearth_core::preset::Preset;
 use hearth_core::{Parameters, Scene, Simulation};
 
 use crate::pacing::particle_count::Resolution;
@@ -35,7 +35,7 @@ impl Default for Requested {
             scene: Scene::default(),
             count_overridden: false,
             spacing_overridden: false,
-            preset: PRESETS[0].name,
+            preset: Preset::all()[0].name,
         }
     }
 }
@@ -56,7 +56,7 @@ impl Requested {
 
     /// The preset.
     pub fn preset(&self) -> &'static Preset {
-        Preset::find(self.preset).unwrap_or(&PRESETS[0])
+        Preset::find(self.preset).unwrap_or(&Preset::all()[0])
     }
 
     /// The parameters.

@@ -1,7 +1,7 @@
 //! The facade is the core by another name.
 
 use hearth_fire::params::{Input, PARAMETERS};
-use hearth_fire::preset::PRESETS;
+use hearth_fire::preset::Preset;
 use hearth_fire::{Parameters, Simulation, Vec2};
 
 #[test]
@@ -20,7 +20,7 @@ fn a_fire_of_the_facade_burns_as_one_of_the_core() {
 #[test]
 fn parameters_and_scenes_are_within_reach() {
     assert!(PARAMETERS.iter().any(|param| param.id == "fuel_power"));
-    assert!(PRESETS.iter().any(|preset| preset.name == "campfire"));
+    assert!(Preset::all().iter().any(|preset| preset.name == "campfire"));
     let refused = Parameters::default().set("wind", Input::Number(99.0));
     assert!(refused.is_err());
 }

@@ -146,7 +146,7 @@ pub fn apply(ctx: &egui::Context) {
 mod tests {
     use super::*;
     use hearth_core::params::{DESCRIPTIONS, Kind, PARAMETERS};
-    use hearth_core::preset::{CAPTIONS, PRESETS};
+    use hearth_core::preset::Preset;
 
     #[test]
     fn the_font_has_every_character_of_the_parameter_table() {
@@ -157,12 +157,8 @@ mod tests {
                 texts.extend(names);
             }
         }
-        texts.extend(PRESETS.iter().map(|preset| preset.name));
-        texts.extend(
-            CAPTIONS
-                .iter()
-                .flat_map(|about| [about.label, about.description]),
-        );
+        let presets = Preset::all().iter();
+        texts.extend(presets.flat_map(|preset| [preset.name, preset.label, preset.description]));
 
         let ctx = egui::Context::default();
         apply(&ctx);

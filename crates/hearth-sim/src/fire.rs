@@ -3,7 +3,7 @@
 use hearth_bindings::{Record, Untrusted, ValidationError, memory, panic, parts, settings};
 use hearth_core::params::{PARAMETERS, Parameters};
 use hearth_core::simulation::ParticleError;
-use hearth_core::{NoFuel, NoWater, Scene, Simulation, Vec2, Where};
+use hearth_core::{IgniteError, IgnitionTarget, Scene, Simulation, SprayError, Vec2};
 use js_sys::{Array, Set};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
@@ -144,9 +144,9 @@ impl Fire {
     /// There is no fuel.
     pub fn light(&mut self, lit: bool, radius: f64, place: f64, y: f64) -> Result<(), JsValue> {
         let at = if radius < 0.0 {
-            Where::Object(place as u32)
+            IgnitionTarget::Object(place as u32)
         } else {
-            Where::Place(Vec2::new(place as f32, y as f32), radius as f32)
+            IgnitionTarget::Place(Vec2::new(place as f32, y as f32), radius as f32)
         };
         let act = if lit {
             Simulation::ignite
@@ -155,7 +155,7 @@ impl Fire {
         };
         act(&mut self.simulation, at).map_err(|_| {
             let place = Untrusted::Number(place);
-            let error = ValidationError::new("place", &place, NoFuel::ALLOWED);
+            let error = ValidationError::new("place", &place, IgniteError::ALLOWED);
             thrown(vec![error])
         })
     }
@@ -181,7 +181,7 @@ impl Fire {
         let done = self.simulation.spray(place, velocity, 1e-3 * grams);
         done.map_err(|_| {
             let model = Untrusted::Text("classic".into());
-            let error = ValidationError::new("model", &model, NoWater::ALLOWED);
+            let error = ValidationError::new("model", &model, SprayError::ALLOWED);
             thrown(vec![error])
         })
     }

@@ -70,7 +70,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     use anyhow::Context;
-    use hearth_core::preset::PRESETS;
+    use hearth_core::preset::Preset;
 
     use super::*;
 
@@ -78,7 +78,7 @@ mod tests {
     fn every_scene_has_a_thumbnail_and_every_thumbnail_a_scene() -> Result<()> {
         let folder = paths::root().join("web/scenes");
         let mut expected = BTreeSet::new();
-        for preset in PRESETS {
+        for preset in Preset::all() {
             let path = folder.join(format!("{}.jpg", preset.name));
             let missing = "run `cargo xtask thumbnails` and commit the picture";
             let jpeg = fs::read(&path).with_context(|| format!("{}: {missing}", preset.name))?;

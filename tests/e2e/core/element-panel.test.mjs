@@ -25,10 +25,10 @@ const sized = (width, height) => `style="width: ${width}px; height: ${height}px"
  * @param {number} width @param {number} height @param {object} [options]
  */
 async function openFire(width, height, options = {}) {
-  const tab = await browser.open(
-    `<input id="before"><hearth-fire controls ${sized(width, height)}></hearth-fire>
+  const tab = await browser.show(
+    `<input id="before"><hearth-fire controls max-pixels="30000" ${sized(width, height)}></hearth-fire>
     <input id="after"><div style="height: 2000px"></div>`,
-    { width: width + 40, height: height + 80, pixels: 30_000, ...options },
+    { width: width + 40, height: height + 80, ...options },
   );
   await tab.ready();
   return { tab, panel: await new Panel(tab, { inside: true }).mounted() };
@@ -94,7 +94,7 @@ describe('its place', () => {
   });
 
   test('is folded away from the start where there is hardly room', async () => {
-    const tab = await browser.open(`<hearth-fire controls ${sized(200, 200)}></hearth-fire>`);
+    const tab = await browser.show(`<hearth-fire controls ${sized(200, 200)}></hearth-fire>`);
     const panel = new Panel(tab, { inside: true });
     await panel.until('the button', (root) => root.querySelector('.hearth-fold'));
     assert.equal((await layout(panel)).fire.height, 200);
@@ -153,7 +153,7 @@ describe('under hand and keys', () => {
   });
 
   test('the focus does not move when the panel loads, and Tab passes through it', async () => {
-    const tab = await browser.open(
+    const tab = await browser.show(
       `<input id="before"><hearth-fire ${sized(400, 500)}></hearth-fire><input id="after">`,
       { width: 440, height: 580 },
     );
@@ -232,7 +232,7 @@ describe('under hand and keys', () => {
 describe('on a page', () => {
   test('two panels move each its own fire and undo each its own steps', async () => {
     const fire = `<hearth-fire controls max-particles="1000" ${sized(340, 420)}></hearth-fire>`;
-    const tab = await browser.open(`<div style="display: flex; gap: 10px">${fire}${fire}</div>`, {
+    const tab = await browser.show(`<div style="display: flex; gap: 10px">${fire}${fire}</div>`, {
       width: 720, height: 440,
     });
     const values = () => tab.evaluate(() => [...document.querySelectorAll('hearth-fire')].map(

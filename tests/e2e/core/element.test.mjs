@@ -21,7 +21,7 @@ const FIRE = '<hearth-fire id="fire"></hearth-fire>';
 
 for (const [about, style] of [['of no size', 'width: 0; height: 0'], ['that is not displayed', 'display: none']]) {
   test(`a fire ${about} breaks nothing and burns once it is shown`, async () => {
-    const tab = await browser.open(`<hearth-fire style="${style}"></hearth-fire>`);
+    const tab = await browser.show(`<hearth-fire style="${style}"></hearth-fire>`);
     await tab.ready();
     await tab.frames(5);
     await tab.fire((fire) => fire.removeAttribute('style'));
@@ -32,13 +32,13 @@ for (const [about, style] of [['of no size', 'width: 0; height: 0'], ['that is n
 }
 
 test('a fire longer than any canvas may be burns all the same', async () => {
-  const tab = await browser.open('<hearth-fire style="width: 20000px; height: 40px"></hearth-fire>');
+  const tab = await browser.show('<hearth-fire style="width: 20000px; height: 40px"></hearth-fire>');
   await tab.burnt(0.2);
   assert.deepEqual(tab.problems, []);
 });
 
 test('calls to a removed fire take effect when it is inserted again', async () => {
-  const tab = await browser.open(FIRE);
+  const tab = await browser.show(FIRE);
   await tab.ready();
   const seen = await tab.fire(async (fire) => {
     const wait = async () => { for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame); };
@@ -100,7 +100,7 @@ test('a fire that is destroyed while it reconnects is destroyed with its predece
 });
 
 test('a fire that is moved in the document burns on', async () => {
-  const tab = await browser.open(`${FIRE}<section></section>`);
+  const tab = await browser.show(`${FIRE}<section></section>`);
   await tab.burnt(0.5);
   await tab.fire((fire) => {
     for (const parent of ['section', 'body', 'section']) {
@@ -135,7 +135,7 @@ test('the drawing follows the size of the element', async () => {
 
 for (const model of ['classic', 'combustion']) {
   test(`in the ${model} model every attribute sets its value, and without it the default is back`, async () => {
-    const tab = await browser.open(`<hearth-fire paused model="${model}"></hearth-fire>`);
+    const tab = await browser.show(`<hearth-fire paused model="${model}"></hearth-fire>`);
     await tab.ready();
     const wanted = PARAMETERS.filter(({ id }) => id !== 'model').map((one) => anotherValue(one, model));
     await tab.fire((fire, changes) => {
@@ -172,7 +172,7 @@ function anotherValue(one, model) {
 }
 
 test('properties set before the element exists are kept', async () => {
-  const tab = await browser.open(`${FIRE}<script>
+  const tab = await browser.show(`${FIRE}<script>
     fire.viscosity = 0.03;
     fire.seed = 7;
   </script>`);
@@ -182,7 +182,7 @@ test('properties set before the element exists are kept', async () => {
 });
 
 test('a preset brings its values, and the defaults for all others', async () => {
-  const tab = await browser.open('<hearth-fire preset="seed"></hearth-fire>');
+  const tab = await browser.show('<hearth-fire preset="seed"></hearth-fire>');
   await tab.ready();
   const seed = PRESETS.find(({ name }) => name === 'seed').values;
   assert.deepEqual(await tab.fire((fire) => fire.params), { ...defaultsOf(seed.model), ...seed });
@@ -202,7 +202,7 @@ test('a preset brings its values, and the defaults for all others', async () => 
 });
 
 test('restoring everything leaves no preset, restoring one value leaves it', async () => {
-  const tab = await browser.open(recording('<hearth-fire preset="seed"></hearth-fire>'));
+  const tab = await browser.show(recording('<hearth-fire preset="seed"></hearth-fire>'));
   await tab.ready();
   await tab.fire((fire) => fire.restore('walls'));
   assert.equal(await tab.fire((fire) => fire.preset), 'seed');
@@ -215,7 +215,7 @@ test('restoring everything leaves no preset, restoring one value leaves it', asy
 });
 
 test('a change is reported with its value', async () => {
-  const tab = await browser.open(recording(FIRE));
+  const tab = await browser.show(recording(FIRE));
   await tab.ready();
   await tab.fire((fire) => fire.set('viscosity', 0.02));
   await tab.fire((fire) => fire.restore('viscosity'));
@@ -227,7 +227,7 @@ test('a change is reported with its value', async () => {
 });
 
 test('pause and reset are reported by events and statistics', async () => {
-  const tab = await browser.open(recording('<hearth-fire model="classic"></hearth-fire>'));
+  const tab = await browser.show(recording('<hearth-fire model="classic"></hearth-fire>'));
   await tab.burnt(0.3);
   await tab.fire((fire) => fire.pause());
   assert.equal(await tab.fire((fire) => fire.paused), true);
@@ -243,7 +243,7 @@ test('pause and reset are reported by events and statistics', async () => {
 });
 
 test('a paused fire makes no steps until it plays', async () => {
-  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
   await tab.ready();
   assert.equal(await tab.fire((fire) => fire.paused), true);
   await assertStands(tab);
@@ -272,7 +272,7 @@ test('with reduced motion a still picture of the fire has a play button', async 
 });
 
 test('the accessibility tree has the text alternative', async () => {
-  const tab = await browser.open('<hearth-fire alt="A camp fire"></hearth-fire>');
+  const tab = await browser.show('<hearth-fire alt="A camp fire"></hearth-fire>');
   await tab.ready();
   const tree = await tab.page.accessibility.snapshot({ interestingOnly: false });
   assert.match(JSON.stringify(tree), /"A camp fire"/);

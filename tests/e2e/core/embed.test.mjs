@@ -18,7 +18,7 @@ after(() => fixture?.close());
 
 describe('a fire in an iframe', () => {
   test('is the one of its address, and fills its frame', async () => {
-    const query = { scene: 'seed', viscosity: '0.02', quality: 'low', 'max_particles': '300' };
+    const query = { scene: 'seed', viscosity: '0.02', quality: 'low', 'max_particles': '300', paused: '', alt: 'Embers' };
     const tab = await fixture.burning(query);
     const { value: params } = await call(tab, 'params');
     const scene = { ...defaultsOf('classic'), ...PRESETS.find(({ name }) => name === 'seed').values };
@@ -27,16 +27,11 @@ describe('a fire in an iframe', () => {
     }
     const size = await inIframe(tab, (fire) => {
       const { width, height } = fire.getBoundingClientRect();
-      return { width, height, quality: fire.quality };
+      const { quality, paused, alt, stats } = fire;
+      return { width, height, quality, paused, alt, time: stats?.time ?? 0 };
     });
-    assert.deepEqual(size, { width: 240, height: 240, quality: 'low' });
+    assert.deepEqual(size, { width: 240, height: 240, quality: 'low', paused: true, alt: 'Embers', time: 0 });
     assert.deepEqual(tab.problems, []);
-  });
-
-  test('is paused and has a text alternative, if its address sets them', async () => {
-    const tab = await fixture.burning({ paused: '', alt: 'Embers' });
-    const seen = await inIframe(tab, (fire) => ({ paused: fire.paused, alt: fire.alt, time: fire.stats?.time ?? 0 }));
-    assert.deepEqual(seen, { paused: true, alt: 'Embers', time: 0 });
   });
 
   test('rejects a bad value with a warning and burns with the others', async () => {
@@ -50,17 +45,19 @@ describe('a fire in an iframe', () => {
     assert.ok(tab.problems.every((problem) => problem.startsWith('console.warn')), said);
   });
 
-  test('burns alone in a window too', async () => {
+  test('burns alone in a window too, accepts every attribute but those that fetch a file, and runs no other script or style', async () => {
     const tab = await fixture.browser.open('web/embed.html?seed=7', { width: 300, height: 200 });
     await tab.burnt(0.3);
     assert.deepEqual(await tab.rectangle('hearth-fire'), { x: 0, y: 0, width: 300, height: 200 });
     assert.deepEqual(tab.problems, []);
-  });
-
-  test('runs no script and no style but its own, and parses no HTML', async () => {
-    const tab = await fixture.browser.open('web/embed.html');
-    await tab.burnt(0.1);
-    assert.deepEqual(tab.problems, []);
+    const { options, attributes } = await tab.evaluate(async () => {
+      const load = (/** @type {string} */ url) => import(url);
+      const { observedAttributes } = /** @type {any} */ (customElements.get('hearth-fire'));
+      return { options: (await load('/web/pages/url-parameters.js')).OPTIONS, attributes: observedAttributes };
+    });
+    const parameters = Object.values(entry).map(({ attribute }) => attribute);
+    const own = attributes.filter((name) => !parameters.includes(name) && name !== 'preset');
+    assert.deepEqual([...options, 'poster', 'src'].sort(), own.sort());
     const seen = await tab.evaluate(() => {
       let parsed = true;
       try {
@@ -79,18 +76,6 @@ describe('a fire in an iframe', () => {
     assert.deepEqual(seen, { parsed: false, ran: false, styled: false });
   });
 
-  test('accepts every attribute of the element in its address, except those that fetch a file', async () => {
-    const tab = await fixture.browser.open('web/embed.html?paused');
-    const { options, attributes } = await tab.evaluate(async () => {
-      const load = (/** @type {string} */ url) => import(url);
-      const { observedAttributes } = /** @type {any} */ (customElements.get('hearth-fire'));
-      return { options: (await load('/web/pages/url-parameters.js')).OPTIONS, attributes: observedAttributes };
-    });
-    const parameters = Object.values(entry).map(({ attribute }) => attribute);
-    const own = attributes.filter((name) => !parameters.includes(name) && name !== 'preset');
-    assert.deepEqual([...options, 'poster', 'src'].sort(), own.sort());
-  });
-
   // Where page, iframe and fire are of different colour schemes, the browser would
   // give the fire an opaque ground.
   for (const [about, page, frame, query] of [
@@ -100,19 +85,19 @@ describe('a fire in an iframe', () => {
     ['a dark one if the address says so', 'dark', '', { 'color-scheme': 'dark' }],
     ['one of both schemes if the address says so', 'light dark', '', { 'color-scheme': 'auto' }],
   ]) {
-    for (const wanted of ['light', 'dark']) {
-      test(`is transparent in ${about}, with the preference ${wanted}`, async () => {
-        const style = `body { background: rgb(0, 96, 160) }
-          ${page && `:root { color-scheme: ${page} }`} ${frame && `iframe { color-scheme: ${frame} }`}`;
-        const tab = await fixture.open({ allow: fixture.pageOrigin, paused: '', ...query }, { style, draws: true });
+    test(`is transparent in ${about}, with either preference`, async () => {
+      const style = `body { background: rgb(0, 96, 160) }
+        ${page && `:root { color-scheme: ${page} }`} ${frame && `iframe { color-scheme: ${frame} }`}`;
+      const tab = await fixture.open({ allow: fixture.pageOrigin, paused: '', ...query }, { style, draws: true });
+      await received(tab, 'ready');
+      for (const wanted of ['light', 'dark']) {
         await tab.page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: wanted }]);
-        await received(tab, 'ready');
         await tab.frames(4);
         const upper = (await tab.picture(await tab.rectangle('iframe'))).part(0, 0, 1, 0.5);
         const shown = upper.share((r, g, b) => r < 6 && Math.abs(g - 96) < 6 && Math.abs(b - 160) < 6);
-        assert.ok(shown > 0.99, `${shown} of the frame shows the page`);
-      });
-    }
+        assert.ok(shown > 0.99, `${shown} of the frame shows the page with the preference ${wanted}`);
+      }
+    });
   }
 
   test('reports why it cannot burn, in its frame and to the embedding page', async () => {

@@ -34,7 +34,7 @@ function refusal(tab, act, given) {
 }
 
 test('a fire has one source, which its parameters describe', async () => {
-  const tab = await browser.open('<hearth-fire source-x="0.1" paused></hearth-fire>');
+  const tab = await browser.show('<hearth-fire source-x="0.1" paused></hearth-fire>');
   await tab.ready();
   const [source, ...others] = await tab.fire((fire) => fire.objects);
   assert.deepEqual([others.length, source.kind, source.id, source.x], [0, 'source', 1, 0.1]);
@@ -45,7 +45,7 @@ test('a fire has one source, which its parameters describe', async () => {
 });
 
 test('objects are added, changed and removed, and each change is reported once', async () => {
-  const tab = await browser.open(recording('<hearth-fire paused></hearth-fire>'));
+  const tab = await browser.show(recording('<hearth-fire paused></hearth-fire>'));
   await tab.ready();
   const ids = await tab.fire(async (fire) => [
     await fire.addObject({ kind: 'source', x: 0.3 }), await fire.addObject({ kind: 'source', id: 7 }),
@@ -71,7 +71,7 @@ test('objects are added, changed and removed, and each change is reported once',
 });
 
 test('an invalid object is rejected with its mistake, and nothing changes', async () => {
-  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
   await tab.ready();
   const wrong = [
     [(fire) => fire.addObject({ kind: 'stone' }), 'objects[1].kind', /it must be source or solid/],
@@ -100,7 +100,7 @@ test('an invalid object is rejected with its mistake, and nothing changes', asyn
 });
 
 test('the attribute holds objects as JSON, and bad JSON is rejected with a message', async () => {
-  const tab = await browser.open(`<hearth-fire paused objects='${JSON.stringify(TWO)}'></hearth-fire>`);
+  const tab = await browser.show(`<hearth-fire paused objects='${JSON.stringify(TWO)}'></hearth-fire>`);
   await tab.ready();
   assert.deepEqual(await places(tab), { 1: -0.3, 7: 0.3 });
   await tab.fire((fire) => fire.setAttribute('objects', '[{"kind": "source"'));
@@ -114,14 +114,14 @@ test('the attribute holds objects as JSON, and bad JSON is rejected with a messa
 });
 
 test('objects go with settings, and come back when the element does', async () => {
-  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
   await tab.ready();
   await tab.fire((fire, objects) => fire.set({ objects, wind: 1 }), TWO);
   const config = await tab.fire((fire) => fire.exportConfig());
   assert.deepEqual(config, { hearth: 2, values: { wind: 1 }, objects: TWO });
   await destroyedAndBack(tab);
   assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), config);
-  await tab.fire((fire) => fire.importConfig({ hearth: 1, values: { source_x: 0.1 } }));
+  await tab.fire((fire) => fire.importConfig({ hearth: 2, values: { source_x: 0.1 } }));
   assert.deepEqual(await places(tab), { 1: 0.1 });
   await tab.fire((fire, config) => fire.importConfig(JSON.stringify(config)), config);
   assert.deepEqual(await places(tab), { 1: -0.3, 7: 0.3 });
@@ -134,7 +134,7 @@ test('names and objects that are off go with settings and addresses', async () =
     { kind: 'source', name: 'Wick', enabled: false }, { kind: 'source', x: 0.3, name: 'Über, "quoted"' },
     { kind: 'solid', name: 'Back log', enabled: false },
   ];
-  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
   await tab.ready();
   await tab.fire((fire, objects) => fire.set({ objects }), objects);
   const config = await tab.fire((fire) => fire.exportConfig());
@@ -150,7 +150,7 @@ test('names and objects that are off go with settings and addresses', async () =
 });
 
 test('a child has a name and is off as its attributes say', async () => {
-  const tab = await browser.open(`<hearth-fire paused>
+  const tab = await browser.show(`<hearth-fire paused>
     <hearth-source name="Wick" enabled="false"></hearth-source><hearth-solid name="Wax"></hearth-solid>
   </hearth-fire>`);
   await tab.ready();
@@ -171,7 +171,7 @@ test('a child has a name and is off as its attributes say', async () => {
 
 test('every source is seen to burn', async () => {
   const objects = [{ kind: 'source', x: -0.35, width: 0.15 }, { kind: 'source', x: 0.35, width: 0.15 }];
-  const tab = await browser.open(
+  const tab = await browser.show(
     `<hearth-fire autoplay="false" max-pixels="40000" ember-rate="0" objects='${JSON.stringify(objects)}'
       style="width: 400px; height: 600px"></hearth-fire>`,
     { draws: true },

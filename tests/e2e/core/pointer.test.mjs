@@ -39,7 +39,7 @@ const embers = (tab, count) => tab.until(
 );
 
 test('a pointer stirs only an interactive fire, and more while it is pressed', async () => {
-  const tab = await browser.open('<hearth-fire paused model="classic" quality="low" seed="3"></hearth-fire>', { draws: true });
+  const tab = await browser.show('<hearth-fire paused model="classic" quality="low" seed="3"></hearth-fire>', { draws: true });
   await tab.ready();
   // Each way of the pointer takes 50 ms and is followed by as much fire.
   const swept = async (buttons) => {
@@ -82,7 +82,7 @@ test('a pointer stirs only an interactive fire, and more while it is pressed', a
 });
 
 test('a click throws sparks at its place, and a drag throws none', async () => {
-  const tab = await browser.open(`<hearth-fire ${CALM} fuel-power="0"></hearth-fire>`, { draws: true });
+  const tab = await browser.show(`<hearth-fire ${CALM} fuel-power="0"></hearth-fire>`, { draws: true });
   await listens(tab);
   await tab.fire((fire) => fire.step(4));
   const before = (await tab.firePicture()).glowing();
@@ -102,7 +102,7 @@ test('a click throws sparks at its place, and a drag throws none', async () => {
 
 for (const style of ['', 'transform: scale(0.6); transform-origin: 0 0']) {
   test(`a drag on the source moves it ${style && 'in a scaled element'}`, async () => {
-    const tab = await browser.open(`<div style="${style}">${recording(`<hearth-fire ${CALM}></hearth-fire>`)}</div>`);
+    const tab = await browser.show(`<div style="${style}">${recording(`<hearth-fire ${CALM}></hearth-fire>`)}</div>`);
     await listens(tab);
     await tab.fire((fire) => fire.step(4));
     const cursor = () => tab.fire((fire) => getComputedStyle(fire.shadowRoot.querySelector('canvas')).cursor);
@@ -132,7 +132,7 @@ for (const style of ['', 'transform: scale(0.6); transform-origin: 0 0']) {
 }
 
 test('a drag of a campfire moves its logs and stones with it, and nothing else', async () => {
-  const tab = await browser.open(recording('<hearth-fire preset="fireside" warm interactive ember-rate="0" style="width: 400px"></hearth-fire>'));
+  const tab = await browser.show(recording('<hearth-fire preset="fireside" warm interactive ember-rate="0" style="width: 400px"></hearth-fire>'));
   await listens(tab);
   await tab.fire(async (fire) => {
     await fire.addObject({ kind: 'solid', shape: 'box', x: 0.3, y: 0.9, width: 0.1, height: 0.1 });
@@ -177,7 +177,7 @@ test('a drag of a campfire moves its logs and stones with it, and nothing else',
 });
 
 test('a drag on a source that is on a solid moves the solid', async () => {
-  const tab = await browser.open(recording(`<hearth-fire ${CALM}></hearth-fire>`));
+  const tab = await browser.show(recording(`<hearth-fire ${CALM}></hearth-fire>`));
   await listens(tab);
   const id = await tab.fire(async (fire) => {
     const solid = await fire.addObject({ kind: 'solid', shape: 'box', x: 0.1, y: 0.8, width: 0.5, height: 0.05, angle: 90 });
@@ -228,7 +228,7 @@ test('a finger moves the source across, and scrolls the page up and down from it
 });
 
 test('a mouse drag from the fire selects text, and one from its source does not', async () => {
-  const tab = await browser.open(`<hearth-fire ${CALM}></hearth-fire><p style="margin: 0">These words may be selected.</p>`);
+  const tab = await browser.show(`<hearth-fire ${CALM}></hearth-fire><p style="margin: 0">These words may be selected.</p>`);
   await listens(tab);
   await tab.fire((fire) => fire.step(4));
   const words = await tab.rectangle('p');
@@ -241,7 +241,7 @@ test('a mouse drag from the fire selects text, and one from its source does not'
 });
 
 test('`stir` and `sparks` act on the fire, and invalid arguments are rejected', async () => {
-  const tab = await browser.open('<hearth-fire paused ember-rate="0"></hearth-fire>');
+  const tab = await browser.show('<hearth-fire paused ember-rate="0"></hearth-fire>');
   await tab.ready();
   await tab.fire((fire) => fire.stir(0.1, 0.5, 3, 0));
   await tab.fire((fire) => fire.sparks(0.1, 0.8));

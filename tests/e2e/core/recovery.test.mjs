@@ -95,7 +95,7 @@ test('a context that is lost again during its restoration is restored in the end
 });
 
 test('an unused engine ends, even if its fire never started', async () => {
-  const tab = await browser.open('<p>Nothing yet</p>');
+  const tab = await browser.show('<p>Nothing yet</p>');
   const living = await tab.evaluate(async () => {
     const { driver } = /** @type {any} */ (window);
     const fire = document.createElement('hearth-fire');
@@ -145,7 +145,7 @@ test('an engine that ends while a fire waits for its file is followed by another
 });
 
 test('a preset counts for a fire that is taken off and put back while it loads', async () => {
-  const tab = await browser.open('<p>Nothing yet</p>');
+  const tab = await browser.show('<p>Nothing yet</p>');
   const seen = await tab.evaluate(async () => {
     const fire = /** @type {any} */ (document.createElement('hearth-fire'));
     fire.setAttribute('preset', 'seed');
@@ -198,7 +198,7 @@ test('with reduced motion a fire is paused again when it is inserted again, and 
 });
 
 test('a fire that moves to another document keeps its styles and burns', async () => {
-  const tab = await browser.open(`${FIRE}<iframe style="width: 240px; height: 240px; border: 0"></iframe>`);
+  const tab = await browser.show(`${FIRE}<iframe style="width: 240px; height: 240px; border: 0"></iframe>`);
   await tab.burnt(0.3);
   const looks = await tab.evaluate(async () => {
     const fire = /** @type {any} */ (document.querySelector('#fire'));
@@ -249,7 +249,7 @@ test('a page of trusted types has its fire', async () => {
 });
 
 test('no pointer event causes an error', async () => {
-  const tab = await browser.open(recording('<hearth-fire interactive></hearth-fire>'));
+  const tab = await browser.show(recording('<hearth-fire interactive></hearth-fire>'));
   await tab.burnt(0.2);
   await tab.fire((fire) => {
     for (let at = 0; at < 40; at += 1) {
@@ -262,7 +262,7 @@ test('no pointer event causes an error', async () => {
 });
 
 test('a lazy fire that becomes eager loads', async () => {
-  const tab = await browser.open('<div style="height: 3000px"></div><hearth-fire loading="lazy"></hearth-fire>');
+  const tab = await browser.show('<div style="height: 3000px"></div><hearth-fire loading="lazy"></hearth-fire>');
   await tab.frames(10);
   await tab.fire((fire) => {
     fire.loading = 'eager';
@@ -271,7 +271,7 @@ test('a lazy fire that becomes eager loads', async () => {
 });
 
 test('a rejected preset is not reported as the current one', async () => {
-  const tab = await browser.open('<hearth-fire paused preset="seed"></hearth-fire>');
+  const tab = await browser.show('<hearth-fire paused preset="seed"></hearth-fire>');
   await tab.ready();
   await tab.fire((fire) => {
     fire.preset = 'sead';
@@ -281,7 +281,7 @@ test('a rejected preset is not reported as the current one', async () => {
 });
 
 test('repeated calls to a fire out of sight do not fill memory', async () => {
-  const tab = await browser.open('<p>Nothing yet</p>');
+  const tab = await browser.show('<p>Nothing yet</p>');
   const seen = await tab.evaluate(async () => {
     const fire = /** @type {any} */ (document.createElement('hearth-fire'));
     let settled = 0;

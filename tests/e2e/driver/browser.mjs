@@ -140,6 +140,32 @@ export class Browser {
     return tab;
   }
 
+  /**
+   * Shows another body in the page of the last call, whose code is loaded already. Its fires are destroyed first. The
+   * first call opens a page, as does one with other options, after `open`, or after a loss of contexts.
+   * @param {string} body
+   * @param {object} [options]  As of {@link open}.
+   * @param {number} [options.width]
+   * @param {number} [options.height]
+   * @param {boolean} [options.draws]
+   * @param {() => void} [options.before]  Runs once, in the page that `show` opens.
+   * @param {{[name: string]: import('../server.mjs').Instead}} [options.files]
+   * @returns {Promise<PuppeteerTab>}
+   */
+  async show(body, { files = {}, ...options } = {}) {
+    const wanted = JSON.stringify({ ...options, before: String(options.before) });
+    if (!this.tab || this.tab.shows !== wanted) {
+      const tab = await this.open(body, { ...options, files });
+      tab.shows = wanted;
+      return tab;
+    }
+    const { tab } = this;
+    this.server.replace(files);
+    await tab.evaluate(replaceBody, body);
+    tab.problems.length = 0;
+    return tab;
+  }
+
   async close() {
     await this.engine.close();
     await this.server.close();
@@ -155,6 +181,23 @@ function forgetOnce() {
   } catch {
     // Without access to storage nothing is kept.
   }
+}
+
+/**
+ * Runs in the page: replaces the body, and waits until its fires are defined and its modules have run.
+ * @param {string} body
+ */
+async function replaceBody(body) {
+  const fires = /** @type {any[]} */ ([...document.querySelectorAll('hearth-fire')]);
+  document.body.replaceChildren();
+  await Promise.all(fires.map((fire) => fire.destroy()));
+  localStorage.clear();
+  scrollTo(0, 0);
+  const fragment = document.createRange().createContextualFragment(body);
+  const modules = /** @type {HTMLScriptElement[]} */ ([...fragment.querySelectorAll('script[type="module"]')]);
+  const ran = modules.map((script) => new Promise((resolve) => { script.onload = resolve; }));
+  document.body.append(fragment);
+  await Promise.all(ran);
 }
 
 /**

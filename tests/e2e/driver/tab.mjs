@@ -38,6 +38,8 @@ export class Tab {
     this.problems = [];
     /** Whether WebGL2 draws. */
     this.draws = true;
+    /** The options with which `show` opened the page, while other bodies may follow. @type {string | undefined} */
+    this.shows = undefined;
   }
 
   /**
@@ -167,6 +169,7 @@ export class Tab {
    * @param {number} [milliseconds]  After which the contexts are restored; without it, never.
    */
   async loseContext(milliseconds) {
+    this.shows = undefined;
     const lost = await this.evaluate(
       (time) => /** @type {any} */ (window).driver.lose(time),
       milliseconds ?? null,

@@ -21,7 +21,7 @@ const ALIGNS = [['', 0.5, 1], ['left top', 0, 0], ['center right', 1, 0.5]];
 for (const [width, height] of [[400, 150], [150, 400]]) {
   test(`a fire of ${width} × ${height} pixels is where its fit and its alignment put it`, async () => {
     // Particles that stand still, in the middle of a domain of 1.2 m by 1.5 m.
-    const tab = await browser.open(`<hearth-fire paused model="classic" display-mode="paper" source-width="0.05"
+    const tab = await browser.show(`<hearth-fire paused model="classic" display-mode="paper" source-width="0.05"
       source-height="0.7" emission-speed="0" particle-size="0.03" lifetime-min="3" lifetime-max="3"
       style="width: ${width}px; height: ${height}px"></hearth-fire>`, { draws: true });
     await tab.ready();
@@ -70,7 +70,7 @@ for (const [width, height] of [[400, 150], [150, 400]]) {
 }
 
 test('an invalid fit or alignment is rejected by name, and the picture does not change', async () => {
-  const tab = await browser.open(recording('<hearth-fire paused fit="cover" align="top left"></hearth-fire>'));
+  const tab = await browser.show(recording('<hearth-fire paused fit="cover" align="top left"></hearth-fire>'));
   await tab.ready();
   const corner = () => tab.fire((fire) => fire.toMetres(0, 0));
   const before = await corner();
@@ -98,7 +98,7 @@ function near(found, expected, what) {
 }
 
 test('zoom and pan show a part of the picture, and change nothing in the fire', async () => {
-  const tab = await browser.open(recording(`<hearth-fire paused edges="open" floor="solid"
+  const tab = await browser.show(recording(`<hearth-fire paused edges="open" floor="solid"
     style="width: 300px; height: 200px"></hearth-fire>`));
   await tab.ready();
   const corners = () => tab.fire((fire) => [fire.toMetres(0, 200), fire.toMetres(300, 0)]);
@@ -128,7 +128,7 @@ test('zoom and pan show a part of the picture, and change nothing in the fire', 
 });
 
 test('a wheel with Ctrl enlarges what is under the pointer, a double click shows all again', async () => {
-  const tab = await browser.open(`<style>body { height: 3000px; margin: 0 }</style><hearth-fire paused interactive
+  const tab = await browser.show(`<style>body { height: 3000px; margin: 0 }</style><hearth-fire paused interactive
     style="width: 300px; height: 200px"></hearth-fire>`);
   await tab.ready();
   await tab.until('the pointer is listened to', () => {
@@ -158,7 +158,7 @@ test('a wheel with Ctrl enlarges what is under the pointer, a double click shows
 });
 
 test('two fingers enlarge and move the picture', async () => {
-  const tab = await browser.open(`<hearth-fire paused interactive style="width: 300px; height: 200px"></hearth-fire>`);
+  const tab = await browser.show(`<hearth-fire paused interactive style="width: 300px; height: 200px"></hearth-fire>`);
   await tab.ready();
   await tab.until('the pointer is listened to', () => {
     const event = new WheelEvent('wheel', { deltaY: -1, ctrlKey: true, cancelable: true, bubbles: true, clientX: 90, clientY: 60 });
@@ -188,7 +188,7 @@ test('two fingers enlarge and move the picture', async () => {
 });
 
 test('a resize of the element leaves the fire as it is', async () => {
-  const tab = await browser.open(`<hearth-fire paused edges="open" floor="solid" max-particles="8000"
+  const tab = await browser.show(`<hearth-fire paused edges="open" floor="solid" max-particles="8000"
     style="width: 300px; height: 200px"></hearth-fire>`);
   await tab.ready();
   await tab.burnt(1);

@@ -20,7 +20,7 @@ const HEADLINE = 'position: absolute; left: 60px; top: 120px; width: 80px; heigh
 
 /** A page with a headline and a fire with these children. */
 async function opened(children, { attributes = '', style = HEADLINE, more = '' } = {}) {
-  const tab = await browser.open(`<style>body { margin: 0 }</style><h1 id="headline" style="${style}">Fire</h1>
+  const tab = await browser.show(`<style>body { margin: 0 }</style><h1 id="headline" style="${style}">Fire</h1>
     <hearth-fire autoplay="false" quality="low" max-pixels="10000" ${attributes} style="width: 200px; height: 300px">${children}</hearth-fire>${more}`);
   await tab.ready();
   return tab;

@@ -26,9 +26,10 @@ const SQUARE = asImage(svg('<rect width="100" height="50"/>'));
 
 /** A page with these elements and a fire over them. */
 async function opened(target, children, { style = '', options = {} } = {}) {
-  const tab = await browser.open(`<style>body { margin: 0; background: white; color: black } #it { position: absolute; margin: 0; ${style} }
+  const page = `<style>body { margin: 0; background: white; color: black } #it { position: absolute; margin: 0; ${style} }
     hearth-fire { position: absolute; left: 0; top: 0; width: 300px; height: 300px }</style>${target}
-    <hearth-fire autoplay="false" quality="low" max-pixels="10000">${children}</hearth-fire>`, options);
+    <hearth-fire autoplay="false" quality="low" max-pixels="10000">${children}</hearth-fire>`;
+  const tab = await ('without' in options ? browser.open(page, options) : browser.show(page, options));
   await tab.ready();
   return tab;
 }

@@ -21,7 +21,7 @@ const fireOf = (/** @type {string} */ children, attributes = '') => (
 
 /** A page whose fire has these children, once every child has its object. */
 async function opened(children, attributes = '', before = '') {
-  const tab = await browser.open(recording(before + fireOf(children, attributes)));
+  const tab = await browser.show(recording(before + fireOf(children, attributes)));
   await tab.ready();
   await settled(tab);
   return tab;
@@ -152,7 +152,7 @@ test('calls beside a reordering are kept', async () => {
 });
 
 test('a child moves between fires, also while one is off the page', async () => {
-  const tab = await browser.open(fireOf('<hearth-solid x="0.1"></hearth-solid>') + fireOf(''));
+  const tab = await browser.show(fireOf('<hearth-solid x="0.1"></hearth-solid>') + fireOf(''));
   await tab.ready();
   const lists = () => tab.evaluate(() => (
     [...document.querySelectorAll('hearth-fire')].map((fire) => /** @type {any} */ (fire).objects.map(({ kind }) => kind).join())
@@ -195,7 +195,8 @@ test('a child without a fire does nothing, and one that is there before the elem
 });
 
 test('the code is loaded with the first child', async () => {
-  const tab = await opened('');
+  const tab = await browser.open(fireOf(''));
+  await tab.ready();
   const loaded = () => tab.evaluate(() => performance.getEntriesByType('resource').filter(({ name }) => name.endsWith('children.js')).length);
   assert.equal(await loaded(), 0);
   await tab.fire((fire) => fire.append(document.createElement('hearth-solid')));
@@ -213,7 +214,7 @@ test('without the code the fire burns without its children, with a warning', asy
 });
 
 test('a warm fire has burnt with its children before it is shown', async () => {
-  const tab = await browser.open(fireOf('<hearth-source power="0"></hearth-source><hearth-solid x="0.1"></hearth-solid>', 'warm="0.5"'));
+  const tab = await browser.show(fireOf('<hearth-source power="0"></hearth-source><hearth-solid x="0.1"></hearth-solid>', 'warm="0.5"'));
   await tab.ready();
   assert.deepEqual(await listed(tab), ['source 0', 'solid 0.1']);
   const stats = await tab.until('its statistics', () => /** @type {any} */ (document.querySelector('hearth-fire')).stats);

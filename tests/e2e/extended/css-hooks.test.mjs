@@ -22,7 +22,7 @@ function burning(tab, wanted) {
 }
 
 test(':state(burning) holds while the fire plays and its picture is shown', async () => {
-  const tab = await browser.open(`<style>hearth-fire:state(burning) { outline: 3px solid red }</style>${FIRE}`);
+  const tab = await browser.show(`<style>hearth-fire:state(burning) { outline: 3px solid red }</style>${FIRE}`);
   // Not before there is a picture.
   const early = await tab.fire((fire) => {
     const shown = fire.shadowRoot.querySelector('.root').matches('[data-state=shown][data-drawn]');
@@ -40,7 +40,7 @@ test(':state(burning) holds while the fire plays and its picture is shown', asyn
   await burning(tab, false);
   assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
 
-  const other = await browser.open(FIRE);
+  const other = await browser.show(FIRE);
   await burning(other, true);
   const states = await other.fire(async (fire) => {
     await fire.destroy();
@@ -56,7 +56,7 @@ test(':state(burning) holds while the fire plays and its picture is shown', asyn
 });
 
 test(':state(burning) does not hold for a paused fire or without an engine', async () => {
-  const still = await browser.open(FIRE.replace('<hearth-fire', '<hearth-fire paused'));
+  const still = await browser.show(FIRE.replace('<hearth-fire', '<hearth-fire paused'));
   await still.fire((fire) => fire.toBlob());
   assert.equal(await still.fire((fire) => fire.matches(':state(burning)')), false);
   const none = await browser.open(FIRE, { before: () => { delete /** @type {any} */ (window).WebAssembly; } });
@@ -97,7 +97,7 @@ function reported(tab) {
 }
 
 test('a fire reports its brightness and colour, and none while it does not burn', async () => {
-  const tab = await browser.open(FIRE);
+  const tab = await browser.show(FIRE);
   assert.deepEqual(await reported(tab), ['', '']);
   await tab.burnt(1);
   const [light, glow] = await reported(tab);
@@ -127,7 +127,7 @@ function hue([red, green, blue]) {
 }
 
 test('the reported colour is that of the picture', async () => {
-  const tab = await browser.open(FIRE, { draws: true });
+  const tab = await browser.show(FIRE, { draws: true });
   await tab.burnt(2.5);
   for (const palette of ['blackbody', 'gas', 'copper', 'lithium', 'ghost']) {
     const { glow, mean } = await tab.fire(async (fire, name) => {

@@ -123,35 +123,47 @@ test('the types are those of the element', () => {
   for (const name of own) assert.ok(new RegExp(`\\b${name}[(:<]`).test(types), name);
 });
 
-for (const [at, { file, html, heading }] of EXAMPLES.entries()) {
-  test(`example ${at + 1}, ${heading.replace(/^#+ /, '')} in ${file}, runs`, async () => {
-    const tab = await browser.open(html, {
-      width: 800,
-      height: 600,
-      pixels: 30_000,
-      // Chromium asks for an icon, which no example has.
-      files: { 'favicon.ico': { body: '' } },
-    });
-    const burns = /<hearth-fire|<iframe|'hearth-fire'/.test(html);
-    if (burns) await tab.until('its fires are ready', async () => {
-      const inside = document.querySelector('iframe')?.contentDocument;
-      const within = [document, ...(inside ? [inside] : [])];
+/** How many examples run beside each other, in frames of one page. */
+const FRAMES = 9;
+
+/** Runs examples in frames of a page, and presses their buttons; gives the page. */
+async function run(examples) {
+  const frames = examples.map(({ html }) => `<iframe allow="fullscreen" src="${browser.server.publish(html)}"></iframe>`);
+  const page = `<!doctype html><link rel="icon" href="data:,">
+    <style>body { margin: 0 } iframe { width: 33%; height: 300px; border: 0; float: left }</style>${frames.join('')}`;
+  const tab = await browser.open(page, { width: 1200, height: 900 });
+  await tab.until('the fires of all frames are ready', async (burning) => {
+    const documents = [...document.querySelectorAll('iframe')].map((frame) => /** @type {Document} */ (frame.contentDocument));
+    for (const [at, outer] of documents.entries()) {
+      const inside = outer.querySelector('iframe')?.contentDocument;
+      const within = [outer, ...(inside ? [inside] : [])];
       const fires = within.flatMap((one) => /** @type {any[]} */ ([...one.querySelectorAll('hearth-fire')]));
-      if (fires.length === 0 || fires.some((fire) => fire.ready === undefined)) return false;
+      if (burning[at] && (fires.length === 0 || fires.some((fire) => fire.ready === undefined))) return false;
       for (const fire of fires) {
         // A fire below the fold may wait.
         if (fire.loading !== 'lazy') await fire.ready;
       }
-      return true;
-    });
-    await tab.frames(10);
-    const buttons = await tab.evaluate(() => document.querySelectorAll('button').length);
+    }
+    return true;
+  }, examples.map(({ html }) => /<hearth-fire|<iframe|'hearth-fire'/.test(html)));
+  await tab.frames(10);
+  for (const frame of tab.page.mainFrame().childFrames()) {
+    const buttons = await frame.evaluate(() => document.querySelectorAll('button').length);
     for (let button = 0; button < buttons; button += 1) {
-      await tab.evaluate((number) => document.querySelectorAll('button')[number].click(), button);
+      await frame.evaluate((number) => document.querySelectorAll('button')[number].click(), button);
       await tab.frames(2);
     }
-    await tab.frames(5);
-    const refused = heading === '## When something is wrong';
+  }
+  await tab.frames(5);
+  return tab;
+}
+
+for (let from = 0; from < EXAMPLES.length; from += FRAMES) {
+  const some = EXAMPLES.slice(from, from + FRAMES);
+  const names = some.map(({ file, heading }) => `${heading.replace(/^#+ /, '')} in ${file}`).join(', ');
+  test(`examples ${from + 1} to ${from + some.length} run: ${names}`, async () => {
+    const tab = await run(some);
+    const refused = some.some(({ heading }) => heading === '## When something is wrong');
     const problems = (await tab.complaints()).filter((problem) => !refused || !/viscosity = 99/.test(problem));
     assert.deepEqual(problems, []);
   });

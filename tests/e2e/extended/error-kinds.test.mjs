@@ -110,7 +110,7 @@ test('an engine that throws is reported, and another continues the fire', async 
 });
 
 test('an invalid attribute, property or preset leaves the fire unchanged', async () => {
-  const tab = await browser.open(recording('<hearth-fire exposure="0.5"></hearth-fire>'));
+  const tab = await browser.show(recording('<hearth-fire exposure="0.5"></hearth-fire>'));
   await tab.burnt(0.3);
   const before = await tab.fire((fire) => fire.params);
   await tab.fire((fire) => {

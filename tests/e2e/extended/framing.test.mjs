@@ -27,9 +27,16 @@ for (const size of [SIZES[0], /** @type {[number, number]} */ (SIZES.at(-1))]) {
 test('the floor and the height above it have the same places on the stage in pages of all sizes', async () => {
   /** @type {{[size: string]: number[]}} */
   const places = {};
-  for (const [width, height] of SIZES) {
-    const tab = await browser.open('index.html?paused', { width, height, touch: Math.min(width, height) < 500 });
-    await tab.ready();
+  /** @type {import('../driver.mjs').Tab | undefined} */
+  let tab;
+  for (const [width, height] of [...SIZES].sort((a, b) => Math.min(...a) - Math.min(...b))) {
+    const touch = Math.min(width, height) < 500;
+    if (!tab || tab.page.viewport()?.hasTouch !== touch) {
+      tab = await browser.open('index.html?paused', { width, height, touch });
+      await tab.ready();
+    }
+    await tab.page.setViewport({ width, height, isMobile: touch, hasTouch: touch });
+    await tab.frames(4);
     places[`${width} × ${height}`] = await tab.fire((fire) => {
       const stage = fire.getBoundingClientRect();
       const shown = /** @type {HTMLElement} */ (fire.shadowRoot.querySelector('canvas')).getBoundingClientRect();

@@ -17,7 +17,7 @@ after(() => browser?.close());
 const FIRE = '<hearth-fire quality="low" style="width: 60px; height: 80px"></hearth-fire>';
 
 test('`document.all` is refused as every other invalid value', async () => {
-  const tab = await browser.open(recording(FIRE));
+  const tab = await browser.show(recording(FIRE));
   await tab.ready();
   const before = await tab.fire((fire) => fire.params);
   const refused = await tab.fire(async (fire) => {
@@ -64,7 +64,7 @@ test('`document.all` is refused as every other invalid value', async () => {
 });
 
 test('a refusal repeats no more than the start of a long text', async () => {
-  const tab = await browser.open(recording(FIRE));
+  const tab = await browser.show(recording(FIRE));
   await tab.ready();
   const lengths = await tab.fire(async (fire) => {
     const long = 'x'.repeat(2_000_000);
@@ -91,7 +91,7 @@ test('a refusal repeats no more than the start of a long text', async () => {
 });
 
 test('300,000 sets in one task end with the last value, and every promise settles', async () => {
-  const tab = await browser.open(recording(FIRE));
+  const tab = await browser.show(recording(FIRE));
   await tab.ready();
   const seen = await tab.fire(async (fire) => {
     let settled = 0;
@@ -106,7 +106,7 @@ test('300,000 sets in one task end with the last value, and every promise settle
 });
 
 test('while the context is lost, `toBlob` rejects and says why; then it works again', async () => {
-  const tab = await browser.open(recording(FIRE));
+  const tab = await browser.show(recording(FIRE));
   await tab.burnt(0.2);
   await assertBurns(tab);
   await tab.fire((fire) => {
@@ -124,4 +124,17 @@ test('while the context is lost, `toBlob` rejects and says why; then it works ag
     return (await fire.toBlob()).size;
   });
   assert.ok(size > 100, `${size} bytes`);
+});
+
+test('measuring refuses what is no place, and the fire burns on', async () => {
+  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
+  await tab.burnt(0.2);
+  const why = await tab.fire(async (fire) => {
+    const all = [];
+    for (const place of [[NaN, 0], [0, 2000], ['a', 1], [0]]) all.push(await fire.measure(...place).then(() => 'measured', (error) => `${error.name}: ${error.message}`));
+    return all;
+  });
+  for (const one of why) assert.match(one, /^RangeError: .*\b[xy]\b/);
+  const { time, place, power } = await tab.fire((fire) => fire.measure(0, 1));
+  assert.ok(time >= 0.2 && power >= 0 && place.temperature > 200);
 });

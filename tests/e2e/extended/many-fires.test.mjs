@@ -83,7 +83,7 @@ for (const engine of ['worker', 'main']) {
 }
 
 test('with its last fire a page loses the engine, and gets another with the next', async () => {
-  const tab = await browser.open('<hearth-fire></hearth-fire>');
+  const tab = await browser.show('<hearth-fire></hearth-fire>');
   await tab.burnt(0.2);
   await tab.fire((fire) => fire.remove());
   await tab.until('there is no worker', () => (
@@ -98,7 +98,7 @@ test('with its last fire a page loses the engine, and gets another with the next
 });
 
 test('of thirty fires, those out of sight cost nothing', async () => {
-  const tab = await browser.open(`
+  const tab = await browser.show(`
     <style>hearth-fire { width: 160px; height: 150px; float: left }</style>
     ${'<hearth-fire></hearth-fire>'.repeat(30)}`);
   const times = () => tab.evaluate(() => [...document.querySelectorAll('hearth-fire')].map(
@@ -134,7 +134,7 @@ test('of thirty fires, those out of sight cost nothing', async () => {
 });
 
 test('the page’s thread hardly works while ten thousand particles burn', async () => {
-  const tab = await browser.open('<hearth-fire edges="periodic" max-particles="10000"></hearth-fire>');
+  const tab = await browser.show('<hearth-fire edges="periodic" max-particles="10000"></hearth-fire>');
   await tab.burnt(0.3);
   const { engine, particles } = await tab.fire((fire) => fire.stats);
   assert.equal(engine, 'worker');

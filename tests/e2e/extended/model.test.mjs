@@ -34,20 +34,10 @@ for (const [model, only] of Object.entries(ONLY)) {
   const pairs = Object.entries({ ...only, model });
   const orders = [pairs, [...pairs].reverse()];
 
-  test(`${model} as an attributedecides the ranges of all others, wherever it stands`, async () => {
+  test(`${model} as an attribute decides the ranges of all others, wherever it stands`, async () => {
     for (const order of orders) {
       const attributes = order.map(([id, value]) => `${entry[id].attribute}="${value}"`).join(' ');
-      const tab = await browser.open(`<hearth-fire paused ${attributes}></hearth-fire>`);
-      await tab.ready();
-      assert.deepEqual(await tab.fire((fire) => fire.params), { ...defaultsOf(model), ...only, model });
-      assert.deepEqual(tab.problems, []);
-    }
-  });
-
-  test(`${model} in the addressdecides the ranges of all others, wherever it stands`, async () => {
-    for (const order of orders) {
-      const address = new URLSearchParams([...order.map(([id, value]) => [id, `${value}`]), ['paused', '']]);
-      const tab = await browser.open(`index.html?${address}`);
+      const tab = await browser.show(`<hearth-fire paused ${attributes}></hearth-fire>`);
       await tab.ready();
       assert.deepEqual(await tab.fire((fire) => fire.params), { ...defaultsOf(model), ...only, model });
       assert.deepEqual(tab.problems, []);
@@ -57,7 +47,7 @@ for (const [model, only] of Object.entries(ONLY)) {
   test(`${model} is set with its values in one call, in any order, or not at all`, async () => {
     const [other] = Object.keys(ONLY).filter((name) => name !== model);
     for (const order of orders) {
-      const tab = await browser.open(`<hearth-fire paused model="${other}"></hearth-fire>`);
+      const tab = await browser.show(`<hearth-fire paused model="${other}"></hearth-fire>`);
       await tab.ready();
       const refused = await tab.fire(
         (fire, all) => fire.set({ ...all, bloom: 99 }).catch((error) => error.id),
@@ -72,7 +62,7 @@ for (const [model, only] of Object.entries(ONLY)) {
 
   test(`a value that ${model} does not accept is rejected together with the model`, async () => {
     const [[other, alien]] = Object.entries(ONLY).filter(([name]) => name !== model);
-    const tab = await browser.open(recording(`<hearth-fire paused model="${other}"></hearth-fire>`));
+    const tab = await browser.show(recording(`<hearth-fire paused model="${other}"></hearth-fire>`));
     await tab.ready();
     const refused = await tab.fire(
       (fire, all) => fire.set(all).catch((error) => error.errors.map(({ id }) => id)),
@@ -84,8 +74,16 @@ for (const [model, only] of Object.entries(ONLY)) {
   });
 }
 
+test('the classic model in the address decides the ranges of values before it', async () => {
+  const { emission_speed, max_particles } = ONLY.classic;
+  const tab = await browser.open(`index.html?emission_speed=${emission_speed}&max_particles=${max_particles}&model=classic&paused`);
+  await tab.ready();
+  assert.deepEqual(await tab.fire((fire) => fire.params), { ...defaultsOf('classic'), ...ONLY.classic, model: 'classic' });
+  assert.deepEqual(tab.problems, []);
+});
+
 test('a model overrides the preset’s, and values override both', async () => {
-  const tab = await browser.open(
+  const tab = await browser.show(
     '<hearth-fire paused source-width="0.9" preset="seed" model="combustion"></hearth-fire>',
   );
   await tab.ready();
@@ -95,7 +93,7 @@ test('a model overrides the preset’s, and values override both', async () => {
 });
 
 test('a change of the model reports every value that differs', async () => {
-  const tab = await browser.open(recording('<hearth-fire paused model="classic"></hearth-fire>'));
+  const tab = await browser.show(recording('<hearth-fire paused model="classic"></hearth-fire>'));
   await tab.ready();
   for (const [before, now, change, source] of [
     ['classic', 'combustion', (fire) => fire.setAttribute('model', 'combustion'), 'attribute'],
@@ -118,7 +116,7 @@ test('a change of the model reports every value that differs', async () => {
 });
 
 test('a model that is restored has its previous values', async () => {
-  const tab = await browser.open('<hearth-fire paused model="classic" domain-height="1"></hearth-fire>');
+  const tab = await browser.show('<hearth-fire paused model="classic" domain-height="1"></hearth-fire>');
   await tab.ready();
   const ids = ['domain_height', 'viscosity', 'fuel_power', 'exposure'];
   await tab.fire((fire) => fire.set({ viscosity: 0.02, fuel_power: 100 }));
@@ -142,7 +140,7 @@ test('a model that is restored has its previous values', async () => {
 });
 
 test('a burning fire changes its model and burns on', async () => {
-  const tab = await browser.open('<hearth-fire model="classic"></hearth-fire>');
+  const tab = await browser.show('<hearth-fire model="classic"></hearth-fire>');
   await tab.burnt(1);
   await assertBurns(tab);
   await tab.fire((fire) => fire.set('model', 'combustion'));
@@ -169,7 +167,7 @@ test('a burning fire changes its model and burns on', async () => {
 
 test('requested steps are made, however long each of them is', async () => {
   for (const model of Object.keys(ONLY)) {
-    const tab = await browser.open(`<hearth-fire paused model="${model}"></hearth-fire>`);
+    const tab = await browser.show(`<hearth-fire paused model="${model}"></hearth-fire>`);
     await tab.ready();
     const { time, stepLength } = await tab.fire(async (fire) => {
       await fire.step(1);
@@ -184,7 +182,7 @@ test('requested steps are made, however long each of them is', async () => {
 });
 
 test('the statistics fit the model', async () => {
-  const tab = await browser.open('<hearth-fire model="classic" quality="medium"></hearth-fire>');
+  const tab = await browser.show('<hearth-fire model="classic" quality="medium"></hearth-fire>');
   await tab.burnt(0.5);
   const classic = await tab.fire((fire) => fire.stats);
   assert.deepEqual([classic.power, classic.embers], [0, 0]);

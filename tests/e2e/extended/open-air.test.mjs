@@ -24,7 +24,7 @@ async function assertCalm(tab) {
 }
 
 test('a fire burns on without a burst after another tab was in front', async () => {
-  const tab = await browser.open(recording(FIRE));
+  const tab = await browser.show(recording(FIRE));
   await tab.burnt(1.5);
   const other = await browser.browser.newPage();
   await other.bringToFront();
@@ -39,7 +39,7 @@ test('a fire burns on without a burst after another tab was in front', async () 
 });
 
 test('a fire goes on while its frame, its source and its size change', async () => {
-  const tab = await browser.open(recording(FIRE));
+  const tab = await browser.show(recording(FIRE));
   await tab.burnt(1);
   const age = await tab.fire((fire) => fire.stats.time);
   const whole = await tab.fire((fire) => fire.to(

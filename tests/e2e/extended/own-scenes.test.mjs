@@ -114,7 +114,7 @@ const drop = (tab, selector, file) => tab.evaluate(([where, { name, type, text }
 const messaged = (tab, pattern) => tab.until(`the message ${pattern}`, (source) => (
   [...document.querySelectorAll('.hearth-controls :is([role=status], [role=alert])')].some(({ textContent }) => new RegExp(source).test(textContent ?? ''))
 ), pattern.source);
-const settings = (wind, preset = 'candle') => JSON.stringify({ hearth: 1, preset, values: { wind } });
+const settings = (wind, preset = 'candle') => JSON.stringify({ hearth: 2, preset, values: { wind } });
 const blows = (tab, wind) => tab.until(`a wind of ${wind}`, (wanted) => (
   Math.abs(/** @type {any} */ (document.querySelector('hearth-fire')).params.wind - wanted) < 0.01
 ), wind);
@@ -136,7 +136,7 @@ test('a file of settings that is dropped anywhere on the page is opened, and any
     ['body', { name: 'notes.txt', type: 'text/plain', text: settings(0) }, /“notes.txt” is no file of settings/],
     ['.hearth-panel canvas', { name: 'fire.png', type: 'image/png', text: '' }, /“fire.png” is no file of settings/],
     ['#panel', { name: 'mine.json', type: '', text: '{"hearth": ' }, /not JSON/],
-    ['#panel', { name: 'mine.json', type: '', text: '{"hearth": 1, "values": {"wind": 99}}' }, /wind/],
+    ['#panel', { name: 'mine.json', type: '', text: '{"hearth": 2, "values": {"wind": 99}}' }, /wind/],
     ['#panel', { name: 'mine.json', type: '', text: ' '.repeat(500_000) }, /500 KB/],
   ]) {
     assert.deepEqual(await drop(tab, place, file), [true, true], file.name);

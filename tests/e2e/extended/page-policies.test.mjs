@@ -86,14 +86,14 @@ test('the engine draws on a canvas of the page where no offscreen canvas has Web
 
 test('an eager fire loads at once, a lazy one when it comes near the viewport', async () => {
   const far = (/** @type {string} */ loading) => `<div style="height: 3000px"></div><hearth-fire loading="${loading}"></hearth-fire>`;
-  const eager = await browser.open(far('eager'));
-  await eager.ready();
   const lazy = await browser.open(far('lazy'));
   await lazy.frames(20);
   assert.equal(await loaded(lazy), false, 'nothing is loaded for a fire out of sight');
   await lazy.evaluate(() => window.scrollTo(0, 3000));
   await lazy.burnt(0.2);
-  const auto = await browser.open(far('auto'));
+  const eager = await browser.show(far('eager'));
+  await eager.ready();
+  const auto = await browser.show(far('auto'));
   await auto.ready();
   assert.equal(await auto.fire((fire) => fire.loading), 'auto');
 });
@@ -106,14 +106,14 @@ test('the poster is shown until the first picture, and while there is no picture
   await late.fire((fire) => fire.ready.catch(() => {}));
   const lime = (picture) => picture.share((r, g) => g > 200 && r < 100);
   assert.ok(lime(await late.firePicture()) > 0.5, 'the poster is seen');
-  const good = await browser.open(body, { draws: true });
+  const good = await browser.show(body, { draws: true });
   await good.burnt(0.5);
   await good.frames(4);
   assert.equal(lime(await good.firePicture()), 0, 'the poster is gone');
 });
 
 test('a picture has no more pixels than `max-pixels`', async () => {
-  const tab = await browser.open(
+  const tab = await browser.show(
     '<hearth-fire max-pixels="10000" quality="low" style="width: 400px; height: 300px"></hearth-fire>',
   );
   await tab.burnt(0.1);
@@ -155,7 +155,7 @@ test('no more pictures are drawn a second than `fps-limit`', async () => {
 });
 
 test('invalid limits, choices and touch actions are rejected by name', async () => {
-  const tab = await browser.open(recording(
+  const tab = await browser.show(recording(
     '<hearth-fire fps-limit="fast" max-pixels="9" loading="soon" reduced-motion="no" touch-action="wave"></hearth-fire>',
   ));
   await tab.burnt(0.2);
@@ -187,7 +187,7 @@ test('a finger on an interactive fire scrolls the page vertically unless `touch-
 });
 
 test('`toBlob` keeps the transparency of the picture', async () => {
-  const tab = await browser.open('<hearth-fire paused></hearth-fire>', { draws: true });
+  const tab = await browser.show('<hearth-fire paused></hearth-fire>', { draws: true });
   await tab.fire((fire) => fire.step(600));
   const keep = (type) => tab.fire(async (fire, wanted) => {
     const blob = await fire.toBlob(...(wanted ? [wanted, 0.9] : []));
@@ -207,7 +207,7 @@ test('`toBlob` keeps the transparency of the picture', async () => {
 });
 
 test('`toBlob` draws another width and background for the file, and the element stays as it is', async () => {
-  const tab = await browser.open('<hearth-fire preset="fireside" paused warm max-pixels="60000"></hearth-fire>', { draws: true, height: 400 });
+  const tab = await browser.show('<hearth-fire preset="fireside" paused warm max-pixels="60000"></hearth-fire>', { draws: true, height: 400 });
   await tab.ready();
   const seen = await tab.fire(async (fire) => {
     const events = [];
@@ -247,7 +247,7 @@ test('`toBlob` draws another width and background for the file, and the element 
 });
 
 test('`captureStream` of a burning fire is a moving video', async () => {
-  const tab = await browser.open('<hearth-fire></hearth-fire>', { draws: true });
+  const tab = await browser.show('<hearth-fire></hearth-fire>', { draws: true });
   await tab.burnt(0.5);
   const seen = await tab.fire(async (fire) => {
     const stream = await fire.captureStream(30);

@@ -121,23 +121,20 @@ describe('the next visit', () => {
 });
 
 describe('keys', () => {
-  test('do nothing while the focus is on something else of the page', async () => {
-    const { tab } = await openPage('');
-    await tab.evaluate(() => {
-      const link = document.createElement('a');
-      link.href = '#there';
-      link.textContent = 'elsewhere';
-      document.body.append(link);
-      link.focus();
-    });
-    await tab.key('r');
-    await tab.key('?');
-    await tab.frames(4);
-    assert.equal(await tab.page.$('[data-card="help"]'), null);
-  });
-
-  test('are turned off by the page and in the list of keys', async () => {
+  test('act in the panel alone, can be turned off, and the slash focuses the search', async () => {
     const { tab, panel } = await openPage('');
+    await tab.key('/');
+    await tab.frames(6);
+    await tab.page.keyboard.type('color');
+    await tab.until('the palette is the first that is found', () => {
+      const { palette, wind } = /** @type {any} */ (window).panelRectangles ?? {};
+      return palette && !wind;
+    });
+    assert.equal(await paused(tab), false);
+    await tab.key('Escape');
+    await panel.part('wind');
+    await tab.evaluate(() => /** @type {any} */ (document.activeElement)?.blur());
+
     await tab.key('?');
     await panel.in((root) => /** @type {any} */ (root.querySelector('[data-card="help"] input')).click());
     await tab.key('Escape');
@@ -152,20 +149,17 @@ describe('keys', () => {
     await tab.evaluate(() => { document.documentElement.dataset.shortcuts = 'off'; });
     await tab.key('Space');
     assert.equal(await paused(tab), true);
-  });
+    await tab.evaluate(() => { delete document.documentElement.dataset.shortcuts; });
 
-  test('the slash focuses the search', async () => {
-    const { tab, panel } = await openPage('');
-    await tab.key('/');
-    await tab.frames(6);
-    await tab.page.keyboard.type('color');
-    await tab.until('the palette is the first that is found', () => {
-      const { palette, wind } = /** @type {any} */ (window).panelRectangles ?? {};
-      return palette && !wind;
+    await tab.evaluate(() => {
+      const link = Object.assign(document.createElement('a'), { href: '#there', textContent: 'elsewhere' });
+      document.body.append(link);
+      link.focus();
     });
-    assert.equal(await paused(tab), false);
-    await tab.key('Escape');
-    await panel.part('wind');
+    await tab.key('r');
+    await tab.key('?');
+    await tab.frames(4);
+    assert.equal(await tab.page.$('[data-card="help"]'), null);
   });
 });
 
@@ -235,9 +229,16 @@ describe('its place', () => {
     assert.equal(await tab.fire((fire) => fire.params.exposure), 2, 'what is not shown stays');
   });
 
-  test('with forced colours, the accessible controls replace the panel', async () => {
-    const tab = await browser.open('index.html', { width: 760, height: 600 });
-    await tab.ready();
+  test('with forced colours, the accessible controls replace the panel; they have its groups, and announce each value once', async () => {
+    const { tab } = await openPage('');
+    const groups = await tab.page.$$eval('.hearth-controls fieldset', (sets) => sets
+      .filter((set) => !(/** @type {any} */ (set).hidden))
+      .map((set) => set.querySelector('legend')?.textContent));
+    const used = PARAMETERS.filter(({ models }) => models.includes('combustion')).map(({ group }) => group);
+    const [basics, ...others] = new Set(used);
+    assert.deepEqual(groups, [basics, 'Objects', ...others]);
+    const loud = await tab.page.$$eval('.hearth-controls :is(output, [aria-live], [role=status])', (all) => all.length);
+    assert.equal(loud, 1, 'only the line that says what went wrong speaks by itself');
     const client = await tab.page.createCDPSession();
     await client.send('Emulation.setEmulatedMedia', { features: [{ name: 'forced-colors', value: 'active' }] });
     await tab.until('the accessible controls are shown', () => (
@@ -249,16 +250,4 @@ describe('its place', () => {
       document.querySelector('.hearth-panel canvas') && !document.querySelector('.hearth-controls.alone')
     ));
   });
-});
-
-test('accessible controls have the panel’s groups, and each value is announced once', async () => {
-  const { tab } = await openPage('');
-  const groups = await tab.page.$$eval('.hearth-controls fieldset', (sets) => sets
-    .filter((set) => !(/** @type {any} */ (set).hidden))
-    .map((set) => set.querySelector('legend')?.textContent));
-  const used = PARAMETERS.filter(({ models }) => models.includes('combustion')).map(({ group }) => group);
-  const [basics, ...others] = new Set(used);
-  assert.deepEqual(groups, [basics, 'Objects', ...others]);
-  const loud = await tab.page.$$eval('.hearth-controls :is(output, [aria-live], [role=status])', (all) => all.length);
-  assert.equal(loud, 1, 'only the line that says what went wrong speaks by itself');
 });

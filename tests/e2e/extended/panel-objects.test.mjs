@@ -26,6 +26,25 @@ async function openPage(query, size = SIZES[0]) {
   return { tab, panel: await new Panel(tab).mounted() };
 }
 
+/** The page of tests that need no fresh one. @type {Awaited<ReturnType<typeof openPage>> | undefined} */
+let shared;
+
+/** The shared page with a scene, of which nothing is changed, and no selected object. @param {string} name */
+async function scenePage(name) {
+  if (shared?.tab !== browser.tab) shared = await openPage(`scene=${name}`);
+  const { tab, panel } = /** @type {Awaited<ReturnType<typeof openPage>>} */ (shared);
+  tab.problems.length = 0;
+  const label = await tab.fire(async (fire, preset) => {
+    await fire.importConfig({ hearth: 2, preset, values: {} });
+    const { PRESETS } = await import(new URL('web/parameters.js', document.baseURI).href);
+    return PRESETS.find((one) => one.name === preset).label;
+  }, name);
+  await titled(panel, label);
+  await tab.page.select(actionOf('select-object'), '');
+  await tab.evaluate(() => /** @type {HTMLElement | null} */ (document.activeElement)?.blur());
+  return { tab, panel };
+}
+
 const scene = (panel) => panel.in((root) => root.querySelector('[data-action="scenes"]').textContent);
 const titled = (panel, text) => panel.until(`the scene is called ${text}`, (root, wanted) => (
   root.querySelector('[data-action="scenes"]').textContent === `Scene: ${wanted}`
@@ -37,7 +56,7 @@ async function press(panel, tab, action) {
 }
 
 describe('a mouse', () => {
-  for (const size of SIZES) {
+  for (const size of SIZES.toReversed()) {
     test(`adds a solid, drags it, undoes and deletes at ${size.width} × ${size.height}`, async () => {
       const { tab, panel } = await openPage('scene=default', size);
       const first = await tab.fire((fire) => fire.exportConfig());
@@ -91,7 +110,7 @@ describe('a mouse', () => {
   }
 
   test('duplicates a log, which does not stand on another object, and resets all', async () => {
-    const { tab, panel } = await openPage('scene=campfire');
+    const { tab, panel } = await scenePage('campfire');
     const before = await objects(tab);
     await panel.pointAt(actionOf('select-object'));
     await tab.click(along(await panel.part('object:2'), 0.5));
@@ -114,57 +133,57 @@ describe('a mouse', () => {
 });
 
 describe('buttons act on the fire at the selected object', () => {
-  for (const size of SIZES) {
-    test(`at ${size.width} × ${size.height}`, async () => {
-      const { tab, panel } = await openPage('scene=default&quality=low&ember-rate=0', size);
-      const id = await tab.fire((fire) => (
-        fire.addObject({ kind: 'solid', shape: 'box', x: 0.3, y: 0.6, width: 0.1, height: 0.1, material: 'wood' })
-      ));
-      await panel.until('the solid is in the list', (root, wanted) => (
-        [...root.querySelector('[data-action="select-object"]').options].some(({ value }) => value === wanted)
-      ), String(id));
-      await panel.pointAt(actionOf('select-object'));
-      await tab.click(along(await panel.part(`object:${id}`), 0.5));
-      await press(panel, tab, 'ignite');
-      await until(tab, 'the solid has fuel', (all) => all.at(-1).fuel === 'wood');
-      const fuel = (wanted) => tab.until(`the fuel is ${wanted}`, async (word) => {
-        const fire = document.querySelector('hearth-fire');
-        await fire.step(20);
-        return fire.stats?.fuel === word;
-      }, wanted);
-      await fuel('burning');
-      await press(panel, tab, 'extinguish');
-      await fuel('out');
-      // Each call acts where the object is.
-      await tab.fire((fire) => {
-        window.calls = [];
-        for (const name of ['spray', 'sparks', 'stir']) {
-          fire[name] = (...call) => {
-            window.calls.push([name, ...call]);
-            return Object.getPrototypeOf(fire)[name].apply(fire, call);
-          };
-        }
-      });
-      for (const [button, name, holds] of [
-        ['water', 'spray', (x, y, u, v) => x === 0.3 && y > 0.65 && y < 0.9 && u === 0 && v < 0],
-        ['sparks', 'sparks', (x, y) => x === 0.3 && y > 0.65 && y < 0.7],
-        ['blow', 'stir', (x, y, u) => x > 0.2 && x < 0.25 && y === 0.6 && u > 5],
-      ]) {
-        await press(panel, tab, button);
-        await tab.until(`a call of ${name}`, (wanted) => window.calls.some(([one]) => one === wanted), name);
-        const calls = await tab.evaluate((wanted) => window.calls.filter(([one]) => one === wanted), name);
-        for (const [, ...call] of calls) assert.ok(holds(...call), `${name}(${call})`);
+  test('which is the place of each call', async () => {
+    const { tab, panel } = await scenePage('default');
+    await tab.fire((fire) => fire.set('ember_rate', 0));
+    const id = await tab.fire((fire) => (
+      fire.addObject({ kind: 'solid', shape: 'box', x: 0.3, y: 0.6, width: 0.1, height: 0.1, material: 'wood' })
+    ));
+    await panel.until('the solid is in the list', (root, wanted) => (
+      [...root.querySelector('[data-action="select-object"]').options].some(({ value }) => value === wanted)
+    ), String(id));
+    await panel.pointAt(actionOf('select-object'));
+    await tab.click(along(await panel.part(`object:${id}`), 0.5));
+    await press(panel, tab, 'ignite');
+    await until(tab, 'the solid has fuel', (all) => all.at(-1).fuel === 'wood');
+    const fuel = (wanted) => tab.until(`the fuel is ${wanted}`, async (word) => {
+      const fire = document.querySelector('hearth-fire');
+      await fire.step(20);
+      return fire.stats?.fuel === word;
+    }, wanted);
+    await fuel('burning');
+    await press(panel, tab, 'extinguish');
+    await fuel('out');
+    // Each call acts where the object is.
+    await tab.fire((fire) => {
+      window.calls = [];
+      for (const name of ['spray', 'sparks', 'stir']) {
+        fire[name] = (...call) => {
+          window.calls.push([name, ...call]);
+          return Object.getPrototypeOf(fire)[name].apply(fire, call);
+        };
       }
-      // The fuel is the one step.
-      await panel.pointAt(actionOf('undo'));
-      await panel.press('undo');
-      await until(tab, 'no fuel', (all) => all.at(-1)?.fuel === 'none');
-      assert.deepEqual(tab.problems, []);
     });
-  }
+    for (const [button, name, holds] of [
+      ['water', 'spray', (x, y, u, v) => x === 0.3 && y > 0.65 && y < 0.9 && u === 0 && v < 0],
+      ['sparks', 'sparks', (x, y) => x === 0.3 && y > 0.65 && y < 0.7],
+      ['blow', 'stir', (x, y, u) => x > 0.2 && x < 0.25 && y === 0.6 && u > 5],
+    ]) {
+      await press(panel, tab, button);
+      await tab.until(`a call of ${name}`, (wanted) => window.calls.some(([one]) => one === wanted), name);
+      const calls = await tab.evaluate((wanted) => window.calls.filter(([one]) => one === wanted), name);
+      for (const [, ...call] of calls) assert.ok(holds(...call), `${name}(${call})`);
+    }
+    // The fuel is the one step.
+    await panel.pointAt(actionOf('undo'));
+    await panel.press('undo');
+    await until(tab, 'no fuel', (all) => all.at(-1)?.fuel === 'none');
+    await tab.fire((fire) => { for (const name of ['spray', 'sparks', 'stir']) delete fire[name]; });
+    assert.deepEqual(tab.problems, []);
+  });
 
   test('or say why they cannot', async () => {
-    const { tab, panel } = await openPage('scene=default&quality=low');
+    const { tab, panel } = await scenePage('default');
     const says = (words) => panel.until(`the words ${words}`, (root, wanted) => (
       root.querySelector('.hearth-controls [role="status"]').textContent.startsWith(wanted)
     ), words);
@@ -183,7 +202,7 @@ describe('buttons act on the fire at the selected object', () => {
 });
 
 test('an object is named and switched off, in the list of the panel and by its own controls, and undone', async () => {
-  const { tab, panel } = await openPage('scene=campfire');
+  const { tab, panel } = await scenePage('campfire');
   const first = await tab.fire((fire) => fire.exportConfig());
   await panel.pointAt(actionOf('select-object'));
   await tab.click(along(await panel.part('enabled:2'), 0.5));
@@ -210,7 +229,7 @@ test('an object is named and switched off, in the list of the panel and by its o
 });
 
 test('a source on a solid goes with it, and undo restores both', async () => {
-  const { tab, panel } = await openPage('scene=default');
+  const { tab, panel } = await scenePage('default');
   await tab.fire(async (fire) => {
     await fire.addObject({ kind: 'solid', id: 7 });
     await fire.addObject({ kind: 'source', shape: 'solid', solid: 7 });
@@ -225,7 +244,7 @@ test('a source on a solid goes with it, and undo restores both', async () => {
 });
 
 test('the scene is changed when an object moves, and is not when it returns', async () => {
-  const { tab, panel } = await openPage('scene=campfire');
+  const { tab, panel } = await scenePage('campfire');
   assert.equal(await scene(panel), 'Scene: Campfire');
   await tab.fire((fire) => fire.changeObject(3, { x: 0.3 }));
   await titled(panel, 'Campfire, changed');
@@ -237,7 +256,7 @@ test('the scene is changed when an object moves, and is not when it returns', as
 });
 
 test('the list follows the page, and a removed object is not selected', async () => {
-  const { tab, panel } = await openPage('scene=default');
+  const { tab, panel } = await scenePage('default');
   await tab.fire((fire) => fire.addObject({ kind: 'solid', shape: 'box', material: 'brick' }));
   const listed = (/** @type {string[]} */ names) => panel.until(`the list has ${names}`, (root, wanted) => (
     [...root.querySelector('[data-action="select-object"]').options].map(({ text }) => text).join() === wanted
@@ -256,7 +275,7 @@ test('the list follows the page, and a removed object is not selected', async ()
 });
 
 test('a search finds a property and shows its row', async () => {
-  const { tab, panel } = await openPage('scene=campfire');
+  const { tab, panel } = await scenePage('campfire');
   await panel.pointAt(actionOf('reset-all'));
   await tab.click(along(await panel.part('search'), 0.5));
   await tab.page.keyboard.type('corner radius');
@@ -272,7 +291,7 @@ test('a search finds a property and shows its row', async () => {
 });
 
 test('the sixty-fourth solid is the last, and a text says why', async () => {
-  const { tab, panel } = await openPage('scene=default');
+  const { tab, panel } = await scenePage('default');
   await tab.fire((fire) => fire.set({
     objects: [{ kind: 'source' }, ...Array.from({ length: 64 }, (_, at) => ({ kind: 'solid', x: at / 8 - 4, width: 0.1 }))],
   }));
@@ -288,7 +307,7 @@ test('the sixty-fourth solid is the last, and a text says why', async () => {
 });
 
 test('accessible controls add, change, reset and delete by keys', async () => {
-  const { tab, panel } = await openPage('scene=campfire');
+  const { tab, panel } = await scenePage('campfire');
   const enter = async (action) => {
     await tab.page.focus(actionOf(action));
     await tab.key('Enter');

@@ -49,7 +49,7 @@ const gone = (tab) => tab.until('there is no bar', () => (
 
 describe('the bar', () => {
   test('is loaded and shown with a quantity and its unit, and hidden without one', async () => {
-    const tab = await browser.open('<hearth-fire></hearth-fire>');
+    const tab = await browser.show('<hearth-fire></hearth-fire>');
     await tab.burnt(0.3);
     const loaded = () => tab.evaluate(() => (
       performance.getEntriesByType('resource').some(({ name }) => /\/(scale|quantities)\.js$/.test(name))
@@ -81,7 +81,7 @@ describe('the bar', () => {
   });
 
   test('stays from one display to the next, and is removed with the last one', async () => {
-    const tab = await browser.open('<hearth-fire display-mode="temperature" max-pixels="10000"></hearth-fire>');
+    const tab = await browser.show('<hearth-fire display-mode="temperature" max-pixels="10000"></hearth-fire>');
     await labelled(tab, /^Temperature/);
     await tab.fire((fire) => {
       const bar = fire.shadowRoot.querySelector('[part="scale"]');
@@ -106,7 +106,7 @@ describe('the bar', () => {
   });
 
   test('never shows the numbers of another quantity', async () => {
-    const tab = await browser.open('<hearth-fire display-mode="temperature"></hearth-fire>');
+    const tab = await browser.show('<hearth-fire display-mode="temperature"></hearth-fire>');
     await labelled(tab, /^Temperature/);
     const { kelvin, reported } = await tab.fire(async (fire) => {
       const kelvin = fire.stats.scale[1];
@@ -143,7 +143,7 @@ describe('the bar', () => {
   });
 
   test('has the colours of the picture', async () => {
-    const tab = await browser.open('<hearth-fire display-mode="temperature"></hearth-fire>', { draws: true });
+    const tab = await browser.show('<hearth-fire display-mode="temperature"></hearth-fire>', { draws: true });
     await tab.burnt(1);
     await labelled(tab, /^Temperature/);
     const pixels = await tab.fire(async (fire) => {
@@ -167,7 +167,7 @@ describe('the bar', () => {
 
   test('is left out of a fire too small for it, and of one that is gone', async () => {
     const sized = (side) => `<hearth-fire display-mode="density" style="width: ${side}px; height: ${side}px"></hearth-fire>`;
-    const tab = await browser.open(sized(150));
+    const tab = await browser.show(sized(150));
     await tab.burnt(0.3);
     await tab.until('its range', () => (/** @type {any} */ (document.querySelector('hearth-fire'))).stats?.scale);
     await tab.frames(10);

@@ -48,7 +48,7 @@ function refusal(tab, act) {
 }
 
 test('a star is opaque inside and transparent outside, and travels with the settings', async () => {
-  const tab = await browser.open(FIRE);
+  const tab = await browser.show(FIRE);
   await tab.ready();
   const id = await tab.fire((fire, points) => fire.addObject({ kind: 'solid', shape: 'polygon', points, y: 0.6 }), STAR);
   const inside = [[0, 0.6], [0, 0.84], [0.2, 0.67], [-0.13, 0.42]];
@@ -64,7 +64,7 @@ test('a star is opaque inside and transparent outside, and travels with the sett
 });
 
 test('a word is a mask that is drawn, and gas stays out', async () => {
-  const tab = await browser.open(FIRE);
+  const tab = await browser.show(FIRE);
   await tab.ready();
   const solid = await tab.fire(async (fire) => {
     const { maskOfText } = await import('./web/mask.js');
@@ -106,7 +106,7 @@ test('a word is a mask that is drawn, and gas stays out', async () => {
 });
 
 test('outlines and masks of another form are refused in words', async () => {
-  const tab = await browser.open(FIRE);
+  const tab = await browser.show(FIRE);
   await tab.ready();
   const points = /^RangeError: objects\[1\]\.points = .* is refused: it must be 2 to 256 pairs of numbers from -10 to 10 m/s;
   for (const [act, words] of [

@@ -71,7 +71,7 @@ describe('the panel', () => {
     assert.deepEqual(Object.keys(Object.fromEntries(new URL(link).searchParams)).sort(), [
       'background', 'max-particles', 'printed-euler', 'scene', 'viscosity',
     ]);
-    const other = await browser.open(link);
+    const other = await browser.show(link);
     await other.ready();
     assert.deepEqual(await paramsOf(other), params);
     assert.deepEqual(other.problems, []);
@@ -80,7 +80,7 @@ describe('the panel', () => {
   test('copies HTML of the element that burns where it is pasted', async () => {
     const { tab, panel, params } = await openPage();
     const code = await copied(tab, panel, 'element');
-    const other = await browser.open(`<style>hearth-fire { background: black }</style>${code}`);
+    const other = await browser.show(`<style>hearth-fire { background: black }</style>${code}`);
     await other.ready();
     assert.deepEqual(await paramsOf(other), params);
     await other.burnt(1);
@@ -91,7 +91,7 @@ describe('the panel', () => {
   test('copies HTML of an iframe that burns where it is pasted', async () => {
     const { tab, panel, params } = await openPage();
     const code = await copied(tab, panel, 'iframe');
-    const other = await browser.open(code);
+    const other = await browser.show(code);
     const inFrame = async (act) => {
       const frame = await (await other.page.waitForSelector('iframe')).contentFrame();
       await frame.waitForSelector('hearth-fire');
@@ -113,7 +113,7 @@ describe('the panel', () => {
     assert.equal(value('Seed'), String(params.seed));
     assert.deepEqual(JSON.parse(value('Settings')), config);
     assert.match(lines.at(-1), /bad-parameter: .*gravity/);
-    const other = await browser.open(value('Link'));
+    const other = await browser.show(value('Link'));
     await other.ready();
     assert.deepEqual(await paramsOf(other), params);
   });
@@ -144,12 +144,12 @@ describe('the panel', () => {
     const field = '[data-card="paste"] textarea';
     for (const [text, words] of [
       ['', /field is empty/],
-      ['{"hearth": 1, "values": {"viscosity": 99}}', /viscosity.*99.*0\.1/],
-      ['{"hearth": 1, "values": {"viscosity": 0.03, "viscosty": 0.02}}', /viscosty.*viscosity/],
+      ['{"hearth": 2, "values": {"viscosity": 99}}', /viscosity.*99.*0\.1/],
+      ['{"hearth": 2, "values": {"viscosity": 0.03, "viscosty": 0.02}}', /viscosty.*viscosity/],
       ['viscosity = 0.02', /JSON/],
       ['[]', /./],
-      ['{"hearth": 1, "preset": "volcano"}', /volcano/],
-      [`{"hearth": 1, "values": {"seed": "${'9'.repeat(70_000)}"}}`, /64/],
+      ['{"hearth": 2, "preset": "volcano"}', /volcano/],
+      [`{"hearth": 2, "values": {"seed": "${'9'.repeat(70_000)}"}}`, /64/],
     ]) {
       await pasteSettings(tab, panel, text);
       const said = await tab.until(`${text.slice(0, 60)} is refused`, () => (

@@ -23,7 +23,7 @@ async function warnings(tab, count) {
 }
 
 test('attributes without effect cause one warning, in HTML or set later; removed ones cause none', async () => {
-  const tab = await browser.open(`<hearth-fire ${SMALL} data-a="1" class="a" v-if="b" quailty="low"></hearth-fire>`.repeat(2));
+  const tab = await browser.show(`<hearth-fire ${SMALL} data-a="1" class="a" v-if="b" quailty="low"></hearth-fire>`.repeat(2));
   await tab.ready();
   await tab.fire((fire) => {
     fire.setAttribute('expozure', '1');

@@ -2,7 +2,7 @@
  * The card of plots: by button and by key, at each size; its values follow the fire, and its CSV has the same numbers.
  */
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
+import { after, before, test } from 'node:test';
 import { violations } from '../axe.mjs';
 import { Browser, eventually } from '../driver.mjs';
 import { canUndo, openTools, PHONES, tool, WIDE } from '../tools.mjs';
@@ -19,7 +19,7 @@ const PAUSED = 'scene=default&paused&quality=low';
 /** Of a paused fire, which has no frames. */
 const CHARTS = ['Flame height', 'Power', 'Luminosity', 'Luminosity spectrum', 'Temperature', 'Velocity'];
 
-/** The accessible names of the charts, by their titles; hidden ones are left out. */
+/** The charts in words, by their titles; hidden ones are left out. */
 const charts = (tab) => tab.evaluate(() => Object.fromEntries([...document.querySelectorAll('.hearth-plots .chart')]
   .filter((one) => one.checkVisibility())
   .map((one) => (one.getAttribute('aria-label') ?? '').split(/: (.*)/s))));
@@ -60,64 +60,56 @@ async function saved(tab) {
   return { name, type, columns };
 }
 
-for (const size of [WIDE, ...PHONES]) {
-  describe(`at ${size.width} × ${size.height}`, () => {
-    test('a button shows the plots beside the tools, accessibly, and Escape hides them', async () => {
-      const tab = await openTools(browser, size, PAUSED);
-      await tool(tab, 'plots');
-      await tab.page.waitForSelector('.hearth-plots');
-      assert.equal(await tab.on('[data-tool="plots"]', (button) => button.getAttribute('aria-pressed')), 'true');
-      await burn(tab, 3);
-      const shown = await charts(tab);
-      assert.deepEqual(Object.keys(shown), CHARTS);
-      assert.match(shown['Flame height'], /^now \d\.\d\d m; in the last \d+ s from \d\.\d\d m to \d\.\d\d m$/);
-      assert.match(shown.Temperature, /^over the height at x = 0\.00 m, on average at most \d+ K, at \d\.\d\d m$/);
-      assert.match(shown['Luminosity spectrum'], /not measured long enough/);
-      const [card, bar] = [await tab.rectangle('.hearth-plots'), await tab.rectangle('.hearth-toolbar')];
-      assert.ok(card.x >= 0 && card.y >= 0 && card.x + card.width <= size.width && card.y + card.height <= size.height, JSON.stringify(card));
-      const apart = card.x >= bar.x + bar.width || card.x + card.width <= bar.x || card.y >= bar.y + bar.height || card.y + card.height <= bar.y;
-      assert.ok(apart, `the plots at ${JSON.stringify(card)} cover the tools at ${JSON.stringify(bar)}`);
-      assert.deepEqual(await violations(tab), []);
-      await tab.page.focus('.hearth-plots header button');
-      await tab.key('Escape');
-      assert.equal(await tab.evaluate(() => document.querySelector('.hearth-plots')), null);
-      assert.equal(await tab.evaluate(() => document.activeElement?.getAttribute('data-tool')), 'plots');
-      assert.equal(await tab.on('[data-tool="plots"]', (button) => button.getAttribute('aria-pressed')), 'false');
-      assert.equal(await canUndo(tab), false);
-      assert.deepEqual(tab.problems, []);
+/** A button shows the plots beside the tools, accessibly, and Escape hides them. */
+async function assertShows(tab, size) {
+  await tool(tab, 'plots');
+  await tab.page.waitForSelector('.hearth-plots');
+  assert.equal(await tab.on('[data-tool="plots"]', (button) => button.getAttribute('aria-pressed')), 'true');
+  await burn(tab, 3);
+  const shown = await charts(tab);
+  assert.deepEqual(Object.keys(shown), CHARTS);
+  assert.match(shown['Flame height'], /^now \d\.\d\d m; in the last \d+ s from \d\.\d\d m to \d\.\d\d m$/);
+  assert.match(shown.Temperature, /^over the height at x = 0\.00 m, on average at most \d+ K, at \d\.\d\d m$/);
+  assert.match(shown['Luminosity spectrum'], /not measured long enough/);
+  const [card, bar] = [await tab.rectangle('.hearth-plots'), await tab.rectangle('.hearth-toolbar')];
+  assert.ok(card.x >= 0 && card.y >= 0 && card.x + card.width <= size.width && card.y + card.height <= size.height, JSON.stringify(card));
+  const apart = card.x >= bar.x + bar.width || card.x + card.width <= bar.x || card.y >= bar.y + bar.height || card.y + card.height <= bar.y;
+  assert.ok(apart, `the plots at ${JSON.stringify(card)} cover the tools at ${JSON.stringify(bar)}`);
+  assert.deepEqual(await violations(tab), []);
+  await tab.page.focus('.hearth-plots header button');
+  await tab.key('Escape');
+  assert.equal(await tab.evaluate(() => document.querySelector('.hearth-plots')), null);
+  assert.equal(await tab.evaluate(() => document.activeElement?.getAttribute('data-tool')), 'plots');
+  assert.equal(await tab.on('[data-tool="plots"]', (button) => button.getAttribute('aria-pressed')), 'false');
+}
+
+for (const size of PHONES) {
+  test(`at ${size.width} × ${size.height}, a button shows the plots beside the tools and their message`, async () => {
+    const tab = await openTools(browser, size, PAUSED);
+    await assertShows(tab, size);
+    assert.equal(await canUndo(tab), false);
+    if (size.width < size.height) return;
+    await tool(tab, 'plots');
+    await tab.page.waitForSelector('.hearth-plots');
+    await tool(tab, 'stir');
+    const [message, card] = await tab.until('a message', () => {
+      const said = document.querySelector('.hearth-status');
+      return said?.textContent && [said, document.querySelector('.hearth-plots')].map((element) => {
+        const { left, right, top, bottom } = /** @type {Element} */ (element).getBoundingClientRect();
+        return { left, right, top, bottom };
+      });
     });
+    assert.ok(message.right <= card.left && message.left >= 0, JSON.stringify([message, card]));
+    assert.deepEqual(tab.problems, []);
   });
 }
 
-test('on a low screen the message of a tool stands beside the plots', async () => {
-  const tab = await openTools(browser, PHONES[1], PAUSED);
-  await tool(tab, 'plots');
-  await tab.page.waitForSelector('.hearth-plots');
-  await tool(tab, 'stir');
-  const [message, card] = await tab.until('a message', () => {
-    const status = document.querySelector('.hearth-status');
-    return status?.textContent && [status, document.querySelector('.hearth-plots')].map((element) => {
-      const { left, right, top, bottom } = /** @type {Element} */ (element).getBoundingClientRect();
-      return { left, right, top, bottom };
-    });
-  });
-  assert.ok(message.right <= card.left && message.left >= 0, JSON.stringify([message, card]));
-});
-
-test('the code of the plots is loaded with their first use, and keys show and hide them', async () => {
+test('plots are loaded with their first use, their CSV has the numbers of stats and measures, and they follow the fire', async () => {
   const tab = await openTools(browser, WIDE, PAUSED);
   const loaded = () => tab.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name).filter((name) => name.includes('/plots/')));
   assert.deepEqual(await loaded(), []);
-  await openPlots(tab);
-  await burn(tab, 1, 0.02);
-  assert.notDeepEqual(await loaded(), []);
-  await tab.key('g');
-  assert.equal(await tab.evaluate(() => document.querySelector('.hearth-plots')), null);
-  assert.deepEqual(tab.problems, []);
-});
-
-test('the CSV has units, and the numbers of stats, measures and charts', async () => {
-  const tab = await openTools(browser, WIDE, PAUSED);
+  await assertShows(tab, WIDE);
+  assert.ok((await loaded()).some((name) => name.includes('/plots/')));
   await openPlots(tab);
   await burn(tab, 20, 0.05);
   const { name, type, columns } = await csv(tab);
@@ -129,7 +121,7 @@ test('the CSV has units, and the numbers of stats, measures and charts', async (
   assert.ok(times.every((time, at) => at === 0 || time > times[at - 1]));
   assert.ok(Math.abs(power.at(-1) - measures.power) < 0.01);
   // The average of stats: a tenth of each frame's power.
-  const average = power.reduce((mean, one) => mean + 0.1 * (one - mean));
+  const average = power.reduce((mean, value) => mean + 0.1 * (value - mean));
   assert.ok(Math.abs(average - stats.power) < 0.2 * stats.power, `${average}, and ${stats.power} kW/m`);
   assert.ok(shown['Flame height'].startsWith(`now ${heights.at(-1).toFixed(2)} m`), shown['Flame height']);
 
@@ -138,35 +130,26 @@ test('the CSV has units, and the numbers of stats, measures and charts', async (
   assert.equal(temperatures.length, 64);
   for (const [at, { temperature }] of measures.profile.entries()) assert.ok(Math.abs(temperature - temperatures[at]) < 0.01);
   assert.ok(Math.max(...columns['mean temperature [K]']) > 1000);
-  assert.deepEqual(tab.problems, []);
-});
 
-test('a fire that plays has a frame time, that of stats', async () => {
-  const tab = await openTools(browser, WIDE, 'scene=default&quality=low');
+  const now = async () => Number(/^now (\d+) kW/.exec((await charts(tab)).Power)?.[1]);
+  const before = await now();
+  await tab.fire((fire) => fire.set('fuel_power', 600));
+  await burn(tab, 9);
+  const after = await now();
+  assert.ok(after > 1.5 * before, `${before}, then ${after} kW/m`);
+
   await tab.fire((fire) => {
     const seen = /** @type {any} */ (window).seen = fire.stats ? [1000 / fire.stats.fps] : [];
     fire.addEventListener('stats', ({ detail }) => seen.push(1000 / detail.fps));
+    fire.play();
   });
-  await openPlots(tab);
   await tab.until('a frame time', () => /^Frame time: now \d+ ms/.test(document.querySelector('.hearth-plots .chart')?.getAttribute('aria-label') ?? ''));
   await tab.fire((fire) => fire.pause());
-  const { columns } = await csv(tab);
-  const frames = columns['frame time [ms]'];
+  const frames = (await csv(tab)).columns['frame time [ms]'];
   const seen = await tab.evaluate(() => /** @type {any} */ (window).seen);
   assert.ok(seen.some((time) => Math.abs(frames.at(-1) - time) < 0.01 * time), `${frames.at(-1)} ms, and ${seen} in stats`);
-  assert.deepEqual(tab.problems, []);
-});
-
-test('the plots follow a stronger fire', async () => {
-  const tab = await openTools(browser, WIDE, PAUSED);
-  await openPlots(tab);
-  await burn(tab, 2);
-  const power = async () => Number(/^now (\d+) kW/.exec((await charts(tab)).Power)?.[1]);
-  const before = await power();
-  await tab.fire((fire) => fire.set('fuel_power', 600));
-  await burn(tab, 9);
-  const after = await power();
-  assert.ok(after > 1.5 * before, `${before}, then ${after} kW/m`);
+  await tab.key('g');
+  assert.equal(await tab.evaluate(() => document.querySelector('.hearth-plots')), null);
   assert.deepEqual(tab.problems, []);
 });
 

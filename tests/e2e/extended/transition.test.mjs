@@ -21,22 +21,26 @@ const FIRE = '<hearth-fire paused quality="low" style="width: 40px; height: 50px
  * @param {string} [html]
  */
 async function open(html = FIRE) {
-  const tab = await browser.open(`<script>
-    const moves = (window.moves = new Set());
-    let share = 0;
-    const play = Animation.prototype.play;
-    Animation.prototype.play = function () {
-      play.call(this);
-      this.pause();
-      moves.add(this);
-      this.currentTime = share * this.effect.getTiming().duration;
-    };
-    const cancel = Animation.prototype.cancel;
-    Animation.prototype.cancel = function () { moves.delete(this); cancel.call(this); };
-    window.clock = (now) => {
-      share = now;
-      for (const one of moves) one.currentTime = now * one.effect.getTiming().duration;
-    };
+  const tab = await browser.show(`<script>
+    if (!window.clock) {
+      const moves = (window.moves = new Set());
+      let share = 0;
+      const { play, cancel } = Animation.prototype;
+      Animation.prototype.play = function () {
+        play.call(this);
+        this.pause();
+        moves.add(this);
+        this.currentTime = share * this.effect.getTiming().duration;
+      };
+      Animation.prototype.cancel = function () { moves.delete(this); cancel.call(this); };
+      window.clock = (now) => {
+        share = now;
+        for (const move of moves) move.currentTime = now * move.effect.getTiming().duration;
+      };
+    }
+    window.ended = {};
+    window.moves.clear();
+    window.clock(0);
   </script>${recording(html)}`);
   await tab.ready();
   return tab;
@@ -201,7 +205,7 @@ test('setting a value ends its transition, and the others continue', async () =>
     return fire.set('wind', -0.5);
   });
   await at(tab, 0.5, { wind: -0.5, exposure: 0.5 });
-  await tab.fire((fire) => fire.importConfig({ hearth: 1, values: { exposure: 2 } }));
+  await tab.fire((fire) => fire.importConfig({ hearth: 2, values: { exposure: 2 } }));
   assert.equal(await end(tab, 'four'), false);
   assert.equal(await tab.fire((fire) => fire.exposure), 2);
 });
@@ -240,7 +244,7 @@ test('values arrive at once while the fire is out of sight', async () => {
 });
 
 test('a transition that is requested before the fire is ready starts with it, by the real clock', async () => {
-  const tab = await browser.open('<p></p>');
+  const tab = await browser.show('<p></p>');
   const found = await tab.evaluate(async () => {
     await import('./web/hearth-fire.js');
     const fire = /** @type {any} */ (document.createElement('hearth-fire'));

@@ -66,7 +66,7 @@ test('the order on the page counts, not the order of making', async () => {
 });
 
 test('a fire keeps its automatic seed when it is moved or inserted again, until another is set', async () => {
-  const tab = await browser.open(`<hearth-fire ${SMALL} seed="auto"></hearth-fire><div></div>`);
+  const tab = await browser.show(`<hearth-fire ${SMALL} seed="auto"></hearth-fire><div></div>`);
   const [own] = await seeds(tab);
   const after = await tab.fire(async (fire) => {
     const found = [];
@@ -95,7 +95,7 @@ test('a fire keeps its automatic seed when it is moved or inserted again, until 
 });
 
 test('replacing all values keeps an automatic seed, unless they name one', async () => {
-  const tab = await browser.open(`<hearth-fire ${SMALL} seed="auto" preset="candle"></hearth-fire>`);
+  const tab = await browser.show(`<hearth-fire ${SMALL} seed="auto" preset="candle"></hearth-fire>`);
   const [own] = await seeds(tab);
   const found = await tab.fire(async (fire) => {
     const kept = [];
@@ -105,9 +105,9 @@ test('replacing all values keeps an automatic seed, unless they name one', async
     };
     fire.preset = 'torch';
     await next();
-    await fire.importConfig({ hearth: 1, preset: 'seed', values: {} });
+    await fire.importConfig({ hearth: 2, preset: 'seed', values: {} });
     await next();
-    await fire.importConfig({ hearth: 1, values: { seed: 3 } });
+    await fire.importConfig({ hearth: 2, values: { seed: 3 } });
     await next();
     await fire.restore();
     await next();
@@ -149,7 +149,7 @@ test('a colour is any colour of CSS, and its settings hold it as hex', async () 
       await fire.set({ background: value });
       const set = fire.background;
       await fire.set('background', '#010203');
-      await fire.importConfig({ hearth: 1, values: { background: value } });
+      await fire.importConfig({ hearth: 2, values: { background: value } });
       return [set, fire.background];
     }, colour);
     assert.deepEqual(found, [hex, hex], colour);
@@ -159,7 +159,7 @@ test('a colour is any colour of CSS, and its settings hold it as hex', async () 
 });
 
 test('an invalid colour is rejected by name, and the last one stays', async () => {
-  const tab = await browser.open(recording(`<hearth-fire ${SMALL} background="teal"></hearth-fire>`));
+  const tab = await browser.show(recording(`<hearth-fire ${SMALL} background="teal"></hearth-fire>`));
   await tab.ready();
   const nonsense = ['reddish', 'inherit', 'initial', '#12', 'rgb(', 'red; color: blue', 'var(--none', 'var(--none)', 'linear-gradient(red, blue)', '', 'none'];
   for (const value of nonsense) {
@@ -181,8 +181,8 @@ test('colours of a file and of an address are those of CSS too', async () => {
   assert.equal(await tab.fire((fire) => fire.background), '#0000ff');
   const seed = await tab.fire((fire) => fire.seed);
   assert.ok(seed > 1, `${seed}`);
-  const file = `data:application/json,${encodeURIComponent('{"hearth":1,"values":{"background":"gold"}}')}`;
-  const other = await browser.open(`<hearth-fire ${SMALL} src='${file}'></hearth-fire>`);
+  const file = `data:application/json,${encodeURIComponent('{"hearth":2,"values":{"background":"gold"}}')}`;
+  const other = await browser.show(`<hearth-fire ${SMALL} src='${file}'></hearth-fire>`);
   await other.ready();
   assert.equal(await other.fire((fire) => fire.background), '#ffd700');
   assert.deepEqual([...tab.problems, ...other.problems], []);

@@ -22,7 +22,7 @@ function assertNear(found, expected, what) {
 }
 
 test('the height of the world fits the picture, its origin is the lower middle', async () => {
-  const tab = await browser.open(`<hearth-fire paused
+  const tab = await browser.show(`<hearth-fire paused
     style="width: 300px; height: 200px; border: 10px solid; margin: 20px"></hearth-fire>`);
   await tab.ready();
   const height = DEFAULTS.domain_height;
@@ -40,7 +40,7 @@ test('the height of the world fits the picture, its origin is the lower middle',
 });
 
 test('they follow the height of the world, and say nothing without a picture', async () => {
-  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
   await tab.ready();
   await tab.fire((fire) => fire.set('domain_height', 3));
   assertNear(await tab.fire((fire) => fire.toMetres(120, 0)), { x: 0, y: 3 }, 'the top');
@@ -54,7 +54,7 @@ test('they follow the height of the world, and say nothing without a picture', a
 });
 
 test('particles appear where toPixels puts their source', async () => {
-  const tab = await browser.open(`<hearth-fire paused model="classic" display-mode="paper"
+  const tab = await browser.show(`<hearth-fire paused model="classic" display-mode="paper"
     source-width="0.05" source-height="0.1" emission-speed="0"></hearth-fire>`);
   await tab.ready();
   await tab.fire((fire) => fire.step(10));

@@ -39,7 +39,14 @@ function keepPictures() {
   };
 }
 
+/** A page of its own. */
 const open = (html, options = {}) => browser.open(recording(html), { ...small, before: keepPictures, ...options });
+
+/** A fire whose pictures are counted from the first one. */
+const show = (html, options = {}) => browser.show(
+  `<script>Object.assign(window, { pictures: 0, fades: 0, holdFades: false })</script>${recording(html)}`,
+  { ...small, before: keepPictures, ...options },
+);
 
 /** What the inside of the first fire shows. */
 const seen = (tab) => tab.fire((fire) => {
@@ -60,7 +67,7 @@ async function flame(tab) {
 }
 
 test('the first picture is that of a fire that has burnt, and ready waits for it', async () => {
-  const tab = await open('<hearth-fire warm="3" paused></hearth-fire>', { draws: true });
+  const tab = await show('<hearth-fire warm="3" paused></hearth-fire>', { draws: true });
   await tab.ready();
   // The poster fades.
   const { drawn, pictures } = await seen(tab);
@@ -74,7 +81,7 @@ test('the first picture is that of a fire that has burnt, and ready waits for it
 
 test('a stored burning scene is shown at once, in every quality', async () => {
   for (const quality of ['low', 'high']) {
-    const tab = await open(`<hearth-fire preset="fireside" warm quality="${quality}" paused></hearth-fire>`, { draws: true });
+    const tab = await show(`<hearth-fire preset="fireside" warm quality="${quality}" paused></hearth-fire>`, { draws: true });
     await tab.ready();
     const { time, particles, limit } = await tab.fire((fire) => fire.stats);
     // Exactly where it is kept: no step was made, and none is needed.
@@ -90,7 +97,7 @@ test('a stored burning scene is shown at once, in every quality', async () => {
 
 test('other values than those of the kept fire burn first, and those of the look do not matter', async () => {
   for (const [attributes, kept] of [['exposure="1" backdrop="none"', true], ['fuel-power="150"', false]]) {
-    const tab = await open(`<hearth-fire preset="fireside" warm="1" paused ${attributes}></hearth-fire>`);
+    const tab = await show(`<hearth-fire preset="fireside" warm="1" paused ${attributes}></hearth-fire>`);
     await tab.ready();
     const time = await tab.fire((fire) => fire.stats.time);
     assert.equal(time > 2, kept, `${time} s with ${attributes}`);
@@ -113,7 +120,7 @@ test('a damaged stored fire is reported, a missing one is not, and the fire burn
 });
 
 test('the picture before stays until the new fire is warm, and fades into it', async () => {
-  const tab = await open('<hearth-fire warm="1" paused></hearth-fire>', { draws: true });
+  const tab = await show('<hearth-fire warm="1" paused></hearth-fire>', { draws: true });
   await tab.ready();
   await tab.evaluate(() => { /** @type {any} */ (window).holdFades = true; });
   for (const [at, change] of [
@@ -165,7 +172,7 @@ test('a playing fire continues from a warm one, also on the page’s thread', as
 });
 
 test('a fire that is hidden, removed or loses its context while it warms is shown in the end', async () => {
-  const hidden = await open('<hearth-fire warm="1" paused style="display: none"></hearth-fire>');
+  const hidden = await show('<hearth-fire warm="1" paused style="display: none"></hearth-fire>');
   await hidden.ready();
   assert.equal((await seen(hidden)).pictures, 0);
   await hidden.fire((fire) => { fire.style.display = ''; });
@@ -173,7 +180,7 @@ test('a fire that is hidden, removed or loses its context while it warms is show
   const time = await hidden.fire((fire) => fire.stats.time);
   assert.ok(time >= 1, `${time} s`);
 
-  const tab = await open('<hearth-fire warm="1" paused></hearth-fire>');
+  const tab = await show('<hearth-fire warm="1" paused></hearth-fire>');
   await tab.fire((fire) => {
     fire.remove();
     document.body.append(fire);
@@ -183,7 +190,7 @@ test('a fire that is hidden, removed or loses its context while it warms is show
   await tab.fire((fire) => fire.toBlob());
   assert.ok((await seen(tab)).drawn);
 
-  const lost = await open('<hearth-fire warm="2" paused></hearth-fire>');
+  const lost = await show('<hearth-fire warm="2" paused></hearth-fire>');
   await lost.ready();
   await lost.fire((fire) => { fire.reset(); });
   await lost.loseContext(100);
@@ -191,7 +198,7 @@ test('a fire that is hidden, removed or loses its context while it warms is show
 });
 
 test('an invalid warm time is rejected with the allowed range', async () => {
-  const tab = await open('<hearth-fire warm="soon" paused></hearth-fire>');
+  const tab = await show('<hearth-fire warm="soon" paused></hearth-fire>');
   await tab.ready();
   assert.equal(await tab.fire((fire) => fire.warm), 0);
   const [error] = await events(tab, 'error');

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use hearth_core::Simulation;
 use hearth_core::params::{Input, Kind, Model, Param};
-use hearth_core::preset::{PRESETS, Preset};
+use hearth_core::preset::Preset;
 
 use crate::snapshot::Snapshot;
 
@@ -22,7 +22,7 @@ const BURNT: f64 = 5.0;
 /// A value that the table refuses, in words.
 pub fn all() -> Result<BTreeMap<String, Snapshot>, String> {
     let mut kept = BTreeMap::new();
-    for preset in PRESETS {
+    for preset in Preset::all() {
         kept.insert(preset.name.to_owned(), snapshot(preset, PARTICLES, &[])?);
     }
     for preset in ["default", "classic"].into_iter().filter_map(Preset::find) {

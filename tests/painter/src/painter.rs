@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use hearth_core::params::Input;
-use hearth_core::preset::{PRESETS, Preset};
+use hearth_core::preset::Preset;
 use hearth_core::{Charred, Instance, Scene, Simulation};
 use hearth_render::{
     Chromaticity, Renderer, ResolutionLimits, SharedResources, TargetFormat, View, chromaticity,
@@ -101,7 +101,7 @@ impl Fire {
 /// The names of all presets.
 #[wasm_bindgen]
 pub fn presets() -> Vec<String> {
-    PRESETS
+    Preset::all()
         .iter()
         .map(|preset| preset.name.to_owned())
         .collect()

@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use hearth_core::params::{Input, Motion, Solid};
 use hearth_core::random::Random;
 use hearth_core::scene::Surface;
-use hearth_core::{Charred, Scene, Simulation, Vec2, Where};
+use hearth_core::{Charred, IgnitionTarget, Scene, Simulation, Vec2};
 
 use super::crowd::{MASKS, POLYGONS, SHAPES, STROKES, scaled};
 use super::{Outcome, described, watched};
@@ -117,7 +117,7 @@ impl Heap {
         watched(&mut fire, seconds, &mut |fire| {
             if !is_lit && fire.time() >= LIGHTING {
                 // Where there is none, nothing is lit, as on a page.
-                let _ = fire.ignite(Where::Place(middle, radius));
+                let _ = fire.ignite(IgnitionTarget::Place(middle, radius));
                 is_lit = true;
             }
             let mut wrong = gas_in_what_is_left(fire).or_else(|| wrong(fire));

@@ -1,5 +1,5 @@
-//! Settings of version 1, which were written for a closed domain, in open air: the same frame, and
-//! a flame as high.
+//! Settings that state their resolution as a number of particles, in a closed domain and in open air:
+//! the same frame, and a flame as high.
 
 use hearth_core::params::{Edges, IN_DOMAIN, Input, Model};
 use hearth_core::{Parameters, Simulation};
@@ -23,7 +23,7 @@ pub(super) const CASES: &[Case] = &[
 /// Settings: their name, and the values that act on the gas.
 type Settings = (&'static str, &'static str);
 
-/// The scenes with the combustion model, as files of version 1.
+/// The scenes with the combustion model, as settings of a closed domain.
 #[rustfmt::skip]
 const SCENES: [Settings; 12] = [
     ("default", ""),

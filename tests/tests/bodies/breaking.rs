@@ -1,7 +1,7 @@
 //! Bodies that burn through: each part goes on as a body of its own.
 
 use hearth_core::params::Input;
-use hearth_core::{Charred, FreeSolid, Scene, Simulation, Vec2, Where};
+use hearth_core::{Charred, FreeSolid, IgnitionTarget, Scene, Simulation, Vec2};
 use hearth_tests::fires::burn_on;
 use hearth_tests::sweep::heap::gas_in_what_is_left;
 
@@ -34,7 +34,7 @@ pub fn stick_in(scene: &mut Scene, y: f64) -> u32 {
 fn lit(scene: Scene) -> Simulation {
     let mut fire = Simulation::new(scene);
     let middle = Vec2::new(0.0, HEIGHT as f32);
-    assert_eq!(fire.ignite(Where::Place(middle, LIT)), Ok(()));
+    assert_eq!(fire.ignite(IgnitionTarget::Place(middle, LIT)), Ok(()));
     fire
 }
 
@@ -213,7 +213,7 @@ fn a_change_of_the_scene_keeps_the_parts_and_reset_restores_the_whole() {
     assert_eq!(balance(&fire).0, balance(&fire).2);
     // A removed solid takes its parts along.
     assert_eq!(
-        fire.ignite(Where::Place(Vec2::new(0.0, HEIGHT as f32), LIT)),
+        fire.ignite(IgnitionTarget::Place(Vec2::new(0.0, HEIGHT as f32), LIT)),
         Ok(())
     );
     until_it_breaks(&mut fire);
@@ -231,13 +231,13 @@ fn an_object_is_lit_and_put_out_with_its_parts() {
     let (scene, id) = stick(0.0);
     let mut fire = lit(scene);
     until_it_breaks(&mut fire);
-    assert_eq!(fire.extinguish(Where::Object(id)), Ok(()));
+    assert_eq!(fire.extinguish(IgnitionTarget::Object(id)), Ok(()));
     let left = balance(&fire).0;
     burn_on(&mut fire, 0.5);
     // Gas that it has given off still leaves its cells.
     let lost = 1.0 - balance(&fire).0 / left;
     assert!(lost < 0.02, "{lost}");
-    assert_eq!(fire.ignite(Where::Object(id)), Ok(()));
+    assert_eq!(fire.ignite(IgnitionTarget::Object(id)), Ok(()));
     burn_on(&mut fire, 1.0);
     let now = fire.free_solids();
     assert!(now.iter().all(|one| one.mass < 4.0), "{now:?}");

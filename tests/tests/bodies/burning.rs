@@ -2,7 +2,7 @@
 
 use hearth_core::params::Input;
 use hearth_core::random::Random;
-use hearth_core::{Scene, Simulation, Vec2, Where};
+use hearth_core::{IgnitionTarget, Scene, Simulation, Vec2};
 use hearth_tests::fires::burn_on;
 use hearth_tests::sweep::heap::{Heap, gas_in_what_is_left};
 
@@ -27,7 +27,10 @@ fn a_burning_body_has_the_mass_the_centre_and_the_inertia_of_what_is_left() {
     assert!((before.mass / mass - 1.0).abs() < 1e-3, "{before:?}");
     let inertia = mass * (0.36 + 0.0036) / 12.0;
     assert!((before.inertia / inertia - 1.0).abs() < 0.01, "{before:?}");
-    assert_eq!(fire.ignite(Where::Place(Vec2::new(-0.3, 0.5), 0.2)), Ok(()));
+    assert_eq!(
+        fire.ignite(IgnitionTarget::Place(Vec2::new(-0.3, 0.5), 0.2)),
+        Ok(())
+    );
     let left = |fire: &Simulation| {
         let fuel = fire.burning_solids();
         ((fuel[0].fuel + fuel[0].char) / fuel[0].first) as f32
@@ -37,7 +40,7 @@ fn a_burning_body_has_the_mass_the_centre_and_the_inertia_of_what_is_left() {
         fire.step();
     }
     // The mass is looked at four times a second, before what stands no more falls.
-    assert_eq!(fire.extinguish(Where::Object(id)), Ok(()));
+    assert_eq!(fire.extinguish(IgnitionTarget::Object(id)), Ok(()));
     burn_on(&mut fire, 0.6);
     let (after, left) = (free(&fire, id), left(&fire));
     assert!(
@@ -73,7 +76,10 @@ fn a_heap_of_burning_bodies_stays_finite_and_without_gas_inside() {
     }
     let mut fire = Simulation::new(scene);
     burn_on(&mut fire, 0.5);
-    assert_eq!(fire.ignite(Where::Place(Vec2::new(0.0, 0.2), 0.4)), Ok(()));
+    assert_eq!(
+        fire.ignite(IgnitionTarget::Place(Vec2::new(0.0, 0.2), 0.4)),
+        Ok(())
+    );
     while fire.time() < 10.0 {
         fire.step();
         assert_eq!(gas_in_what_is_left(&fire), None, "{} s", fire.time());

@@ -3,7 +3,7 @@
 use std::f32::consts::PI;
 
 use hearth_core::params::Input;
-use hearth_core::{FreeSolid, Scene, Simulation, Vec2, Where};
+use hearth_core::{FreeSolid, IgnitionTarget, Scene, Simulation, Vec2};
 use hearth_tests::fires::{burn_on, closed_box, watch, with_numbers};
 use hearth_tests::sweep::heap::gas_in_what_is_left;
 
@@ -322,7 +322,7 @@ fn what_hangs_falls_where_it_has_burnt_through() {
     let ids = paper(&mut scene, 1.4, 8);
     let mut fire = Simulation::new(scene);
     burn_on(&mut fire, 0.5);
-    assert_eq!(fire.ignite(Where::Object(ids[3])), Ok(()));
+    assert_eq!(fire.ignite(IgnitionTarget::Object(ids[3])), Ok(()));
     let last = *ids.last().unwrap();
     let start = free(&fire, last).place.y;
     let mut fell = false;
@@ -347,7 +347,10 @@ fn a_hinge_stays_with_the_part_that_has_its_place() {
     let id = add(&mut scene, "line", "free", &link);
     hang(&mut scene, id, stick);
     let mut fire = Simulation::new(scene);
-    assert_eq!(fire.ignite(Where::Place(Vec2::new(0.0, 1.2), 0.07)), Ok(()));
+    assert_eq!(
+        fire.ignite(IgnitionTarget::Place(Vec2::new(0.0, 1.2), 0.07)),
+        Ok(())
+    );
     while fire.free_solids().len() < 3 {
         assert!(fire.time() < 4.0);
         fire.step();
@@ -372,7 +375,7 @@ fn a_saved_fire_has_its_hinges_and_not_those_that_let_go() {
     let mut scene = Scene::new(floor(&[]));
     let ids = paper(&mut scene, 1.4, 6);
     let mut fire = Simulation::new(scene.clone());
-    assert_eq!(fire.ignite(Where::Object(ids[3])), Ok(()));
+    assert_eq!(fire.ignite(IgnitionTarget::Object(ids[3])), Ok(()));
     while free(&fire, ids[5]).place.y > 0.8 {
         assert!(fire.time() < 8.0);
         fire.step();
@@ -396,7 +399,7 @@ fn the_same_chain_has_the_same_bits() {
         let mut scene = Scene::new(floor(&[]));
         let ids = paper(&mut scene, 1.2, 6);
         let mut fire = Simulation::new(scene);
-        assert_eq!(fire.ignite(Where::Object(ids[5])), Ok(()));
+        assert_eq!(fire.ignite(IgnitionTarget::Object(ids[5])), Ok(()));
         burn_on(&mut fire, 1.5);
         fire
     });

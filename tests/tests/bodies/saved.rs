@@ -99,23 +99,6 @@ fn a_saved_fire_has_its_free_solids_where_they_were() {
 }
 
 #[test]
-fn a_fire_of_an_older_version_has_its_free_solids_at_their_start() {
-    let (_, bytes) = saved();
-    let mut older = bytes[..bytes.len() - 3 * BODY].to_vec();
-    let mut fire = Simulation::new(heap());
-    let start = fire.free_solids();
-    // Of this version it is damaged.
-    let refused = fire.restore_burning(&older);
-    assert!(
-        matches!(refused, Err(BurningError::Damaged(_))),
-        "{refused:?}"
-    );
-    older[4] = 2;
-    assert_eq!(fire.restore_burning(&older), Ok(()));
-    assert_eq!(fire.free_solids(), start);
-}
-
-#[test]
 fn a_damaged_free_solid_is_refused_and_changes_nothing() {
     let (_, bytes) = saved();
     let mut fire = Simulation::new(heap());
@@ -157,7 +140,7 @@ fn a_broken_solid_is_whole_again() {
     let id = add(&mut scene, "box", "free", &size);
     assert_eq!(scene.change(id, &[("fuel", Input::Text("paper"))]), Ok(()));
     let mut fire = Simulation::new(scene.clone());
-    let middle = hearth_core::Where::Place(Vec2::new(0.0, 1.0), 0.07);
+    let middle = hearth_core::IgnitionTarget::Place(Vec2::new(0.0, 1.0), 0.07);
     assert_eq!(fire.ignite(middle), Ok(()));
     while fire.free_solids().len() < 2 {
         assert!(fire.time() < 3.0);

@@ -1,7 +1,7 @@
 //! Fires that are sprayed, and solids that are wet.
 
 use hearth_core::params::Input;
-use hearth_core::{BurningState, NoFuel, Scene, Simulation, Vec2, Where};
+use hearth_core::{BurningState, IgniteError, IgnitionTarget, Scene, Simulation, Vec2};
 use hearth_tests::fires::{burn_on, combustion, in_the_open, on_floor};
 
 use super::{ID, assert_balanced, log, open, spray, sprayed, with_solid};
@@ -19,7 +19,7 @@ fn power(fire: &mut Simulation) -> f64 {
 #[test]
 fn water_that_strikes_wood_is_in_its_cells_and_its_heat_is_counted() {
     let mut fire = log(&[]);
-    assert_eq!(fire.ignite(Where::Object(ID)), Ok(()));
+    assert_eq!(fire.ignite(IgnitionTarget::Object(ID)), Ok(()));
     burn_on(&mut fire, 1.5);
     let before = fire.burning_solids()[0];
     let jet = [Vec2::new(0.0, 0.7), Vec2::new(0.0, -4.0)];
@@ -43,7 +43,7 @@ fn wood_that_is_sprayed_enough_goes_out_and_stays_out_and_sprayed_little_burns_o
     // The last cells of a wet log cool for up to five seconds.
     let left = [(0.0, 3.0), (0.004, 3.0), (0.25, 6.0)].map(|(rate, after)| {
         let mut fire = log(&[]);
-        assert_eq!(fire.ignite(Where::Object(ID)), Ok(()));
+        assert_eq!(fire.ignite(IgnitionTarget::Object(ID)), Ok(()));
         burn_on(&mut fire, 2.0);
         assert_eq!(fire.burning_solids()[0].state, BurningState::Burning);
         spray(&mut fire, jet, (rate, 2.0), |_| ());
@@ -121,15 +121,15 @@ fn the_more_a_source_is_sprayed_the_less_it_burns_until_it_stays_out() {
 #[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn a_source_that_water_has_put_out_burns_again_once_it_is_lit() {
     let jet = [Vec2::new(0.0, 0.5), Vec2::new(0.0, -3.0)];
-    let beside = Where::Place(Vec2::new(0.2, 0.12), 0.0);
-    let far = Where::Place(Vec2::new(0.4, 0.12), 0.0);
+    let beside = IgnitionTarget::Place(Vec2::new(0.2, 0.12), 0.0);
+    let far = IgnitionTarget::Place(Vec2::new(0.4, 0.12), 0.0);
     let mut fire = bed();
     burn_on(&mut fire, 1.5);
     let before = power(&mut fire);
-    assert_eq!(fire.ignite(beside), Err(NoFuel), "nothing is wet");
+    assert_eq!(fire.ignite(beside), Err(IgniteError), "nothing is wet");
     spray(&mut fire, jet, (0.15, 2.0), assert_balanced);
     burn_on(&mut fire, 4.0);
-    assert_eq!(fire.ignite(far), Err(NoFuel));
+    assert_eq!(fire.ignite(far), Err(IgniteError));
     assert!(power(&mut fire) < 0.01 * before);
     assert_eq!(fire.ignite(beside), Ok(()));
     assert_balanced(&fire);

@@ -1,7 +1,7 @@
 //! What droplets and gas exchange.
 
 use hearth_core::random::Random;
-use hearth_core::{NoWater, Simulation, Vec2};
+use hearth_core::{Simulation, SprayError, Vec2};
 use hearth_tests::fires::{burn_on, closed_box, combustion, everything, filled, in_the_open, mean};
 use hearth_tests::fires::{watch, with};
 
@@ -249,7 +249,7 @@ fn random_sprays_keep_everything_finite() {
 fn the_classic_model_has_no_water_and_says_so() {
     let mut fire = Simulation::new(with([]));
     let refused = fire.spray(Vec2::new(0.0, 0.5), Vec2::ZERO, 0.01);
-    assert_eq!(refused, Err(NoWater));
+    assert_eq!(refused, Err(SprayError));
     let words = "model must be combustion: the classic model has no water";
     assert_eq!(
         refused.map_err(|error| error.to_string()),

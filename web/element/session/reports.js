@@ -12,7 +12,6 @@ import { cut, refusal } from './requests.js';
 /** The reports of one element. */
 export class Reports {
   #fire;
-  #hasWarnedAboutSeam = false;
 
   /** @param {import('../../hearth-fire.js').HearthFire} fire */
   constructor(fire) {
@@ -47,17 +46,6 @@ export class Reports {
     const values = Object.entries({ scene: 'default', ...params }).filter(([id, value]) => value !== /** @type {{[id: string]: unknown}} */ (DEFAULTS)[id]);
     if (objects.length > 1) values.push(['objects', JSON.stringify(objects)]);
     return { version: VERSION, seed: params.seed, settings: `?${new URLSearchParams(/** @type {any} */ (values))}` };
-  }
-
-  /**
-   * Warns once that open edges have no seam, which settings from before open air may have.
-   * @param {{seam?: number}} changed
-   * @param {import('../../parameters.js').HearthParameters} params
-   */
-  warnAboutSeam({ seam = DEFAULTS.seam }, { model, edges }) {
-    if (this.#hasWarnedAboutSeam || seam === DEFAULTS.seam || model !== 'combustion' || edges !== 'open') return;
-    this.#hasWarnedAboutSeam = true;
-    console.warn('<hearth-fire>: seam has no effect with open edges; edges="periodic" has a seam.');
   }
 
   /** Reports refused values; returns the error that names them. @type {(errors: Refusal[]) => Error} */

@@ -296,7 +296,6 @@ export class FireSession {
     if (connection.closed && !['ready', 'changed', 'done', 'refused'].includes(type)) return;
     if (type === 'ready') {
       state.take(message);
-      reports.warnAboutSeam(message.values, state.params);
       this.code.adopt();
       this.code.reportToChildren(message);
     } else if (type === 'changed') {
@@ -305,7 +304,6 @@ export class FireSession {
       state.take(message);
       this.code.reportToChildren(message);
       if (message.replaced && (this.fire.getAttribute('preset') ?? 'default') !== state.preset) this.reflectPreset(state.preset);
-      reports.warnAboutSeam(message.values, state.params);
       if (!this.#ready.announced) return;
       const { source } = message;
       for (const [id, value] of Object.entries(message.values)) reports.emit('params-change', { id, value, source });

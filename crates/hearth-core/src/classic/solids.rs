@@ -16,7 +16,7 @@ pub(super) const GAP: f32 = 0.05;
 const FRICTION_COEFFICIENT: f32 = 0.3;
 
 /// Keeps the particles outside of the solids. The life of those without a place ends. What changes
-/// their velocities took `dt` \[s\]; free solids feel nothing of what takes no time.
+/// their velocities took `dt` \[s\]; what takes no time does not accelerate free solids.
 pub(super) fn keep_all_outside(
     particles: &mut Particles,
     solids: &mut Solids,

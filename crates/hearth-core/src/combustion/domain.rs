@@ -15,10 +15,10 @@ use crate::solids::Solids;
 /// The place of [`Measured::number`](crate::instance::Measured::number) in an instance.
 const NUMBER: usize = 6;
 
-/// The rectangle that holds the gas of a fire with these values and the discretisation of this
-/// [number](Discretisation::as_number), whatever is seen.
-pub(crate) fn bounds(values: &Physics, made_with: u32) -> Bounds {
-    match Discretisation::made_with(made_with, values) {
+/// The rectangle that holds the gas of a fire with these values and this discretisation, whatever is
+/// seen.
+pub(crate) fn bounds(values: &Physics, discretisation: Discretisation) -> Bounds {
+    match discretisation {
         Discretisation::Open { spacing } => open_air::layout(values, None, spacing).bounds(),
         Discretisation::Periodic { .. } => periodic_bounds(values),
     }

@@ -32,7 +32,7 @@ use cells::Burning;
 use state::{BLOCKS, Beside, Block};
 
 pub(super) use command::reach;
-pub use command::{NoFuel, Where};
+pub use command::{IgniteError, IgnitionTarget};
 pub(super) use material::{BOILING, VAPORISATION, WATER_CAPACITY};
 pub use report::{BurningSolid, BurningState, FuelTotal};
 pub(crate) use state::Fuels;

@@ -8,7 +8,7 @@ use glam::Vec2;
 
 use super::domain::Domain;
 use super::gas::pair::Context;
-use super::gas::removed::Removed;
+use super::gas::removed::RemovedGas;
 use super::gas::walls::{MIN_DISTANCE, Walls};
 use super::gas::{Gas, Lattice};
 use super::reaction::chemistry::HEAT_CAPACITY;
@@ -25,7 +25,7 @@ pub(super) struct Obstacles {
     pub solids: Solids,
     pub walls: Walls,
     /// The gas that solids have taken the place of.
-    pub removed: Removed,
+    pub removed: RemovedGas,
 }
 
 impl Obstacles {

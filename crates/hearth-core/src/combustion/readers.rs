@@ -4,8 +4,8 @@ use glam::Vec2;
 
 use super::reaction::chemistry;
 use super::{
-    BurningSolid, Charred, Combustion, Droplets, Ember, FuelTotal, Gas, NoFuel, Removed, Sprayed,
-    Where,
+    BurningSolid, Charred, Combustion, Droplets, Ember, FuelTotal, Gas, IgniteError,
+    IgnitionTarget, RemovedGas, SprayTotals,
 };
 use crate::instance::Instance;
 use crate::params::Physics;
@@ -37,7 +37,7 @@ impl Combustion {
     }
 
     /// The gas that solids have taken the place of.
-    pub fn removed(&self) -> Removed {
+    pub fn removed(&self) -> RemovedGas {
         self.obstacles.removed
     }
 
@@ -61,13 +61,13 @@ impl Combustion {
     /// Lights solids that have fuel, and sources that are wet.
     pub fn ignite(
         &mut self,
-        at: Where,
+        at: IgnitionTarget,
         values: &Physics,
         random: &mut Random,
-    ) -> Result<(), NoFuel> {
+    ) -> Result<(), IgniteError> {
         let fuel = match self.fuels.as_mut() {
             Some(fuels) => fuels.ignite(at, &mut self.gas, &self.obstacles.solids, values),
-            None => Err(NoFuel),
+            None => Err(IgniteError),
         };
         let water = self.water.as_mut();
         let dried = water.is_some_and(|water| water.light(at, &self.obstacles.solids, random));
@@ -75,10 +75,10 @@ impl Combustion {
     }
 
     /// Puts out solids that have fuel, and gas.
-    pub fn extinguish(&mut self, at: Where, values: &Physics) -> Result<(), NoFuel> {
+    pub fn extinguish(&mut self, at: IgnitionTarget, values: &Physics) -> Result<(), IgniteError> {
         match self.fuels.as_mut() {
             Some(fuels) => fuels.extinguish(at, &mut self.gas, &self.obstacles.solids, values),
-            None => Err(NoFuel),
+            None => Err(IgniteError),
         }
     }
 
@@ -129,9 +129,9 @@ impl Combustion {
     }
 
     /// Where all water is.
-    pub fn sprayed(&self) -> Sprayed {
+    pub fn sprayed(&self) -> SprayTotals {
         let water = self.water.as_ref();
-        water.map_or_else(Sprayed::default, |water| water.sprayed())
+        water.map_or_else(SprayTotals::default, |water| water.sprayed())
     }
 
     /// Widens the kernels of measured particles where open air ends.

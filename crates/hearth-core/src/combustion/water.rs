@@ -20,5 +20,5 @@ mod steam;
 mod strike;
 
 pub(super) use around::Around;
-pub use report::{Droplets, NoWater, Sprayed};
+pub use report::{Droplets, SprayError, SprayTotals};
 pub(super) use state::Water;

@@ -2,8 +2,7 @@
 //!
 //! With open edges the resolution is the length `spacing`, and `max_particles` is a cap. Settings
 //! that do not name `spacing` state the resolution as a number of particles of the domain, as the
-//! closed domain does. So settings from before open edges keep their framing and their resolution,
-//! and need no version.
+//! closed domain does.
 
 use super::choices::{Edges, Model};
 use super::set::Parameters;

@@ -1,40 +1,46 @@
-//! The types of the presets.
+//! The type of a preset, and the reader of their table.
+
+use std::sync::LazyLock;
 
 use crate::params::{IN_DOMAIN, Input, Parameters};
 use crate::scene::{KIND, Scene};
 
+/// The table of presets. Its head describes the format.
+const TABLE: &str = include_str!("scenes.txt");
+
+/// Names and their values.
+type Fields = Vec<(&'static str, Input<'static>)>;
+
 /// A named set of values that differ from the defaults.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Preset {
     /// Its name in attributes and URLs.
     pub name: &'static str,
-    /// The values that differ from the defaults, then the fields of each object besides its
-    /// source, with an empty line before each object. A line is an id and a value: a table of
-    /// inputs costs a kilobyte of download. An object that does not begin with its kind has the
-    /// fields of the one before it, but for its own.
-    pub(super) text: &'static str,
-}
-
-/// The label and description of a preset. A separate array, so that a build without text does
-/// not include it.
-#[derive(Debug)]
-pub struct Caption {
-    /// Its name.
+    /// Its name for people.
     pub label: &'static str,
     /// The appearance of the fire, in a sentence.
     pub description: &'static str,
+    /// The values that differ from the defaults.
+    values: Fields,
+    /// The fields of each object besides the first source.
+    objects: Vec<Fields>,
 }
 
 impl Preset {
-    /// The values that differ from the defaults.
-    pub fn values(&self) -> impl Iterator<Item = (&'static str, Input<'static>)> + Clone {
-        Fields(self.text).fuse()
+    /// Every preset: the default one, then those of each model by their names.
+    pub fn all() -> &'static [Preset] {
+        static PRESETS: LazyLock<Vec<Preset>> = LazyLock::new(|| read(TABLE));
+        &PRESETS
     }
 
-    /// Everything but its name, as text: what `cargo xtask build` takes out of a wasm module that
-    /// loads it on request.
-    pub fn text(&self) -> &'static str {
-        self.text
+    /// The preset with this name.
+    pub fn find(name: &str) -> Option<&'static Preset> {
+        Preset::all().iter().find(|preset| preset.name == name)
+    }
+
+    /// The values that differ from the defaults.
+    pub fn values(&self) -> impl Iterator<Item = (&'static str, Input<'static>)> + Clone {
+        self.values.iter().copied()
     }
 
     /// Its values, with their resolution.
@@ -55,33 +61,40 @@ impl Preset {
     /// Its scene: these values, with one source and its other objects.
     pub fn scene(&self) -> Scene {
         let mut scene = Scene::new(self.parameters());
-        let mut rest = Fields(self.text);
-        rest.by_ref().for_each(drop);
-        let mut fields = Vec::new();
-        while !rest.0.is_empty() {
-            if rest.0.starts_with(KIND) {
-                fields.clear();
-            }
-            // Of two fields of one name the later counts.
-            fields.extend(rest.by_ref());
-            let added = scene.add(&fields);
+        for fields in &self.objects {
+            let added = scene.add(fields);
             debug_assert!(added.is_ok(), "preset {}: {added:?}", self.name);
         }
         scene
     }
 }
 
-/// The fields that a text still holds. After those of the values and of each object comes `None`, once.
-#[derive(Clone)]
-struct Fields(&'static str);
-
-impl Iterator for Fields {
-    type Item = (&'static str, Input<'static>);
-
-    fn next(&mut self) -> Option<Self::Item> {
-        let (line, rest) = self.0.split_once('\n').unwrap_or((self.0, ""));
-        self.0 = rest;
-        let (id, value) = line.split_once(' ')?;
-        Some((id, Input::from_decimal(value)))
+/// The presets of a table.
+fn read(table: &'static str) -> Vec<Preset> {
+    let mut presets: Vec<Preset> = Vec::new();
+    // An empty line has no blank, a comment has the name `#`.
+    for (name, text) in table.lines().filter_map(|line| line.split_once(' ')) {
+        if name == "preset" {
+            presets.push(Preset {
+                name: text,
+                ..Preset::default()
+            });
+        }
+        let Some(preset) = presets.last_mut() else {
+            continue;
+        };
+        match name {
+            "preset" => {}
+            "label" => preset.label = text,
+            "description" => preset.description = text,
+            _ => {
+                if name == KIND {
+                    preset.objects.push(Fields::new());
+                }
+                let fields = preset.objects.last_mut().unwrap_or(&mut preset.values);
+                fields.push((name, Input::from_decimal(text)));
+            }
+        }
     }
+    presets
 }

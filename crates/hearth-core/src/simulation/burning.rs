@@ -30,19 +30,18 @@ use glam::Vec2;
 
 use super::Simulation;
 use crate::bounds::Bounds;
-use crate::combustion::Ember;
+use crate::combustion::{Discretisation, Ember};
 use crate::params::{Motion, Solid, Thermal};
 use crate::particle::Particle;
 use crate::random::Random;
 use format::{
-    BODY, Bytes, Columns, EACH, EMBERS, HEADER, Header, MAGIC, OUT_OF_RANGE, quantised,
-    quantised_signed,
+    BODY, Bytes, Columns, EACH, EMBERS, HEADER, Header, MAGIC, OUT_OF_RANGE, WRONG_LENGTH,
+    quantised, quantised_signed,
 };
 
 pub use digest::digest;
 pub use format::VERSION;
 
-const NO_FIRE: &str = "the bytes are not a burning fire";
 /// Largest distance of a free solid from the middle \[m\], its largest speed [m/s], and its largest
 /// spin [1/s].
 const MAX_PLACE: f32 = 100.0;
@@ -56,97 +55,113 @@ const MAX_EMBER_TEMPERATURE: f32 = 2500.0;
 pub enum BurningError {
     /// The fire has other values or another model. The bytes are valid.
     OtherValues,
+    /// The format has this version, which is not [`VERSION`].
+    OtherVersion(u16),
     /// The bytes are damaged; the message.
     Damaged(&'static str),
 }
 
 impl fmt::Display for BurningError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            BurningError::OtherValues => "the burning fire has other values",
-            BurningError::Damaged(words) => words,
-        })
+        match self {
+            BurningError::OtherValues => f.write_str("the burning fire has other values"),
+            BurningError::OtherVersion(version) => write!(
+                f,
+                "the burning fire has version {version} of the format; it must be {VERSION}"
+            ),
+            BurningError::Damaged(message) => f.write_str(message),
+        }
     }
 }
 
 impl std::error::Error for BurningError {}
 
+/// What a fire continues from.
+pub(crate) struct SavedFire<'a> {
+    /// The gas.
+    pub particles: &'a [Particle],
+    /// The division of the gas into these particles.
+    pub discretisation: Discretisation,
+    /// The embers.
+    pub embers: Vec<Ember>,
+    /// [`BODY`] numbers for each free solid.
+    pub bodies: &'a [f32],
+}
+
 impl Simulation {
     /// This fire as bytes, with the gas in and around its frame; `None` in the classic model.
     pub fn burning(&self) -> Option<Vec<u8>> {
-        let gas = self.solver.combustion()?;
+        let combustion = self.solver.combustion()?;
         let air = self.scene.settings().ambient_temperature;
-        let bounds = crate::combustion::bounds(self.scene.settings(), gas.made_with());
+        let discretisation = combustion.discretisation();
+        let bounds = crate::combustion::bounds(self.scene.settings(), discretisation);
         let (mut particles, mut embers) = (self.particles(), self.embers().to_vec());
-        particles.retain(|one| bounds.contains(one.position));
-        embers.retain(|one| bounds.contains(one.position));
+        particles.retain(|particle| bounds.contains(particle.position));
+        embers.retain(|ember| bounds.contains(ember.position));
         embers.truncate(EMBERS);
         let max = |all: &mut dyn Iterator<Item = f32>| all.fold(0.0, f32::max);
         let speed = |velocity: Vec2| velocity.abs().max_element();
         let scales = [
-            max(&mut particles.iter().map(|one| speed(one.velocity))),
-            max(&mut particles.iter().map(|one| one.temperature - air)),
-            max(&mut particles.iter().map(|one| one.soot)),
-            max(&mut embers.iter().map(|one| speed(one.velocity))),
-            max(&mut embers.iter().map(|one| one.size)),
-            max(&mut embers.iter().map(|one| one.lifetime)),
+            max(&mut particles.iter().map(|particle| speed(particle.velocity))),
+            max(&mut particles.iter().map(|particle| particle.temperature - air)),
+            max(&mut particles.iter().map(|particle| particle.soot)),
+            max(&mut embers.iter().map(|ember| speed(ember.velocity))),
+            max(&mut embers.iter().map(|ember| ember.size)),
+            max(&mut embers.iter().map(|ember| ember.lifetime)),
         ];
-        let [velocity, hot, sooty, flight, size, life] = scales;
+        let [velocity, excess, soot, ember_velocity, size, life] = scales;
 
         let mut out = Vec::with_capacity(HEADER + EACH * (particles.len() + embers.len()));
         out.extend(MAGIC);
         out.extend(VERSION.to_le_bytes());
         out.extend((embers.len() as u16).to_le_bytes());
         out.extend(digest(&self.scene).to_le_bytes());
-        out.extend(gas.made_with().to_le_bytes());
+        out.extend(discretisation.resolution_key().to_le_bytes());
         out.extend((particles.len() as u32).to_le_bytes());
         out.extend(self.time.to_le_bytes());
         for scale in scales {
             out.extend(scale.to_le_bytes());
         }
-        write_positions(&mut out, &bounds, particles.iter().map(|one| one.position));
-        out.extend(
-            particles
-                .iter()
-                .map(|one| quantised_signed(one.velocity.x, velocity)),
-        );
-        out.extend(
-            particles
-                .iter()
-                .map(|one| quantised_signed(one.velocity.y, velocity)),
-        );
-        out.extend(
-            particles
-                .iter()
-                .map(|one| quantised(one.temperature - air, hot)),
-        );
-        out.extend(particles.iter().map(|one| quantised(one.fuel, 1.0)));
-        out.extend(particles.iter().map(|one| quantised(one.oxygen, 1.0)));
-        out.extend(particles.iter().map(|one| quantised(one.soot, sooty)));
-        write_positions(&mut out, &bounds, embers.iter().map(|one| one.position));
-        out.extend(
-            embers
-                .iter()
-                .map(|one| quantised_signed(one.velocity.x, flight)),
-        );
-        out.extend(
-            embers
-                .iter()
-                .map(|one| quantised_signed(one.velocity.y, flight)),
-        );
-        out.extend(
-            embers
-                .iter()
-                .map(|one| quantised(one.temperature, MAX_EMBER_TEMPERATURE)),
-        );
-        out.extend(embers.iter().map(|one| quantised(one.size, size)));
-        out.extend(embers.iter().map(|one| quantised(one.age, life)));
-        out.extend(embers.iter().map(|one| quantised(one.lifetime, life)));
-        out.extend(gas.solid_temperatures().flat_map(|one| one.1.to_le_bytes()));
+        let positions = particles.iter().map(|particle| particle.position);
+        write_positions(&mut out, &bounds, positions);
+        write_column(&mut out, &particles, |particle| {
+            quantised_signed(particle.velocity.x, velocity)
+        });
+        write_column(&mut out, &particles, |particle| {
+            quantised_signed(particle.velocity.y, velocity)
+        });
+        write_column(&mut out, &particles, |particle| {
+            quantised(particle.temperature - air, excess)
+        });
+        write_column(&mut out, &particles, |particle| {
+            quantised(particle.fuel, 1.0)
+        });
+        write_column(&mut out, &particles, |particle| {
+            quantised(particle.oxygen, 1.0)
+        });
+        write_column(&mut out, &particles, |particle| {
+            quantised(particle.soot, soot)
+        });
+        write_positions(&mut out, &bounds, embers.iter().map(|ember| ember.position));
+        write_column(&mut out, &embers, |ember| {
+            quantised_signed(ember.velocity.x, ember_velocity)
+        });
+        write_column(&mut out, &embers, |ember| {
+            quantised_signed(ember.velocity.y, ember_velocity)
+        });
+        write_column(&mut out, &embers, |ember| {
+            quantised(ember.temperature, MAX_EMBER_TEMPERATURE)
+        });
+        write_column(&mut out, &embers, |ember| quantised(ember.size, size));
+        write_column(&mut out, &embers, |ember| quantised(ember.age, life));
+        write_column(&mut out, &embers, |ember| quantised(ember.lifetime, life));
+        let temperatures = combustion.solid_temperatures();
+        out.extend(temperatures.flat_map(|(_, kelvin)| kelvin.to_le_bytes()));
         // What has broken off a solid is whole again in a restored fire.
         let bodies = self.free_solid_numbers();
-        for one in bodies.chunks(11).filter(|one| one.first() == one.last()) {
-            let numbers = one.get(1..8).unwrap_or_default().iter().chain(one.get(9));
+        let (bodies, _) = bodies.as_chunks::<11>();
+        for body in bodies.iter().filter(|body| body[0] == body[10]) {
+            let numbers = body[1..8].iter().chain([&body[9]]);
             out.extend(numbers.flat_map(|number| number.to_le_bytes()));
         }
         Some(out)
@@ -156,84 +171,75 @@ impl Simulation {
     /// An error changes nothing.
     ///
     /// # Errors
-    /// The bytes are damaged, or those of a fire with other values.
+    /// The bytes are damaged, of another version, or those of a fire with other values.
     pub fn restore_burning(&mut self, bytes: &[u8]) -> Result<(), BurningError> {
         let mut bytes = Bytes(bytes);
-        let header = Header::read(&mut bytes).ok_or(BurningError::Damaged(NO_FIRE))?;
-        header.check(bytes.0.len()).map_err(BurningError::Damaged)?;
-        let Some(gas) = self.solver.combustion_mut() else {
+        let header = Header::read(&mut bytes)?;
+        let Some(combustion) = self.solver.combustion_mut() else {
             return Err(BurningError::OtherValues);
         };
         if header.digest != digest(&self.scene) {
             return Err(BurningError::OtherValues);
         }
         let parameters = self.scene.settings();
-        let [velocity, hot, sooty, flight, size, life] = header.scales;
+        let [velocity, excess, soot, ember_velocity, size, life] = header.scales;
         let air = parameters.ambient_temperature;
-        let bounds = crate::combustion::bounds(parameters, header.made_with);
+        let discretisation = Discretisation::with_resolution_key(header.resolution_key, parameters);
+        let bounds = crate::combustion::bounds(parameters, discretisation);
 
         let columns = Columns::of(&mut bytes, header.particles);
         let particles: Vec<Particle> = (0..header.particles)
             .map(|i| Particle {
                 velocity: columns.velocity(i, velocity),
-                temperature: air + columns.share(2, i) * hot,
+                temperature: air + columns.share(2, i) * excess,
                 fuel: columns.share(3, i),
                 oxygen: columns.share(4, i),
-                soot: columns.share(5, i) * sooty,
+                soot: columns.share(5, i) * soot,
                 ..Particle::at(columns.position(i, &bounds))
             })
             .collect();
         if particles
             .iter()
-            .any(|one| one.broken_rule(&bounds).is_some())
+            .any(|particle| particle.broken_rule(&bounds).is_some())
         {
             return Err(BurningError::Damaged(OUT_OF_RANGE));
         }
         let columns = Columns::of(&mut bytes, header.embers);
         let embers = (0..header.embers).map(|i| Ember {
             position: columns.position(i, &bounds),
-            velocity: columns.velocity(i, flight),
+            velocity: columns.velocity(i, ember_velocity),
             temperature: columns.share(2, i) * MAX_EMBER_TEMPERATURE,
             size: columns.share(3, i) * size,
             age: columns.share(4, i) * life,
             lifetime: columns.share(5, i) * life,
         });
-        let embers = embers.filter(|one| one.size > 0.0 && one.age < one.lifetime);
+        let embers = embers.filter(|ember| ember.size > 0.0 && ember.age < ember.lifetime);
         let embers = embers.collect();
-        let solids = bytes.numbers();
-        let conducting = |one: &&Solid| one.thermal == Thermal::Conducting;
-        let count = self.scene.solids().filter(conducting).count();
-        let is_free = |one: &&Solid| one.motion == Motion::Free;
+        let numbers = bytes.numbers();
+        let conducting = |solid: &&Solid| solid.thermal == Thermal::Conducting;
+        let conducting = self.scene.solids().filter(conducting).count();
+        let is_free = |solid: &&Solid| solid.motion == Motion::Free;
         let free = self.scene.solids().filter(is_free).count();
-        // Solids of the first version keep their temperatures, free ones of the second their places.
-        let fits = match header.version {
-            1 | 2 => solids.is_empty() || solids.len() == count,
-            _ => solids.len() == count + BODY * free,
-        };
-        if !fits {
-            return Err(BurningError::Damaged(
-                "the burning fire has the wrong length",
-            ));
+        if numbers.len() != conducting + BODY * free {
+            return Err(BurningError::Damaged(WRONG_LENGTH));
         }
-        let (solids, bodies) = solids.split_at(count.min(solids.len()));
-        let is_hot = |kelvin: &f32| (1.0..=1e5).contains(kelvin);
-        if !(solids.iter().all(is_hot) && bodies.chunks(BODY).all(is_body)) {
+        let (temperatures, bodies) = numbers.split_at(conducting);
+        let is_temperature = |kelvin: &f32| (1.0..=1e5).contains(kelvin);
+        if !(temperatures.iter().all(is_temperature) && bodies.chunks(BODY).all(is_body)) {
             return Err(BurningError::Damaged(OUT_OF_RANGE));
         }
 
         self.random = Random::new(parameters.seed);
         self.time = header.time;
-        gas.forget_free();
-        gas.resume(
-            &particles,
+        combustion.forget_free();
+        let saved = SavedFire {
+            particles: &particles,
+            discretisation,
             embers,
             bodies,
-            header.made_with,
-            &self.scene,
-            &mut self.random,
-            self.time,
-        );
-        gas.set_solid_temperatures(solids);
+        };
+        combustion.resume(saved, &self.scene, &mut self.random, self.time);
+        combustion.set_solid_temperatures(temperatures);
         Ok(())
     }
 }
@@ -251,6 +257,11 @@ fn is_body(numbers: &[f32]) -> bool {
         && within(v, MAX_SPEED)
         && within(spin, MAX_SPIN)
         && (asleep == 0.0 || asleep == 1.0)
+}
+
+/// Writes a byte for each.
+fn write_column<T>(out: &mut Vec<u8>, all: &[T], byte: impl Fn(&T) -> u8) {
+    out.extend(all.iter().map(byte));
 }
 
 fn write_positions(
@@ -386,16 +397,25 @@ mod tests {
             .map(|length| bytes[..length].to_vec())
             .to_vec();
         damaged.push([&bytes[..], &[0]].concat());
-        // Magic, version, embers, particles, time, and each of the scales.
-        for at in [0, 4, 7, 22, 31, 35, 39, 43, 47, 51, 55] {
+        // Magic, embers, particles, time, and each of the scales.
+        for at in [0, 7, 22, 31, 35, 39, 43, 47, 51, 55] {
             let mut wrong = bytes.clone();
             wrong[at] = 0xff;
             damaged.push(wrong);
         }
         for wrong in damaged {
             let refused = fire.restore_burning(&wrong);
-            assert!(matches!(refused, Err(BurningError::Damaged(words)) if !words.is_empty()));
+            assert!(matches!(refused, Err(BurningError::Damaged(message)) if !message.is_empty()));
         }
+        let mut older = bytes.clone();
+        older[4] = 2;
+        let refused = fire.restore_burning(&older);
+        assert_eq!(refused, Err(BurningError::OtherVersion(2)));
+        let message = refused.map_or_else(|error| error.to_string(), |()| String::new());
+        assert!(
+            message.contains("version 2") && message.contains("must be 3"),
+            "{message}"
+        );
         assert_eq!(fire.particles(), before);
     }
 
@@ -414,7 +434,11 @@ mod tests {
             for _ in 0..20 {
                 fire.step();
             }
-            assert!(fire.particles().iter().all(|one| one.position.is_finite()));
+            assert!(
+                fire.particles()
+                    .iter()
+                    .all(|particle| particle.position.is_finite())
+            );
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Solids that have fuel.
 
 use super::Simulation;
-use crate::combustion::{BurningSolid, Charred, FuelTotal, NoFuel, Where};
+use crate::combustion::{BurningSolid, Charred, FuelTotal, IgniteError, IgnitionTarget};
 
 impl Simulation {
     /// Lights a solid that has fuel: heats all of its surface, or what is within 0.1 m of a place
@@ -10,11 +10,11 @@ impl Simulation {
     ///
     /// # Errors
     /// There is no fuel and no source that is wet; the classic model has neither.
-    pub fn ignite(&mut self, at: Where) -> Result<(), NoFuel> {
+    pub fn ignite(&mut self, at: IgnitionTarget) -> Result<(), IgniteError> {
         let values = self.scene.settings();
         match self.solver.combustion_mut() {
             Some(combustion) => combustion.ignite(at, values, &mut self.random),
-            None => Err(NoFuel),
+            None => Err(IgniteError),
         }
     }
 
@@ -23,11 +23,11 @@ impl Simulation {
     ///
     /// # Errors
     /// There is no fuel; the classic model has none.
-    pub fn extinguish(&mut self, at: Where) -> Result<(), NoFuel> {
+    pub fn extinguish(&mut self, at: IgnitionTarget) -> Result<(), IgniteError> {
         let values = self.scene.settings();
         match self.solver.combustion_mut() {
             Some(combustion) => combustion.extinguish(at, values),
-            None => Err(NoFuel),
+            None => Err(IgniteError),
         }
     }
 

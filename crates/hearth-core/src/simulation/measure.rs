@@ -7,7 +7,6 @@ use crate::extremes::{fast_max, fast_min};
 use crate::kernel::Kernel;
 use crate::params::{DisplayMode, Edges, Floor, Model};
 use crate::particle::Particle;
-use crate::solver::Solver;
 
 /// Heights at which the vertical is measured.
 const HEIGHTS: usize = 64;

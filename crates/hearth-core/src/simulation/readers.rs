@@ -6,12 +6,11 @@
 use glam::Vec2;
 
 use super::Simulation;
-use crate::combustion::{Combustion, Ember, Removed};
+use crate::combustion::{Combustion, Ember, RemovedGas};
 use crate::instance::Measured;
 use crate::params::DisplayMode;
 use crate::particle::Particle;
 use crate::solids::free::FreeSolid;
-use crate::solver::Solver;
 
 impl Simulation {
     /// Power of the combustion in the last step [kW/m]; `None` in the classic model.
@@ -21,7 +20,7 @@ impl Simulation {
 
     /// The gas that moved solids have taken the place of since the start; `None` in the classic
     /// model, whose particles only stop at solids.
-    pub fn removed(&self) -> Option<Removed> {
+    pub fn removed(&self) -> Option<RemovedGas> {
         self.solver.combustion().map(Combustion::removed)
     }
 

@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::Simulation;
-use crate::combustion::{Combustion, Droplets, NoWater, Sprayed};
+use crate::combustion::{Combustion, Droplets, SprayError, SprayTotals};
 
 impl Simulation {
     /// Sprays a mass of water [kg/m] from a place \[m\] within a twentieth of a second. Its droplets leave
@@ -13,9 +13,9 @@ impl Simulation {
     ///
     /// # Errors
     /// The classic model has no water.
-    pub fn spray(&mut self, place: Vec2, velocity: Vec2, mass: f32) -> Result<(), NoWater> {
+    pub fn spray(&mut self, place: Vec2, velocity: Vec2, mass: f32) -> Result<(), SprayError> {
         let values = self.scene.settings();
-        let combustion = self.solver.combustion_mut().ok_or(NoWater)?;
+        let combustion = self.solver.combustion_mut().ok_or(SprayError)?;
         combustion.spray(place, velocity, mass, values, &mut self.random);
         Ok(())
     }
@@ -27,7 +27,7 @@ impl Simulation {
     }
 
     /// Where all water that was sprayed is; `None` in the classic model.
-    pub fn sprayed(&self) -> Option<Sprayed> {
+    pub fn sprayed(&self) -> Option<SprayTotals> {
         self.solver.combustion().map(Combustion::sprayed)
     }
 }

@@ -15,9 +15,9 @@ mod contacts;
 mod hinge;
 mod hinges;
 mod parts;
-mod rest;
 mod resume;
 mod samples;
+mod sleep;
 mod solve;
 mod state;
 
@@ -28,7 +28,7 @@ use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Edges, Floor, Model, Physics, Walls};
 use crate::scene::{MAX_SPEED, Pose, Scene};
-use body::FASTEST_HINGED;
+use body::MAX_HINGED_SPEED;
 use contact::Plane;
 
 pub use body::FreeSolid;
@@ -37,11 +37,11 @@ pub(crate) use parts::Piece;
 pub(crate) use state::FreeBodies;
 
 /// Longest substep \[s\].
-const SUBSTEP: f32 = 1e-3;
+const MAX_SUBSTEP: f32 = 1e-3;
 /// How much faster a body is that hinges tear in several directions: they forget their impulses.
-const TORN: f32 = 4.0;
+const TORN_SPEED_RATIO: f32 = 4.0;
 /// Longest step that the bodies follow \[s\].
-const LONGEST: f32 = 0.05;
+const MAX_STEP: f32 = 0.05;
 
 impl Body {
     /// Adds the force of a particle of gas at a position, whose mass \[kg/m\] it gave the opposite of this
@@ -61,15 +61,15 @@ impl FreeBodies {
         let values = scene.settings();
         let mut free = solids.free.take().unwrap_or_default();
         let before = std::mem::take(&mut free.all);
-        let ids = before.iter().filter(|one| !one.is_part());
-        let ids = ids.map(|one| one.id);
-        if !ids.eq(scene.surfaces().map(|one| one.0)) {
+        let ids = before.iter().filter(|body| !body.is_part());
+        let ids = ids.map(|body| body.id);
+        if !ids.eq(scene.surfaces().map(|(id, ..)| id)) {
             free.contacts.clear();
             free.old.clear();
         }
         for (id, solid, surface) in scene.surfaces() {
             let mut body = body::Rigid::of(id, solid, surface, values);
-            if let Some(known) = before.iter().find(|one| one.id == id) {
+            if let Some(known) = before.iter().find(|body| body.id == id) {
                 body.continue_from(known);
             }
             free.all.push(body);
@@ -87,7 +87,7 @@ impl FreeBodies {
             // The new place in the scene is no motion.
             (body.velocity, body.spin) = (Vec2::ZERO, 0.0);
         }
-        solids.free = free.all.iter().any(|one| one.is_free).then_some(free);
+        solids.free = free.all.iter().any(|body| body.is_free).then_some(free);
     }
 
     /// Moves the free bodies to a time \[s\].
@@ -96,17 +96,17 @@ impl FreeBodies {
         let Some(mut free) = solids.free.take() else {
             return;
         };
-        let dt = fast_min((time - free.time) as f32, LONGEST);
+        let dt = fast_min((time - free.time) as f32, MAX_STEP);
         free.time = time;
         if dt > 0.0 {
             free.follow(solids);
             free.find_hinged();
-            let count = (dt / SUBSTEP).ceil();
+            let count = (dt / MAX_SUBSTEP).ceil();
             for number in 0..count as u32 {
                 free.ahead = dt - dt / count * number as f32;
                 free.substep(dt / count);
             }
-            free.rest(dt);
+            free.update_sleep(dt);
             free.place(solids);
         }
         solids.free = Some(free);
@@ -114,7 +114,7 @@ impl FreeBodies {
 
     /// Accelerates the bodies by the forces of the gas in a step.
     #[inline(never)]
-    pub fn feel(solids: &mut Solids, dt: f32) {
+    pub fn apply_gas_forces(solids: &mut Solids, dt: f32) {
         let Some(free) = &mut solids.free else {
             return;
         };
@@ -122,16 +122,17 @@ impl FreeBodies {
         for body in solids.bodies.iter_mut().filter(|body| body.is_free) {
             let (force, torque) = (body.force, body.torque);
             (body.force, body.torque) = (Vec2::ZERO, 0.0);
-            if let Some(one) = free.all.iter_mut().find(|one| one.id == body.id) {
-                one.feel(force, torque, gravity, dt);
+            let mut rigid = free.all.iter_mut();
+            if let Some(rigid) = rigid.find(|rigid| rigid.id == body.id) {
+                rigid.apply_gas_force(force, torque, gravity, dt);
             }
         }
     }
 
     /// Sets what a solid that burns weighs: a share of its mass, and where that is.
     pub fn weigh(&mut self, id: u32, left: &Moments) {
-        if let Some(one) = self.all.iter_mut().find(|one| one.id == id) {
-            one.weigh(left);
+        if let Some(body) = self.all.iter_mut().find(|body| body.id == id) {
+            body.weigh(left);
         }
     }
 
@@ -148,7 +149,7 @@ impl FreeBodies {
     /// The free solids, in the order of the objects, then what has broken off them.
     #[inline(never)]
     pub fn seen(&self) -> Vec<FreeSolid> {
-        let free = self.all.iter().filter(|one| one.is_free);
+        let free = self.all.iter().filter(|body| body.is_free);
         free.map(body::Rigid::seen).collect()
     }
 
@@ -156,20 +157,20 @@ impl FreeBodies {
     #[inline(never)]
     pub fn numbers(&self) -> Vec<f32> {
         let mut numbers = Vec::new();
-        for one in self.all.iter().filter(|one| one.is_free) {
-            let (place, axis) = one.place();
-            numbers.extend([one.id as f32, place.x, place.y, axis.x, axis.y]);
-            numbers.extend([one.velocity.x, one.velocity.y, one.spin, one.mass()]);
-            numbers.extend([f32::from(u8::from(one.asleep)), one.object as f32]);
+        for body in self.all.iter().filter(|body| body.is_free) {
+            let (place, axis) = body.place();
+            numbers.extend([body.id as f32, place.x, place.y, axis.x, axis.y]);
+            numbers.extend([body.velocity.x, body.velocity.y, body.spin, body.mass()]);
+            numbers.extend([f32::from(u8::from(body.asleep)), body.object as f32]);
         }
         numbers
     }
 
     /// Takes over the surfaces that have changed, and where the solids are that no force moves.
     fn follow(&mut self, solids: &Solids) {
-        for one in &mut self.all {
-            if let Some(body) = solids.first(one.id) {
-                one.follow(body);
+        for rigid in &mut self.all {
+            if let Some(body) = solids.first(rigid.id) {
+                rigid.follow(body);
             }
         }
     }
@@ -177,29 +178,29 @@ impl FreeBodies {
     /// Moves the solids and their images to where the bodies are.
     fn place(&self, solids: &mut Solids) {
         for body in solids.bodies.iter_mut().filter(|body| body.is_free) {
-            if let Some(one) = self.all.iter().find(|one| one.id == body.id) {
-                let frame = &one.surface.frame;
+            if let Some(rigid) = self.all.iter().find(|rigid| rigid.id == body.id) {
+                let frame = &rigid.surface.frame;
                 body.surface.frame.centre = frame.centre + body.image;
                 body.surface.frame.axis = frame.axis;
-                let arm = frame.centre - one.centre;
-                body.driven = (one.velocity + arm.perp() * one.spin, one.spin);
+                let arm = frame.centre - rigid.centre;
+                body.driven = (rigid.velocity + arm.perp() * rigid.spin, rigid.spin);
             }
         }
     }
 
     fn substep(&mut self, dt: f32) {
-        for one in self.all.iter_mut().filter(|one| one.is_awake()) {
-            one.velocity.y -= self.gravity * one.weight * dt;
-            one.limit_to(MAX_SPEED);
+        for body in self.all.iter_mut().filter(|body| body.is_awake()) {
+            body.velocity.y -= self.gravity * body.weight * dt;
+            body.limit_to(MAX_SPEED);
         }
         self.find_contacts(dt);
         self.solve(dt);
-        for one in self.all.iter_mut().filter(|one| one.is_free) {
-            if one.hinged != 0 {
-                one.is_torn = one.speed() > TORN * MAX_SPEED;
-                one.limit_to(FASTEST_HINGED);
+        for body in self.all.iter_mut().filter(|body| body.is_free) {
+            if body.hinged != 0 {
+                body.is_torn = body.speed() > TORN_SPEED_RATIO * MAX_SPEED;
+                body.limit_to(MAX_HINGED_SPEED);
             }
-            one.advance(dt, self.bounds.as_ref());
+            body.advance(dt, self.bounds.as_ref());
         }
         self.lift(dt);
         self.relax(dt);

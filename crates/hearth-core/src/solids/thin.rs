@@ -1,4 +1,4 @@
-//! Thin solids: gas on one side does not feel gas on the other side.
+//! Thin solids: gas on one side does not act on gas on the other side.
 
 use glam::Vec2;
 
@@ -161,7 +161,7 @@ impl Beside<'_> {
         let Some(first) = self.first.get(..self.count) else {
             return self.solids.separate(from, to, support);
         };
-        let mut bodies = first.iter().filter_map(|&at| self.solids.bodies.get(at));
+        let mut bodies = first.iter().map(|&at| &self.solids.bodies[at]);
         bodies.any(|body| body.is_between(from, to))
     }
 }

@@ -31,8 +31,8 @@ impl Fire {
     pub(super) fn begin_warm_up(&mut self, events: &Events) {
         self.starts = false;
         let scene = self.scene_with(self.count_at(self.quality.level(), false));
-        if let Some(message) = self.warm_up.begin(&mut self.simulation, scene) {
-            events.warn(self.id, message);
+        if let Some(error) = self.warm_up.begin(&mut self.simulation, scene) {
+            events.warn(self.id, &error.to_string());
         }
         if self.warm_up.is_on() {
             self.simulation = Simulation::new(self.scene());

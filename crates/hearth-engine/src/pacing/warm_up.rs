@@ -52,8 +52,8 @@ impl WarmUp {
     }
 
     /// Starts a new fire of a scene with all its particles. If it [is on](WarmUp::is_on) after that, the caller
-    /// replaces the fire by a coarse one. Returns what is wrong with the saved fire, as text.
-    pub fn begin(&mut self, simulation: &mut Simulation, scene: Scene) -> Option<&'static str> {
+    /// replaces the fire by a coarse one. Returns what is wrong with the saved fire.
+    pub fn begin(&mut self, simulation: &mut Simulation, scene: Scene) -> Option<BurningError> {
         self.left = 0.0;
         *simulation = Simulation::new(scene);
         if !self.is_enabled() {
@@ -64,9 +64,9 @@ impl WarmUp {
             match simulation.restore_burning(&self.saved) {
                 Ok(()) => return None,
                 Err(BurningError::OtherValues) => {}
-                Err(BurningError::Damaged(message)) => {
+                Err(error) => {
                     self.saved.clear();
-                    wrong = Some(message);
+                    wrong = Some(error);
                 }
             }
         }

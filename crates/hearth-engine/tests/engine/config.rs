@@ -1,9 +1,8 @@
 //! Settings files: export, import and validation.
 
 use hearth_bindings::{Untrusted, Whole};
-use hearth_core::Scene;
 use hearth_core::params::{Input, Model, PARAMETERS};
-use hearth_core::preset::PRESETS;
+use hearth_core::preset::Preset;
 use hearth_engine::commands::Command;
 use hearth_engine::config::{Config, export};
 use hearth_engine::requested::Requested;
@@ -47,7 +46,7 @@ fn set(requested: &Requested, id: &str, value: Untrusted) -> Requested {
 
 #[test]
 fn an_unchanged_preset_exports_no_values() {
-    for preset in PRESETS {
+    for preset in Preset::all() {
         let requested = Requested::of_preset(preset.name);
         let changes = requested.as_ref().map(differing);
         assert_eq!(changes, Ok((vec![], 0)), "{}", preset.name);
@@ -56,7 +55,7 @@ fn an_unchanged_preset_exports_no_values() {
 
 #[test]
 fn import_restores_every_exported_change() {
-    for preset in PRESETS {
+    for preset in Preset::all() {
         for model in [Model::Classic, Model::Combustion] {
             let requested = Requested::of_preset(preset.name).unwrap_or_default();
             let mut requested = set(&requested, "model", text(model.name()));
@@ -115,7 +114,7 @@ fn import_replaces_all_settings() {
 fn label_and_description_do_not_change_the_settings() {
     let values = || ("values", object(vec![("wind", Untrusted::Number(1.0))]));
     let scene = object(vec![
-        ("hearth", Untrusted::Number(1.0)),
+        ("hearth", Untrusted::Number(2.0)),
         ("label", text("Gale")),
         ("description", text("A fire in the wind.")),
         values(),
@@ -135,6 +134,10 @@ fn errors_name_the_invalid_field() {
             "exposure",
         ),
         (object(vec![("__proto__", object(vec![]))]), "__proto__"),
+        (
+            object(vec![("hearth", Untrusted::Number(1.0))]),
+            "hearth = 1 is refused: it must be 2",
+        ),
         (
             object(vec![("hearth", Untrusted::Number(3.0))]),
             "hearth = 3",
@@ -190,35 +193,6 @@ fn sources(all: &[&[(&str, f64)]]) -> Untrusted {
         object(fields)
     };
     Untrusted::List(all.iter().map(of_one).collect())
-}
-
-#[test]
-fn version_1_is_read_and_exported_as_version_2() {
-    for preset in PRESETS {
-        // A scene file of version 1 with all differences from the defaults.
-        let values = preset.values().map(|(id, input)| {
-            let value = match input {
-                Input::Number(x) => Untrusted::Number(x),
-                Input::Text(words) => text(words),
-                Input::Flag(on) => Untrusted::Flag(on),
-            };
-            (id, value)
-        });
-        let file = object(vec![
-            ("hearth", Untrusted::Number(1.0)),
-            ("values", object(values.collect())),
-        ]);
-        let read = imported(&file);
-        // Version 1 has one source and no solids.
-        let expected = Scene::new(preset.parameters());
-        assert_eq!(read.scene, expected, "{}", preset.name);
-        assert_eq!(
-            imported(&export(&read)).scene,
-            read.scene,
-            "{}",
-            preset.name
-        );
-    }
 }
 
 #[test]

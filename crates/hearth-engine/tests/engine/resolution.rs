@@ -1,11 +1,11 @@
-//! Settings, links and attributes from before open air, opened with open edges: the frame is their
-//! domain, and the resolution is that of their number of particles.
+//! Settings, links and attributes that state no spacing, with open edges: the frame is their domain,
+//! and the resolution is that of their number of particles.
 
 use crate::harness::{at_level, imported, text};
 use hearth_bindings::{Untrusted, settings};
 use hearth_core::Simulation;
 use hearth_core::params::{IN_DOMAIN, Parameters};
-use hearth_core::preset::PRESETS;
+use hearth_core::preset::Preset;
 use hearth_engine::commands::Command;
 use hearth_engine::config::export;
 use hearth_engine::pacing::particle_count::Resolution;
@@ -16,7 +16,7 @@ use hearth_engine::requested::Requested;
 /// Width and height of the domain \[m\], and the number of particles at medium quality.
 type Box = (f32, f32, u32);
 
-/// The scenes with the combustion model, as they were in a closed domain.
+/// Scenes with the combustion model: their frames, and their numbers of particles in a closed domain.
 const SCENES: [(&str, Box); 11] = [
     ("default", (1.2, 1.8, 3000)),
     ("bonfire-in-wind", (2.8, 2.0, 4000)),
@@ -31,7 +31,7 @@ const SCENES: [(&str, Box); 11] = [
     ("torch", (1.0, 1.3, 3000)),
 ];
 
-/// Links, and the boxes that they opened.
+/// Links, and the boxes that they open.
 const LINKS: [(&str, Box); 26] = [
     ("", (1.2, 1.8, 3000)),
     ("scene=default&wind=1.5&turbulence=2", (1.2, 1.8, 3000)),
@@ -108,11 +108,11 @@ fn read(link: &str) -> (String, Vec<(String, Untrusted)>) {
     (preset, values)
 }
 
-/// The settings that a link requests: as a file of version 1, and as attributes in both orders.
+/// The settings that a link requests: as a file, and as attributes in both orders.
 fn opened(link: &str) -> [Requested; 3] {
     let (preset, values) = read(link);
     let file = Untrusted::Object(vec![
-        named("hearth", Untrusted::Number(1.0)),
+        named("hearth", Untrusted::Number(2.0)),
         named("preset", text(&preset)),
         named("values", Untrusted::Object(values.clone())),
     ]);
@@ -160,7 +160,7 @@ fn assert_opens_as(requested: &Requested, (width, height, number): Box, name: &s
 }
 
 #[test]
-fn every_scene_and_link_of_the_closed_domain_keeps_its_frame_and_resolution() {
+fn scenes_and_links_without_a_spacing_have_the_resolution_of_their_number_of_particles() {
     for (name, closed) in SCENES {
         for requested in opened(&format!("scene={name}")) {
             assert_opens_as(&requested, closed, name);
@@ -267,7 +267,7 @@ fn without_a_spacing_the_resolution_follows_the_frame_again() {
 
 #[test]
 fn the_resolution_of_a_scene_is_that_of_medium_quality_or_its_own() {
-    for preset in PRESETS {
+    for preset in Preset::all() {
         let values = preset.parameters();
         if !values.has_open_edges() {
             continue;

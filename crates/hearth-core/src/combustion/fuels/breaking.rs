@@ -12,7 +12,7 @@ use crate::solids::Solids;
 use crate::solids::free::{FreeBodies, Piece};
 
 /// How much of a part stands at least, in cells. A smaller one is ash.
-const SMALLEST: f32 = 2.0;
+const MIN_PART_CELLS: f32 = 2.0;
 /// No region.
 const NONE: u32 = u32::MAX;
 
@@ -92,7 +92,7 @@ impl Burning {
                 } else {
                     number
                 };
-                let own = of.get(index).copied().unwrap_or(NONE);
+                let own = of[index];
                 if own == NONE {
                     continue;
                 }
@@ -104,10 +104,8 @@ impl Burning {
                         least = near.map_or(least, |near| least.min(*near));
                     }
                 }
-                if least < own
-                    && let Some(of) = of.get_mut(index)
-                {
-                    *of = least;
+                if least < own {
+                    of[index] = least;
                     changes = true;
                 }
             }
@@ -120,19 +118,20 @@ impl Burning {
     fn staying(&self, now: &[u32]) -> Vec<u32> {
         let first = self.regions(|cell| cell.first > 0.0);
         let mut mass: Vec<f32> = now.iter().map(|_| 0.0).collect();
-        for (of, cell) in now.iter().zip(&self.cells) {
-            if let Some(mass) = mass.get_mut(*of as usize) {
-                *mass += cell.mass();
+        for (&of, cell) in now.iter().zip(&self.cells) {
+            if of != NONE {
+                mass[of as usize] += cell.mass();
             }
         }
         // At the first cell of each region, its heaviest rest.
         let mut heaviest: Vec<u32> = now.iter().map(|_| NONE).collect();
         for (&of, &inside) in now.iter().zip(&first) {
-            if let Some(before) = heaviest.get_mut(inside as usize) {
-                let most = mass.get(*before as usize).copied().unwrap_or(-1.0);
-                if mass.get(of as usize).is_some_and(|mass| *mass > most) {
-                    *before = of;
-                }
+            if of == NONE || inside == NONE {
+                continue;
+            }
+            let before = &mut heaviest[inside as usize];
+            if *before == NONE || mass[of as usize] > mass[*before as usize] {
+                *before = of;
             }
         }
         heaviest
@@ -144,14 +143,14 @@ impl Burning {
         let (mut left, mut right, mut bottom, mut top) = (columns, 0, self.rows, 0);
         let mut standing = 0.0;
         for (index, cell) in self.cells.iter().enumerate() {
-            if now.get(index) == Some(&region) {
+            if now[index] == region {
                 let (column, row) = (index % columns, index / columns);
                 (left, right) = (left.min(column), right.max(column));
                 (bottom, top) = (bottom.min(row), top.max(row));
                 standing += cell.standing(self.material, self.load);
             }
         }
-        if standing < SMALLEST {
+        if standing < MIN_PART_CELLS {
             return None;
         }
         // A border of a cell shows where it ends.
@@ -160,12 +159,11 @@ impl Burning {
         let (account, mut part) = (&self.account, self.clone());
         let mut number = 0;
         for row in bottom..top {
-            for index in row * columns + left..row * columns + right {
-                let cell = self.cells.get(index).copied().unwrap_or_default();
-                let is_in = now.get(index) == Some(&region);
-                if let Some(own) = part.cells.get_mut(number) {
-                    *own = if is_in { cell } else { cell.apart() };
-                }
+            for column in left..right {
+                let index = row * columns + column;
+                let cell = self.cells[index];
+                let is_in = now[index] == region;
+                part.cells[number] = if is_in { cell } else { cell.apart() };
                 number += 1;
             }
         }
@@ -190,9 +188,7 @@ impl Burning {
 
     /// Leaves a cell to a part.
     fn leave_apart(&mut self, index: usize) {
-        if let Some(cell) = self.cells.get_mut(index) {
-            *cell = cell.apart();
-        }
+        self.cells[index] = self.cells[index].apart();
     }
 }
 

@@ -12,13 +12,13 @@ use crate::params::{Fuel, Solid};
 use crate::scene::{Field, RoundedBox, Surface};
 
 /// Most cells along a side.
-const MOST: f32 = 48.0;
+const MAX_CELLS_ALONG: f32 = 48.0;
 /// Smallest share of a cell that the solid fills.
-const LEAST: f32 = 0.35;
+const MIN_FILLED_SHARE: f32 = 0.35;
 /// Depths below the surface at which a cell meets the gas, in halves of a cell.
 const DEPTHS: [f32; 8] = [-1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
 /// Mass of fuel and char over the area of a cell, half of which does not stand [kg/m²].
-const STRENGTH: f32 = 0.5;
+const HALF_STANDING_MASS: f32 = 0.5;
 /// No cell.
 pub(super) const NONE: u16 = u16::MAX;
 
@@ -81,7 +81,7 @@ impl Cell {
     /// How much of it stands: 1 until half of its char has burnt, then less.
     pub fn standing(&self, material: &Material, load: f32) -> f32 {
         let thin = fast_max(0.5 * (material.char - material.ash), 0.05);
-        let weak = fast_min(fast_max(thin, STRENGTH / load), 0.5) * self.first;
+        let weak = fast_min(fast_max(thin, HALF_STANDING_MASS / load), 0.5) * self.first;
         let left = self.fuel + self.carbon(material);
         fast_min(left / fast_max(weak, 1e-12), 1.0)
     }
@@ -160,7 +160,7 @@ impl Burning {
         let frame = surface.frame;
         let half = frame.half + frame.radius;
         let longest = 2.0 * fast_max(half.x, half.y);
-        let side = fast_max(spacing, longest / MOST);
+        let side = fast_max(spacing, longest / MAX_CELLS_ALONG);
         let count = |half: f32| ((2.0 * half / side + 0.5) as usize).max(1);
         let (columns, rows) = (count(half.x), count(half.y));
         let shape = Surface {
@@ -211,18 +211,14 @@ impl Burning {
             if distance < nearest.0 {
                 nearest = (distance, index);
             }
-            if share >= LEAST {
+            if share >= MIN_FILLED_SHARE {
                 filled += share;
-                if let Some(cell) = self.cells.get_mut(index) {
-                    cell.first = share;
-                }
+                self.cells[index].first = share;
             }
         }
         // A shape that is finer than a cell fills none.
-        if filled == 0.0
-            && let Some(cell) = self.cells.get_mut(nearest.1)
-        {
-            (cell.first, filled) = (1.0, 1.0);
+        if filled == 0.0 {
+            (self.cells[nearest.1].first, filled) = (1.0, 1.0);
         }
         let (area, _) = self.shape.measures();
         let each = self.load * area / fast_max(filled, 1e-6);
@@ -284,10 +280,10 @@ impl Burning {
         let depth = 0.5 * fast_min(self.side.x, self.side.y);
         let (mut left, mut last, mut outermost) = (1.0, None, None);
         for times in DEPTHS {
-            let at = self.at(surface - normal * (depth * times));
-            let Some((index, cell)) = at.and_then(|at| Some((at, self.cells.get(at)?))) else {
+            let Some(index) = self.at(surface - normal * (depth * times)) else {
                 continue;
             };
+            let cell = &self.cells[index];
             if cell.mass() <= 0.0 || last == Some(index) {
                 continue;
             }
@@ -328,22 +324,17 @@ impl Burning {
             let near = fast_max(1.0 - distance.abs() / smaller, 0.0);
             let (mut meets, mut count, mut vent) = ([(0, 0.0); DEPTHS.len() + 1], 0, NONE);
             self.below(place - normal * distance, normal, &mut |index, share| {
-                if let Some(one) = meets.get_mut(count) {
-                    *one = (index, share * near);
-                    count += 1;
-                }
+                meets[count] = (index, share * near);
+                count += 1;
                 vent = if vent == NONE { index as u16 } else { vent };
                 true
             });
-            if let Some(cell) = self.cells.get_mut(index) {
-                cell.vent = vent;
-            }
-            for &(index, near) in meets.iter().take(count) {
-                if let Some(cell) = self.cells.get_mut(index) {
-                    cell.length += near;
-                    cell.normal += normal * near;
-                    sum += near;
-                }
+            self.cells[index].vent = vent;
+            for &(index, near) in &meets[..count] {
+                let cell = &mut self.cells[index];
+                cell.length += near;
+                cell.normal += normal * near;
+                sum += near;
             }
         }
         let (_, circumference) = match &self.left {

@@ -13,22 +13,22 @@ use crate::params::Physics;
 use crate::solids::{Body, Solids};
 
 /// Radius within which a place is lit \[m\].
-const RADIUS: f32 = 0.1;
+const DEFAULT_RADIUS: f32 = 0.1;
 /// How much hotter than its pyrolysis temperature a lit solid is \[K\].
-const HOTTER: f32 = 120.0;
+const IGNITION_EXCESS: f32 = 120.0;
 /// Heat flux of the pilot flame [kW/m²], that of usual tests (ISO 5660-1), and for how long it burns
 /// \[s\].
-const FLUX: f32 = 50.0;
-const LASTS: f32 = 2.0;
+const PILOT_FLUX: f32 = 50.0;
+const PILOT_DURATION: f32 = 2.0;
 /// Temperature of the gas beside it \[K\], and how far it reaches, in spacings.
 const PILOT_TEMPERATURE: f32 = 1200.0;
-const PILOT: f32 = 2.0;
+const PILOT_REACH: f32 = 2.0;
 /// Distance from a solid within which gas is put out with it \[m\].
-const AROUND: f32 = 0.15;
+const EXTINGUISHED_MARGIN: f32 = 0.15;
 
 /// What is lit or put out.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Where {
+pub enum IgnitionTarget {
     /// A solid, by its id.
     Object(u32),
     /// What is near a place, and how near: 0 for a usual distance \[m\].
@@ -37,21 +37,21 @@ pub enum Where {
 
 /// The error of lighting or putting out what has no fuel. The classic model has none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct NoFuel;
+pub struct IgniteError;
 
-impl NoFuel {
+impl IgniteError {
     /// What it must be instead.
     pub const ALLOWED: &'static str =
         "a solid with fuel, or a place within 0.1 m of one or of a source that is wet";
 }
 
-impl fmt::Display for NoFuel {
+impl fmt::Display for IgniteError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "it must be {}", NoFuel::ALLOWED)
+        write!(f, "it must be {}", IgniteError::ALLOWED)
     }
 }
 
-impl std::error::Error for NoFuel {}
+impl std::error::Error for IgniteError {}
 
 impl Fuels {
     /// Heats the surface there to above the pyrolysis temperature, and the gas beside it.
@@ -61,20 +61,22 @@ impl Fuels {
     #[inline(never)]
     pub fn ignite(
         &mut self,
-        at: Where,
+        at: IgnitionTarget,
         gas: &mut Gas,
         solids: &Solids,
         values: &Physics,
-    ) -> Result<(), NoFuel> {
+    ) -> Result<(), IgniteError> {
         self.each(at, solids, &mut |burning, index| {
             burning.light(index, values.ambient_temperature);
         })?;
-        let near = PILOT * values.spacing();
+        let near = PILOT_REACH * values.spacing();
         for (&position, state) in gas.position.iter().zip(&mut gas.state) {
             let is_there = solids.bodies.iter().any(|body| {
                 let there = match at {
-                    Where::Object(id) => self.is_of(body, id),
-                    Where::Place(place, radius) => position.distance(place) < reach(radius),
+                    IgnitionTarget::Object(id) => self.is_of(body, id),
+                    IgnitionTarget::Place(place, radius) => {
+                        position.distance(place) < reach(radius)
+                    }
                 };
                 there
                     && body.burns
@@ -96,11 +98,11 @@ impl Fuels {
     #[inline(never)]
     pub fn extinguish(
         &mut self,
-        at: Where,
+        at: IgnitionTarget,
         gas: &mut Gas,
         solids: &Solids,
         values: &Physics,
-    ) -> Result<(), NoFuel> {
+    ) -> Result<(), IgniteError> {
         let air = values.ambient_temperature;
         let done = self.each(at, solids, &mut |burning, index| burning.cool(index, air));
         if at_object(at) {
@@ -108,11 +110,11 @@ impl Fuels {
         }
         for (&position, state) in gas.position.iter().zip(&mut gas.state) {
             let is_there = match at {
-                Where::Place(place, radius) => position.distance(place) < radius,
-                Where::Object(id) => solids.bodies.iter().any(|body| {
+                IgnitionTarget::Place(place, radius) => position.distance(place) < radius,
+                IgnitionTarget::Object(id) => solids.bodies.iter().any(|body| {
                     self.is_of(body, id)
-                        && body.may_touch(position, AROUND)
-                        && body.surface.distance(position).0 < AROUND
+                        && body.may_touch(position, EXTINGUISHED_MARGIN)
+                        && body.surface.distance(position).0 < EXTINGUISHED_MARGIN
                 }),
             };
             if is_there {
@@ -133,23 +135,20 @@ impl Fuels {
     /// radius.
     fn each(
         &mut self,
-        at: Where,
+        at: IgnitionTarget,
         solids: &Solids,
         act: &mut dyn FnMut(&mut Burning, usize),
-    ) -> Result<(), NoFuel> {
+    ) -> Result<(), IgniteError> {
         let mut found = false;
         for burning in &mut self.all {
             let Some(body) = solids.first(burning.id) else {
                 continue;
             };
             for index in 0..burning.cells.len() {
-                let present = burning
-                    .cells
-                    .get(index)
-                    .is_some_and(|cell| cell.mass() > 0.0);
+                let present = burning.cells[index].mass() > 0.0;
                 let is_there = match at {
-                    Where::Object(id) => burning.object == id,
-                    Where::Place(point, radius) => {
+                    IgnitionTarget::Object(id) => burning.object == id,
+                    IgnitionTarget::Place(point, radius) => {
                         let place = body.surface.frame.local(point);
                         place.distance(burning.place(index)) < reach(radius)
                     }
@@ -160,26 +159,24 @@ impl Fuels {
                 }
             }
         }
-        if found { Ok(()) } else { Err(NoFuel) }
+        if found { Ok(()) } else { Err(IgniteError) }
     }
 }
 
-fn at_object(at: Where) -> bool {
-    matches!(at, Where::Object(_))
+fn at_object(at: IgnitionTarget) -> bool {
+    matches!(at, IgnitionTarget::Object(_))
 }
 
 /// How near a place is meant \[m\].
 pub(in crate::combustion) fn reach(radius: f32) -> f32 {
-    if radius > 0.0 { radius } else { RADIUS }
+    if radius > 0.0 { radius } else { DEFAULT_RADIUS }
 }
 
 impl Burning {
     /// Heats and dries a cell of the surface.
     fn light(&mut self, index: usize, air: f32) {
         let material = self.material;
-        let Some(cell) = self.cells.get_mut(index) else {
-            return;
-        };
+        let cell = &mut self.cells[index];
         if cell.length <= 0.0 {
             return;
         }
@@ -188,8 +185,8 @@ impl Burning {
         let warm = fast_max(cell.temperature, BOILING);
         let before = f64::from(cell.capacity(material) * (cell.temperature - air));
         cell.water = 0.0;
-        cell.pilot = LASTS;
-        cell.temperature = fast_max(cell.temperature, material.pyrolysis + HOTTER);
+        cell.pilot = PILOT_DURATION;
+        cell.temperature = fast_max(cell.temperature, material.pyrolysis + IGNITION_EXCESS);
         let after = f64::from(cell.capacity(material) * (cell.temperature - air));
         let vapour = steam * f64::from(VAPORISATION + WATER_CAPACITY * (warm - air));
         account.steam += steam;
@@ -201,7 +198,7 @@ impl Burning {
     pub(super) fn pilot(&mut self, dt: f32) {
         for cell in &mut self.cells {
             if cell.pilot > 0.0 && cell.mass() > 0.0 {
-                let heat = FLUX * cell.length * dt;
+                let heat = PILOT_FLUX * cell.length * dt;
                 cell.temperature += heat / cell.capacity(self.material);
                 cell.pilot -= dt;
                 self.account.gained += f64::from(heat);
@@ -212,11 +209,10 @@ impl Burning {
     /// Cools a cell to the temperature of the air.
     fn cool(&mut self, index: usize, air: f32) {
         let material = self.material;
-        if let Some(cell) = self.cells.get_mut(index) {
-            let heat = cell.capacity(material) * fast_max(cell.temperature - air, 0.0);
-            self.account.lost += f64::from(heat);
-            (cell.temperature, cell.received, cell.pilot) = (air, 0.0, 0.0);
-            (self.account.power, self.account.starved) = (0.0, false);
-        }
+        let cell = &mut self.cells[index];
+        let heat = cell.capacity(material) * fast_max(cell.temperature - air, 0.0);
+        self.account.lost += f64::from(heat);
+        (cell.temperature, cell.received, cell.pilot) = (air, 0.0, 0.0);
+        (self.account.power, self.account.starved) = (0.0, false);
     }
 }

@@ -32,11 +32,11 @@ impl Burning {
             return;
         }
         for index in 0..self.cells.len() {
-            let then = old.at(self.place(index)).and_then(|at| old.cells.get(at));
-            if let (Some(cell), Some(then)) = (self.cells.get_mut(index), then)
-                && then.first > 0.0
-                && cell.first > 0.0
-            {
+            let Some(then) = old.at(self.place(index)) else {
+                continue;
+            };
+            let (cell, then) = (&mut self.cells[index], &old.cells[then]);
+            if then.first > 0.0 && cell.first > 0.0 {
                 let share = cell.first / then.first;
                 cell.temperature = then.temperature;
                 cell.fuel = then.fuel * share;

@@ -15,14 +15,14 @@ use crate::solids::Solids;
 use crate::solids::free::Moments;
 
 /// Shortest time between two outlines \[s\].
-const INTERVAL: f32 = 0.25;
+const MIN_INTERVAL: f32 = 0.25;
 /// How much must have gone for another outline, in cells.
-const GONE: f32 = 0.25;
+const MIN_LOSS: f32 = 0.25;
 /// Most nodes of an outline along a side, and in all.
-const MOST: f32 = 120.0;
-const ALL: f32 = 8000.0;
+const MAX_NODES_ALONG: f32 = 120.0;
+const MAX_NODES: f32 = 8000.0;
 /// Embers that a cell throws where it falls.
-const EMBERS: u32 = 2;
+const EMBERS_PER_CELL: u32 = 2;
 
 impl Fuels {
     /// Samples the outlines again if enough mass has gone.
@@ -35,7 +35,7 @@ impl Fuels {
         dt: f32,
     ) {
         self.since += dt;
-        if self.since < INTERVAL {
+        if self.since < MIN_INTERVAL {
             return;
         }
         self.since = 0.0;
@@ -43,7 +43,7 @@ impl Fuels {
         for burning in &mut self.all {
             burning.weigh(solids);
             let standing = burning.standing();
-            if burning.stood - standing < GONE {
+            if burning.stood - standing < MIN_LOSS {
                 burning.find_surface();
                 continue;
             }
@@ -56,7 +56,7 @@ impl Fuels {
                     && values.ember_rate > 0.0
                 {
                     let at = frame.centre + frame.axis * place.x + frame.axis.perp() * place.y;
-                    embers.throw_from(at, EMBERS, values, random);
+                    embers.throw_from(at, EMBERS_PER_CELL, values, random);
                 }
             };
             let air = values.ambient_temperature;
@@ -121,7 +121,7 @@ impl Burning {
         let half = self.whole_half();
         let longest = 2.0 * fast_max(half.x, half.y);
         let area = 4.0 * half.x * half.y;
-        let step = fast_max(longest / MOST, (area / ALL).sqrt());
+        let step = fast_max(longest / MAX_NODES_ALONG, (area / MAX_NODES).sqrt());
         let field = Field::of_opacity(self.half, step, &|place| {
             let inside = 0.5 - self.first_distance(place) / (2.0 * step);
             fast_min(fast_max(inside, 0.0), self.standing_at(place))
@@ -168,9 +168,11 @@ impl Burning {
     }
 
     fn standing_of(&self, column: isize, row: isize) -> Option<f32> {
-        let inside = column >= 0 && row >= 0 && column < self.columns as isize;
-        let index = row * self.columns as isize + column;
-        let cell = self.cells.get(index as usize).filter(|_| inside)?;
+        let (columns, rows) = (self.columns as isize, self.rows as isize);
+        if !((0..columns).contains(&column) && (0..rows).contains(&row)) {
+            return None;
+        }
+        let cell = &self.cells[(row * columns + column) as usize];
         let was_there = cell.first > 0.0 || cell.is_apart;
         was_there.then(|| cell.standing(self.material, self.load))
     }
@@ -180,9 +182,7 @@ impl Burning {
         let (distance, _) = self.distance(self.place(index));
         let deep = 0.25 * fast_min(self.side.x, self.side.y);
         let (material, load) = (self.material, self.load);
-        let Some(cell) = self.cells.get(index) else {
-            return false;
-        };
+        let cell = &self.cells[index];
         // A cell at the edge of the shape at first may have its middle outside.
         let stands = cell.standing(material, load) >= 0.5 || distance < -deep;
         if cell.mass() <= 0.0 || stands {
@@ -195,9 +195,7 @@ impl Burning {
     /// Books what is in a cell as fallen.
     pub(super) fn turn_to_ash(&mut self, index: usize, air: f32) {
         let material = self.material;
-        let Some(cell) = self.cells.get_mut(index) else {
-            return;
-        };
+        let cell = &mut self.cells[index];
         let heat = cell.capacity(material) * (cell.temperature - air);
         self.account.fallen += f64::from(cell.fuel + cell.char);
         self.account.steam += f64::from(cell.water);

@@ -17,13 +17,13 @@ use crate::params::Physics;
 use crate::solids::Solids;
 
 /// How far the region reaches beyond the solids \[m\]. Gas farther away counts to its border.
-const BEYOND: f32 = 0.3;
+const REGION_MARGIN: f32 = 0.3;
 /// Smallest side of a block \[m\].
-const SMALLEST: f32 = 0.05;
+const MIN_BLOCK_SIDE: f32 = 0.05;
 /// Gas hotter than this counts \[K\].
-const HOT: f32 = 600.0;
+const MIN_TEMPERATURE: f32 = 600.0;
 /// Largest share of its radiation that a block gives to solids.
-const MOST: f32 = 0.5;
+const MAX_RECEIVED_SHARE: f32 = 0.5;
 
 impl Fuels {
     /// Finds what each cell receives.
@@ -35,14 +35,14 @@ impl Fuels {
             }
             if let Some(body) = solids.first(burning.id) {
                 let frame = &body.surface.frame;
-                let half = frame.extent() + BEYOND;
+                let half = frame.extent() + REGION_MARGIN;
                 let (one, other) = (frame.centre - half, frame.centre + half);
                 low = Vec2::new(fast_min(low.x, one.x), fast_min(low.y, one.y));
                 high = Vec2::new(fast_max(high.x, other.x), fast_max(high.y, other.y));
             }
         }
         let size = (high - low) / BLOCKS as f32;
-        let side = fast_max(fast_max(size.x, size.y), SMALLEST);
+        let side = fast_max(fast_max(size.x, size.y), MIN_BLOCK_SIDE);
         self.blocks.fill(Block::default());
         let blocks = &mut self.blocks;
         let mut add = |position: Vec2, power: f32| {
@@ -50,17 +50,16 @@ impl Fuels {
             let at = (position - low) / side;
             let column = fast_min(fast_max(at.x, 0.0), last) as usize;
             let row = fast_min(fast_max(at.y, 0.0), last) as usize;
-            if let Some(block) = blocks.get_mut(row * BLOCKS + column) {
-                block.power += power;
-                block.moment += position * power;
-            }
+            let block = &mut blocks[row * BLOCKS + column];
+            block.power += power;
+            block.moment += position * power;
         };
         let air = values.ambient_temperature;
         let rate = gas.mass * HEAT_CAPACITY * values.radiative_cooling;
         let relative = air * (1.0 / 1500.0);
         let from_air = relative * relative * relative * relative;
         for (state, &position) in gas.state.iter().zip(&gas.position) {
-            if state.x > HOT {
+            if state.x > MIN_TEMPERATURE {
                 let relative = state.x * (1.0 / 1500.0);
                 let square = relative * relative;
                 add(position, rate * (square * square - from_air));
@@ -71,7 +70,7 @@ impl Fuels {
                 continue;
             };
             for (index, cell) in burning.cells.iter().enumerate() {
-                if cell.length > 0.0 && cell.temperature > HOT {
+                if cell.length > 0.0 && cell.temperature > MIN_TEMPERATURE {
                     // Before its surface, so that it is not behind it.
                     let place = burning.place(index) + cell.normal * burning.side;
                     let frame = &body.surface.frame;
@@ -84,27 +83,25 @@ impl Fuels {
             }
         }
         for block in 0..self.blocks.len() {
-            let Some(&Block { power, moment }) = self.blocks.get(block) else {
-                continue;
-            };
+            let Block { power, moment } = self.blocks[block];
             if power > 0.0 {
-                let source = (moment / power, 0.5 * side);
-                let seen = self.view(solids, source);
-                self.receive(power * fast_min(MOST / fast_max(seen, 1e-6), 1.0));
+                let seen = self.view(solids, moment / power, 0.5 * side);
+                self.receive(power * fast_min(MAX_RECEIVED_SHARE / fast_max(seen, 1e-6), 1.0));
             }
         }
     }
 
-    /// Finds the share of a source that each cell sees. Returns that of all cells.
-    fn view(&mut self, solids: &Solids, (source, nearest): (Vec2, f32)) -> f32 {
+    /// Finds the share of a source that each cell sees, from no nearer than that. Returns that of all
+    /// cells.
+    fn view(&mut self, solids: &Solids, source: Vec2, nearest: f32) -> f32 {
         let mut sum = 0.0;
         for burning in &self.all {
             let Some(body) = solids.first(burning.id) else {
                 continue;
             };
             let from = body.surface.frame.local(source);
-            let views = self.views.get_mut(burning.first_beside..);
-            let cells = burning.cells.iter().zip(views.unwrap_or_default());
+            let views = &mut self.views[burning.first_beside..];
+            let cells = burning.cells.iter().zip(views);
             for (index, (cell, view)) in cells.enumerate() {
                 *view = 0.0;
                 if cell.length <= 0.0 {
@@ -125,7 +122,7 @@ impl Fuels {
     /// Gives each cell its share of that power.
     fn receive(&mut self, power: f32) {
         for burning in &mut self.all {
-            let views = self.views.get(burning.first_beside..).unwrap_or_default();
+            let views = &self.views[burning.first_beside..];
             for (cell, view) in burning.cells.iter_mut().zip(views) {
                 cell.received += view * power;
             }

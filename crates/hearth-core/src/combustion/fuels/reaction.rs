@@ -18,25 +18,25 @@ use crate::combustion::reaction::chemistry::HEAT_CAPACITY;
 use crate::extremes::{fast_max, fast_min};
 
 /// Emissivity of a surface times the constant of Stefan and Boltzmann [kW/(m²·K⁴)].
-const RADIATED: f32 = 0.9 * 5.670_374e-11;
+const SURFACE_EMISSION: f32 = 0.9 * 5.670_374e-11;
 /// How much hotter than its pyrolysis temperature fuel is that falls to a share of 1/e in a
 /// second \[K\]: little, so that the supply of heat limits it.
 pub(super) const PYROLYSIS: f32 = 30.0;
 /// Share of the heat above the pyrolysis temperature that a step may use.
-const MOST_HEAT: f32 = 0.5;
+const MAX_HEAT_SHARE: f32 = 0.5;
 /// Share of the fuel of a cell below which all of it is given off.
-const REST: f32 = 0.02;
+const MIN_FUEL_SHARE: f32 = 0.02;
 /// Oxygen in air, by mass.
-const OXYGEN: f32 = 0.232;
+const OXYGEN_IN_AIR: f32 = 0.232;
 /// Carbon that a mass of oxygen burns.
-const CARBON: f32 = 0.375;
+const CARBON_PER_OXYGEN: f32 = 0.375;
 /// Rate of the reaction of char with oxygen [kg/(m²·s)], and its activation temperature \[K\]
 /// (Evans & Emmons 1977).
-const REACTION: f32 = 254.0;
-const ACTIVATION: f32 = 9000.0;
+const CHAR_RATE: f32 = 254.0;
+const CHAR_ACTIVATION: f32 = 9000.0;
 /// Change of a temperature in a step from which its radiation is computed again \[K\], and how often.
-const LEAP: f32 = 50.0;
-const ROUNDS: u32 = 6;
+const RADIATION_REFRESH: f32 = 50.0;
+const MAX_REFRESHES: u32 = 6;
 
 /// What all cells have in common in a step.
 pub(super) struct Step {
@@ -98,7 +98,7 @@ impl Cell {
     }
 
     fn radiated_at(&self, now: f32, air: f32) -> f32 {
-        RADIATED * self.length * (now * now + air * air) * (now + air)
+        SURFACE_EMISSION * self.length * (now * now + air * air) * (now + air)
     }
 
     /// Exchanges heat, and burns char. Returns its power [kW/m].
@@ -116,10 +116,11 @@ impl Cell {
         let flow = beside.conductance / HEAT_CAPACITY;
         let (mut burnt, mut used) = (0.0, 0.0);
         if carbon > 0.0 && flow > 0.0 {
-            let reaction = self.length * REACTION / CARBON * libm::expf(-ACTIVATION / now);
+            let reaction =
+                self.length * CHAR_RATE / CARBON_PER_OXYGEN * libm::expf(-CHAR_ACTIVATION / now);
             let bare = carbon / (carbon + self.fuel);
             used = reaction / (reaction + flow) * bare * (1.0 - beside.burnt);
-            burnt = dt * CARBON * OXYGEN * beside.oxygen / HEAT_CAPACITY * used;
+            burnt = dt * CARBON_PER_OXYGEN * OXYGEN_IN_AIR * beside.oxygen / HEAT_CAPACITY * used;
             if burnt > carbon {
                 used *= carbon / burnt;
                 burnt = carbon;
@@ -137,8 +138,8 @@ impl Cell {
         let mut next = balance(radiated);
         // The rest of a cell is so light that its radiation grows within the step. Radiation alone
         // gives a temperature as the inverse cube of the one that it is computed at.
-        for _ in 0..ROUNDS {
-            if (next - at).abs() < LEAP {
+        for _ in 0..MAX_REFRESHES {
+            if (next - at).abs() < RADIATION_REFRESH {
                 break;
             }
             at = (at * next).sqrt() * at;
@@ -180,11 +181,11 @@ impl Cell {
         let above = self.temperature - material.pyrolysis;
         if above > 0.0 && self.fuel > 0.0 {
             let share = step.dt * step.throttle * above / PYROLYSIS;
-            let heat = MOST_HEAT * above * self.capacity(material);
+            let heat = MAX_HEAT_SHARE * above * self.capacity(material);
             let gas = 1.0 - material.char;
             let mut lost = self.fuel * share / (1.0 + share);
             lost = fast_min(lost, heat / (gas * material.gasification));
-            if self.fuel < REST * self.first {
+            if self.fuel < MIN_FUEL_SHARE * self.first {
                 lost = self.fuel;
             }
             self.fuel -= lost;

@@ -1,22 +1,22 @@
 //! What readers see of the solids that burn.
 
-use super::cells::{Account, Burning, Cell};
+use super::cells::{Account, Burning, Cell, NONE};
 use super::state::Fuels;
 use crate::combustion::charred::{Charred, CharredSolid};
 use crate::solids::Solids;
 
 /// Power below which a solid is out [kW/m].
-const OUT: f32 = 0.05;
+const OUT_POWER: f32 = 0.05;
 /// Power from which it is lit [kW/m].
-const LIT: f32 = 0.5;
+const LIT_POWER: f32 = 0.5;
 /// Oxygen beside a solid, relative to air, below which it went out because it lacked oxygen: flames go
 /// out from 13 to 15 % of 21 % (Drysdale 2011, 3.5.4).
-const STARVED: f32 = 0.65;
+const STARVED_OXYGEN: f32 = 0.65;
 /// Share of the fuel below which nothing is left.
-const NOTHING: f32 = 0.02;
+const MIN_FUEL_SHARE: f32 = 0.02;
 
 /// Largest share of char in a record, so that it is not a degree.
-const MOST_CHAR: f32 = 0.99;
+const MAX_CHAR: f32 = 0.99;
 
 /// The state of a solid with fuel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -104,11 +104,11 @@ impl Burning {
     /// Notes whether it burns.
     pub(super) fn note(&mut self) {
         let account = &mut self.account;
-        if account.power > LIT {
+        if account.power > LIT_POWER {
             account.lit = true;
         }
-        if account.power > OUT {
-            account.starved = account.oxygen < STARVED;
+        if account.power > OUT_POWER {
+            account.starved = account.oxygen < STARVED_OXYGEN;
         }
     }
 }
@@ -130,9 +130,9 @@ impl Account {
     }
 
     fn state(&self, left: f64) -> BurningState {
-        if self.lit && self.power > OUT {
+        if self.lit && self.power > OUT_POWER {
             BurningState::Burning
-        } else if left < f64::from(NOTHING) {
+        } else if left < f64::from(MIN_FUEL_SHARE) {
             BurningState::Burnt
         } else if !self.lit {
             BurningState::Unlit
@@ -251,8 +251,10 @@ impl Fuels {
 impl Burning {
     /// Temperature and char of a cell; without anything in it, of the cell below it.
     fn seen(&self, cell: &Cell) -> f32 {
-        let below = self.cells.get(usize::from(cell.vent));
-        let cell = below.filter(|_| cell.mass() <= 0.0).unwrap_or(cell);
-        cell.temperature.floor() + MOST_CHAR * cell.charred()
+        let cell = match cell.vent {
+            vent if vent != NONE && cell.mass() <= 0.0 => &self.cells[usize::from(vent)],
+            _ => cell,
+        };
+        cell.temperature.floor() + MAX_CHAR * cell.charred()
     }
 }

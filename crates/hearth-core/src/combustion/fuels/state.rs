@@ -58,7 +58,11 @@ pub(super) struct Beside {
     pub(super) flame: f32,
 }
 
-/// A particle near a wall: the place of its cell in `beside`, and its conductance [kW/(m·K)].
+/// The place of a cell that does not exist.
+pub(super) const NOTHING: u32 = u32::MAX;
+
+/// A particle near a wall: the place of its cell in `beside`, or [`NOTHING`], and its conductance
+/// [kW/(m·K)].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Touch {
     pub(super) place: u32,

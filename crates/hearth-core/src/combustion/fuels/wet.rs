@@ -10,14 +10,14 @@ use crate::random::Random;
 use crate::solids::Body;
 
 /// Most water in a cell over its dry mass: what light wood holds (Wood Handbook 2010, 4.2).
-const SOAKED: f32 = 1.0;
+const MAX_WATER_SHARE: f32 = 1.0;
 /// Cells along which water runs at most.
-const LONGEST: u32 = 128;
+const MAX_FILM_CELLS: u32 = 128;
 /// Weight of the direction of a film, and of a cell that is not full, against a fall by a cell; and the
 /// steepest way, in cells, that a film does not climb.
-const AHEAD: f32 = 0.4;
-const OPEN: f32 = 0.7;
-const CLIMBS: f32 = -0.35;
+const AHEAD_WEIGHT: f32 = 0.4;
+const OPEN_WEIGHT: f32 = 0.7;
+const MIN_FALL: f32 = -0.35;
 
 impl Fuels {
     /// Gives water of a mass [kg/m] and a temperature \[K\] to a body at a place of its surface. Returns
@@ -26,7 +26,8 @@ impl Fuels {
         &mut self,
         body: &Body,
         place: Vec2,
-        (mass, temperature): (f32, f32),
+        mass: f32,
+        temperature: f32,
         air: f32,
         random: &mut Random,
     ) -> (f32, bool) {
@@ -44,14 +45,10 @@ impl Fuels {
         let sideways = if random.unit() < 0.5 { -1 } else { 1 };
         let upward = Vec2::new(frame.axis.y, frame.axis.x);
         let (mut at, mut left, mut boils) = ((index, [sideways, 0]), mass, false);
-        for _ in 0..LONGEST {
-            let soaked = burning.soak(at.0, (left, temperature), air);
+        for _ in 0..MAX_FILM_CELLS {
+            let soaked = burning.soak(at.0, left, temperature, air);
             left -= soaked;
-            boils |= soaked > 0.0
-                && burning
-                    .cells
-                    .get(at.0)
-                    .is_some_and(|cell| cell.temperature > BOILING);
+            boils |= soaked > 0.0 && burning.cells[at.0].temperature > BOILING;
             let next = burning.downstream(at, upward);
             let Some(next) = next.filter(|_| left > 0.0) else {
                 break;
@@ -64,11 +61,9 @@ impl Fuels {
 
 impl Burning {
     /// Gives water of a mass [kg/m] and a temperature \[K\] to a cell. Returns what that takes.
-    fn soak(&mut self, index: usize, (mass, temperature): (f32, f32), air: f32) -> f32 {
+    fn soak(&mut self, index: usize, mass: f32, temperature: f32, air: f32) -> f32 {
         let material = self.material;
-        let Some(cell) = self.cells.get_mut(index) else {
-            return 0.0;
-        };
+        let cell = &mut self.cells[index];
         let taken = fast_min(mass, cell.room());
         if taken <= 0.0 {
             return 0.0;
@@ -86,7 +81,7 @@ impl Burning {
     fn downstream(&self, (from, by): Flow, upward: Vec2) -> Option<Flow> {
         let columns = self.columns.max(1);
         let (column, row) = (from % columns, from / columns);
-        let mut best = (CLIMBS, None);
+        let mut best = (MIN_FALL, None);
         for side in -1..=1_i32 {
             for up in -1..=1_i32 {
                 let to = (
@@ -94,10 +89,11 @@ impl Burning {
                     row.checked_add_signed(up as isize),
                 );
                 let (Some(x), Some(y)) = to else { continue };
-                let index = y * columns + x;
-                let Some(cell) = self.cells.get(index).filter(|_| x < columns) else {
+                if x >= columns || y >= self.rows {
                     continue;
-                };
+                }
+                let index = y * columns + x;
+                let cell = &self.cells[index];
                 let is_here = side == 0 && up == 0;
                 let returns = side == -by[0] && up == -by[1];
                 if is_here || returns || cell.length <= 0.0 || cell.mass() <= 0.0 {
@@ -106,9 +102,9 @@ impl Burning {
                 let step = Vec2::new(side as f32, up as f32);
                 let ahead = (side * by[0] + up * by[1]) as f32;
                 let falls = -step.dot(upward);
-                let open = if cell.room() > 0.0 { OPEN } else { 0.0 };
-                let rank = falls + AHEAD * ahead + open;
-                if falls > CLIMBS && rank > best.0 {
+                let open = if cell.room() > 0.0 { OPEN_WEIGHT } else { 0.0 };
+                let rank = falls + AHEAD_WEIGHT * ahead + open;
+                if falls > MIN_FALL && rank > best.0 {
                     best = (rank, Some((index, [side, up])));
                 }
             }
@@ -123,6 +119,6 @@ type Flow = (usize, [i32; 2]);
 impl Cell {
     /// Water that it can still take [kg/m].
     fn room(&self) -> f32 {
-        SOAKED * (self.fuel + self.char) - self.water
+        MAX_WATER_SHARE * (self.fuel + self.char) - self.water
     }
 }

@@ -2,7 +2,7 @@
 
 /// The gas that solids have taken the place of.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Removed {
+pub struct RemovedGas {
     /// Number of particles.
     pub particles: u64,
     /// Their mass [kg/m].

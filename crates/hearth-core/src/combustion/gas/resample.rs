@@ -58,25 +58,26 @@ impl Discretisation {
         }
     }
 
-    /// The particles as one number, besides the values.
-    pub fn as_number(&self) -> u32 {
+    /// What the values of a fire do not determine, as a saved fire has it: the number of particles
+    /// or, in open air, the bits of the spacing.
+    pub fn resolution_key(&self) -> u32 {
         match *self {
             Discretisation::Periodic { particles, .. } => particles,
             Discretisation::Open { spacing } => spacing.to_bits(),
         }
     }
 
-    /// The discretisation with that [number](Self::as_number); that of the values if it is not
-    /// plausible.
-    pub fn made_with(number: u32, values: &Physics) -> Discretisation {
+    /// The discretisation with that [key](Self::resolution_key); that of the values if the key is
+    /// not plausible.
+    pub fn with_resolution_key(key: u32, values: &Physics) -> Discretisation {
         match Discretisation::of(values) {
             Discretisation::Periodic { width, height, .. } => Discretisation::Periodic {
                 width,
                 height,
-                particles: number,
+                particles: key,
             },
             Discretisation::Open { spacing } => {
-                let stored = f32::from_bits(number);
+                let stored = f32::from_bits(key);
                 let plausible = (MIN_SPACING..=MAX_SPACING).contains(&stored);
                 Discretisation::Open {
                     spacing: if plausible { stored } else { spacing },

@@ -7,7 +7,7 @@
 
 use glam::Vec2;
 
-use crate::combustion::fuels::{BOILING, VAPORISATION, WATER_CAPACITY, Where, reach};
+use crate::combustion::fuels::{BOILING, IgnitionTarget, VAPORISATION, WATER_CAPACITY, reach};
 use crate::combustion::reaction::burner::Burner;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Parameters, Physics};
@@ -30,7 +30,7 @@ pub(super) struct Bed {
     /// Water in it, and water that wets it throughout [kg/m].
     pub water: f32,
     full: f32,
-    /// Where it is; `None` on a solid.
+    /// IgnitionTarget it is; `None` on a solid.
     burner: Option<Burner>,
     /// The solid that it is on, and a place of that \[m\].
     solid: Option<u32>,
@@ -133,10 +133,10 @@ impl Bed {
     }
 
     /// Whether it is on that solid or near that place.
-    pub(super) fn is_there(&self, at: Where, solids: &Solids) -> bool {
+    pub(super) fn is_there(&self, at: IgnitionTarget, solids: &Solids) -> bool {
         let (place, radius) = match at {
-            Where::Object(id) => return self.solid == Some(id),
-            Where::Place(place, radius) => (place, reach(radius)),
+            IgnitionTarget::Object(id) => return self.solid == Some(id),
+            IgnitionTarget::Place(place, radius) => (place, reach(radius)),
         };
         let distance = match &self.burner {
             Some(burner) => {

@@ -2,7 +2,7 @@
 
 use super::bed::Bed;
 use super::state::Water;
-use crate::combustion::fuels::Where;
+use crate::combustion::fuels::IgnitionTarget;
 use crate::random::Random;
 use crate::scene::Scene;
 use crate::solids::Solids;
@@ -15,9 +15,7 @@ impl Water {
             if count == self.beds.len() {
                 self.beds.push(Bed::default());
             }
-            if let Some(bed) = self.beds.get_mut(count) {
-                self.account.run_off += f64::from(bed.follow(source, scene, solids));
-            }
+            self.account.run_off += f64::from(self.beds[count].follow(source, scene, solids));
             count += 1;
         }
         for gone in self.beds.drain(count..) {
@@ -28,7 +26,7 @@ impl Water {
     /// Boils the water in the beds there, as the flame does that lights a source again. Returns whether
     /// there was any.
     #[inline(never)]
-    pub fn light(&mut self, at: Where, solids: &Solids, random: &mut Random) -> bool {
+    pub fn light(&mut self, at: IgnitionTarget, solids: &Solids, random: &mut Random) -> bool {
         let mut found = false;
         for bed in &mut self.beds {
             if bed.water > 0.0 && bed.is_there(at, solids) {

@@ -16,7 +16,7 @@ use glam::Vec2;
 
 use super::around::Around;
 use super::report::Droplets;
-use super::report::Sprayed;
+use super::report::SprayTotals;
 use crate::combustion::fuels::{BOILING, VAPORISATION, WATER_CAPACITY};
 use crate::combustion::reaction::chemistry::HEAT_CAPACITY;
 use crate::extremes::{fast_max, fast_min};
@@ -48,7 +48,7 @@ struct Sums {
 pub(super) fn exchange(
     parcel: &mut Droplets,
     around: &mut Around,
-    account: &mut Sprayed,
+    account: &mut SprayTotals,
     rounding: &mut f32,
 ) -> f32 {
     around.find_near(parcel.position);

@@ -26,7 +26,7 @@ pub struct Droplets {
 /// Where the water of all sprays is: masses in kg and heat in kJ, per metre of depth. The sum of the
 /// other masses is that of what was sprayed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Sprayed {
+pub struct SprayTotals {
     /// Mass of all that was sprayed.
     pub sprayed: f64,
     /// Mass of the droplets in the air.
@@ -49,17 +49,17 @@ pub struct Sprayed {
 
 /// The error of spraying water where no gas burns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct NoWater;
+pub struct SprayError;
 
-impl NoWater {
+impl SprayError {
     /// What the model must be instead.
     pub const ALLOWED: &'static str = "combustion: the classic model has no water";
 }
 
-impl fmt::Display for NoWater {
+impl fmt::Display for SprayError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "model must be {}", NoWater::ALLOWED)
+        write!(f, "model must be {}", SprayError::ALLOWED)
     }
 }
 
-impl std::error::Error for NoWater {}
+impl std::error::Error for SprayError {}

@@ -1,7 +1,7 @@
 //! The state of the water.
 
 use super::bed::Bed;
-use super::report::{Droplets, Sprayed};
+use super::report::{Droplets, SprayTotals};
 use super::steam::Steam;
 
 /// Water at a fire.
@@ -10,7 +10,7 @@ pub(crate) struct Water {
     pub(super) parcels: Vec<Droplets>,
     pub(super) beds: Vec<Bed>,
     pub(super) steam: Steam,
-    pub(super) account: Sprayed,
+    pub(super) account: SprayTotals,
     /// Cooling of the gas that is less than the last digit of a temperature \[K\].
     pub(super) rounding: f32,
     /// Height of the frame, by which pictures are scaled \[m\].
@@ -26,10 +26,10 @@ impl Water {
     }
 
     /// The account with what is in the air and in sources now.
-    pub(crate) fn sprayed(&self) -> Sprayed {
+    pub(crate) fn sprayed(&self) -> SprayTotals {
         let flying = self.parcels.iter().map(|parcel| f64::from(parcel.mass));
         let held = self.beds.iter().map(|bed| f64::from(bed.water));
-        Sprayed {
+        SprayTotals {
             flying: flying.sum(),
             held: held.sum(),
             ..self.account

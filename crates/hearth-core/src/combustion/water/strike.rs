@@ -62,9 +62,7 @@ impl Water {
         around: &mut Around,
         random: &mut Random,
     ) {
-        let Some(body) = around.solids.bodies.get(solid) else {
-            return;
-        };
+        let body = &around.solids.bodies[solid];
         let (id, place) = (body.id(), parcel.position);
         let air = around.values.ambient_temperature;
         let mut left = parcel.mass;
@@ -79,8 +77,8 @@ impl Water {
         if let Some(fuels) = &mut around.fuels
             && body.burns
         {
-            let water = (left, parcel.temperature);
-            let (soaked, is_hot) = fuels.wet(body, place, water, air, random);
+            let own = parcel.temperature;
+            let (soaked, is_hot) = fuels.wet(body, place, left, own, air, random);
             self.account.soaked += f64::from(soaked);
             left -= soaked;
             if is_hot {

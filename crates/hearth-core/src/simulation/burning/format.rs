@@ -2,10 +2,11 @@
 
 use glam::Vec2;
 
+use super::BurningError;
 use crate::bounds::Bounds;
 use crate::scene::MAX_OBJECTS;
 
-/// The version of the format. Version 1 has no temperatures of solids, version 2 no free solids.
+/// The version of the format.
 pub const VERSION: u16 = 3;
 
 pub(super) const MAGIC: &[u8; 4] = b"Fire";
@@ -24,68 +25,70 @@ const MAX_TIME: f64 = 1e6;
 /// The message about a value that no fire has.
 pub(super) const OUT_OF_RANGE: &str = "the burning fire has values out of range";
 
+/// The message about bytes that do not fit the numbers of the header or of the scene.
+pub(super) const WRONG_LENGTH: &str = "the burning fire has the wrong length";
+const NO_FIRE: BurningError = BurningError::Damaged("the bytes are not a burning fire");
+
 /// The header.
 pub(super) struct Header {
-    pub version: u16,
     pub embers: usize,
     pub digest: u64,
-    pub made_with: u32,
+    /// [`Discretisation::resolution_key`](crate::combustion::Discretisation::resolution_key).
+    pub resolution_key: u32,
     pub particles: usize,
     pub time: f64,
     pub scales: [f32; 6],
 }
 
 impl Header {
-    pub fn read(bytes: &mut Bytes<'_>) -> Option<Header> {
-        if bytes.take::<4>()? != *MAGIC {
-            return None;
+    /// Reads the header, and checks its values and the number of bytes after it.
+    pub fn read(bytes: &mut Bytes<'_>) -> Result<Header, BurningError> {
+        let magic = bytes.take().ok_or(NO_FIRE)?;
+        let version = u16::from_le_bytes(bytes.take().ok_or(NO_FIRE)?);
+        if magic != *MAGIC {
+            return Err(NO_FIRE);
         }
-        let version = u16::from_le_bytes(bytes.take()?);
-        let embers = u16::from_le_bytes(bytes.take()?).into();
-        let digest = u64::from_le_bytes(bytes.take()?);
-        let made_with = u32::from_le_bytes(bytes.take()?);
-        let particles = u32::from_le_bytes(bytes.take()?) as usize;
-        let time = f64::from_le_bytes(bytes.take()?);
-        let mut scales = [0.0; 6];
-        for scale in &mut scales {
-            *scale = f32::from_le_bytes(bytes.take()?);
+        if version != VERSION {
+            return Err(BurningError::OtherVersion(version));
         }
+        let header = Header::fields(bytes).ok_or(NO_FIRE)?;
+        header.check(bytes.0.len()).map_err(BurningError::Damaged)?;
+        Ok(header)
+    }
+
+    fn fields(bytes: &mut Bytes<'_>) -> Option<Header> {
         Some(Header {
-            version,
-            embers,
-            digest,
-            made_with,
-            particles,
-            time,
-            scales,
+            embers: u16::from_le_bytes(bytes.take()?).into(),
+            digest: u64::from_le_bytes(bytes.take()?),
+            resolution_key: u32::from_le_bytes(bytes.take()?),
+            particles: u32::from_le_bytes(bytes.take()?) as usize,
+            time: f64::from_le_bytes(bytes.take()?),
+            scales: {
+                let mut scales = [0.0; 6];
+                for scale in &mut scales {
+                    *scale = f32::from_le_bytes(bytes.take()?);
+                }
+                scales
+            },
         })
     }
 
-    /// Checks the values and the number of bytes after the header.
-    pub fn check(&self, rest: usize) -> Result<(), &'static str> {
+    fn check(&self, rest: usize) -> Result<(), &'static str> {
         // Enough for any fire, without an overflow below.
         let allowed = 1..=100_000;
-        if !(1..=VERSION).contains(&self.version) {
-            return Err("the burning fire has another version");
-        }
         if !allowed.contains(&self.particles) || self.embers > EMBERS {
             return Err("the burning fire has an invalid number of particles");
         }
         let solids = rest.checked_sub(EACH * (self.particles + self.embers));
-        let most = MAX_OBJECTS
-            * match self.version {
-                1 => 0,
-                2 => 1,
-                _ => 1 + BODY,
-            };
+        let most = MAX_OBJECTS * (1 + BODY);
         if !solids.is_some_and(|rest| rest % NUMBER == 0 && rest / NUMBER <= most) {
-            return Err("the burning fire has the wrong length");
+            return Err(WRONG_LENGTH);
         }
-        let [velocity, hot, sooty, rest @ ..] = self.scales;
+        let [velocity, excess, soot, embers @ ..] = self.scales;
         let valid = (0.0..=500.0).contains(&velocity)
-            && (0.0..=20_000.0).contains(&hot)
-            && (0.0..=10.0).contains(&sooty)
-            && rest.iter().all(|scale| (0.0..=500.0).contains(scale))
+            && (0.0..=20_000.0).contains(&excess)
+            && (0.0..=10.0).contains(&soot)
+            && embers.iter().all(|scale| (0.0..=500.0).contains(scale))
             && (0.0..=MAX_TIME).contains(&self.time);
         if valid { Ok(()) } else { Err(OUT_OF_RANGE) }
     }
@@ -130,14 +133,12 @@ impl<'a> Columns<'a> {
     }
 
     pub fn share(&self, column: usize, i: usize) -> f32 {
-        let byte = self.shares[column].get(i).copied().unwrap_or(0);
-        f32::from(byte) / 255.0
+        f32::from(self.shares[column][i]) / 255.0
     }
 
     pub fn position(&self, i: usize, bounds: &Bounds) -> Vec2 {
         let part = |axis: usize| {
-            let two = self.positions[axis].get(2 * i..2 * i + 2);
-            let [low, high] = two.and_then(|two| two.try_into().ok()).unwrap_or([0; 2]);
+            let (low, high) = (self.positions[axis][2 * i], self.positions[axis][2 * i + 1]);
             (f32::from(u16::from_le_bytes([low, high])) + 0.5) / 65_536.0
         };
         let at = Vec2::new(part(0) - 0.5, part(1)) * Vec2::new(bounds.width, bounds.height);
@@ -145,12 +146,11 @@ impl<'a> Columns<'a> {
     }
 
     pub fn velocity(&self, i: usize, largest: f32) -> Vec2 {
-        let one = |column: usize| {
-            let byte = self.shares[column].get(i).copied().unwrap_or(128);
-            let root = (f32::from(byte) - 128.0) / 127.0;
+        let component = |column: usize| {
+            let root = (f32::from(self.shares[column][i]) - 128.0) / 127.0;
             root * root.abs() * largest
         };
-        Vec2::new(one(0), one(1))
+        Vec2::new(component(0), component(1))
     }
 }
 

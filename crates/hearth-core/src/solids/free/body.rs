@@ -12,16 +12,16 @@ use crate::scene::{MAX_SPEED, RoundedBox, Surface};
 use crate::solids::Body;
 
 /// Places along a side at which a surface is weighed.
-const GRID: usize = 32;
+const MEASURED_PLACES: usize = 32;
 /// Greatest speed of a body that hinges move [m/s]: at [`MAX_SPEED`], a chain stretches where it swings
 /// fastest.
-pub(super) const FASTEST_HINGED: f32 = 1.1 * MAX_SPEED;
+pub(super) const MAX_HINGED_SPEED: f32 = 1.1 * MAX_SPEED;
 /// Distance from the middle of the frame at which a body stops \[m\].
-const FAR: f32 = 40.0;
+const MAX_DISTANCE: f32 = 40.0;
 /// Layer of gas around a body that it weighs at least as much as, in spacings.
-const LAYER: f32 = 0.5;
+const GAS_LAYER: f32 = 0.5;
 /// Time over which the push of the gas is averaged \[s\].
-const AVERAGE: f32 = 0.1;
+const PUSH_AVERAGING_TIME: f32 = 0.1;
 
 /// An amount, its centre, and the square of its radius of gyration \[m²\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -61,10 +61,10 @@ impl Moments {
             },
             field: surface.field.clone(),
         };
-        let size = 2.0 * half / GRID as f32;
+        let size = 2.0 * half / MEASURED_PLACES as f32;
         let (cell, smaller) = (size.x * size.y, fast_min(size.x, size.y));
-        let places = (0..GRID * GRID).map(|index| {
-            let (column, row) = (index % GRID, index / GRID);
+        let places = (0..MEASURED_PLACES * MEASURED_PLACES).map(|index| {
+            let (column, row) = (index % MEASURED_PLACES, index / MEASURED_PLACES);
             let at = Vec2::new(column as f32 + 0.5, row as f32 + 0.5) * size - half;
             let (distance, _) = shape.distance(at);
             let share = fast_min(fast_max(0.5 - distance / smaller, 0.0), 1.0);
@@ -174,7 +174,7 @@ impl Rigid {
             velocity: Vec2::ZERO,
             spin: 0.0,
             full: solid.density * area,
-            least: LAYER * values.spacing() * values.ambient_density * round,
+            least: GAS_LAYER * values.spacing() * values.ambient_density * round,
             air: values.ambient_density * area,
             share: 1.0,
             inverse_mass: 0.0,
@@ -293,9 +293,9 @@ impl Rigid {
     }
 
     /// Accelerates it by a force [N/m] and a torque about the middle of its frame \[N\] of the gas.
-    pub fn feel(&mut self, force: Vec2, torque: f32, gravity: f32, dt: f32) {
+    pub fn apply_gas_force(&mut self, force: Vec2, torque: f32, gravity: f32, dt: f32) {
         let push = force.length() * self.inverse_mass / gravity;
-        self.pushed += (push - self.pushed) * fast_min(dt / AVERAGE, 1.0);
+        self.pushed += (push - self.pushed) * fast_min(dt / PUSH_AVERAGING_TIME, 1.0);
         if self.is_awake() && push.is_finite() && torque.is_finite() {
             let arm = self.surface.frame.axis.rotate(self.offset);
             self.velocity += force * (self.inverse_mass * dt);
@@ -360,8 +360,8 @@ impl Rigid {
         if let Some(bounds) = bounds {
             self.centre = bounds.wrap(self.centre);
         }
-        if self.centre.abs().max_element() > FAR {
-            self.centre = self.centre.clamp_length_max(FAR);
+        if self.centre.abs().max_element() > MAX_DISTANCE {
+            self.centre = self.centre.clamp_length_max(MAX_DISTANCE);
             (self.velocity, self.spin) = (Vec2::ZERO, 0.0);
         }
         frame.centre = self.centre - frame.axis.rotate(self.offset);

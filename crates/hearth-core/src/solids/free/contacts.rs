@@ -9,18 +9,18 @@ use crate::bounds::Bounds;
 use crate::extremes::fast_max;
 
 /// Distance at which a contact is found, beyond the path in a substep \[m\].
-const MARGIN: f32 = 1e-3;
+const CONTACT_MARGIN: f32 = 1e-3;
 /// Contacts for each solid that there is room for.
-const CONTACTS: usize = 48;
+const CONTACTS_PER_BODY: usize = 48;
 /// Bodies and samples have numbers below this in a key.
-const KEYS: usize = 256;
+const KEY_BASE: usize = 256;
 /// The number of the first plane, in place of that of a body.
 pub(super) const PLANES: usize = 200;
 
 impl FreeBodies {
     /// Makes room for the contacts.
     pub(super) fn make_room(&mut self) {
-        let room = self.all.len() * CONTACTS;
+        let room = self.all.len() * CONTACTS_PER_BODY;
         self.contacts.reserve(room);
         self.old.reserve(room);
     }
@@ -37,7 +37,7 @@ impl FreeBodies {
                     continue;
                 }
                 let shift = shift(self.bounds.as_ref(), one, other);
-                let near = MARGIN + (one.speed() + other.speed()) * dt;
+                let near = CONTACT_MARGIN + (one.speed() + other.speed()) * dt;
                 let (a, b) = (&one.surface.frame, &other.surface.frame);
                 let reach = a.reach() + b.reach() + near;
                 if (a.centre - shift).distance_squared(b.centre) > reach * reach {
@@ -52,7 +52,7 @@ impl FreeBodies {
                         add(
                             &mut self.contacts,
                             Contact {
-                                key: (number * KEYS + second) * KEYS + index,
+                                key: (number * KEY_BASE + second) * KEY_BASE + index,
                                 one: number,
                                 other: second,
                                 normal,
@@ -73,12 +73,12 @@ impl FreeBodies {
                 for (index, sample) in one.samples.all().iter().enumerate() {
                     let at = frame.centre + frame.axis.rotate(sample.at);
                     let gap = at.dot(plane.normal) - plane.offset - sample.radius;
-                    if gap < MARGIN + one.speed() * dt {
+                    if gap < CONTACT_MARGIN + one.speed() * dt {
                         let point = at - plane.normal * sample.radius;
                         add(
                             &mut self.contacts,
                             Contact {
-                                key: (number * KEYS + second) * KEYS + index,
+                                key: (number * KEY_BASE + second) * KEY_BASE + index,
                                 one: number,
                                 other: second,
                                 normal: plane.normal,

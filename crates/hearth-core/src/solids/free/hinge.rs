@@ -62,17 +62,16 @@ impl Hinge {
     /// Finds its bodies. Without the part of a solid it is at the solid.
     pub fn find(&mut self, all: &[Rigid]) {
         let found = self.ends.each_mut().map(|end| {
-            let of = |id: u32| all.iter().position(|one| one.id == id);
+            let of = |id: u32| all.iter().position(|body| body.id == id);
             let part = of(end.part);
             if part.is_none() {
                 end.part = end.object;
             }
             part.or_else(|| of(end.object))
         });
-        let is_gone = |index: usize| all.get(index).is_none_or(Rigid::is_gone);
         self.pair = match found {
             [Some(one), Some(other)] if !self.is_broken => {
-                self.is_broken = is_gone(one) || is_gone(other);
+                self.is_broken = all[one].is_gone() || all[other].is_gone();
                 let arms = [Vec2::ZERO; 2];
                 let bodies = [one, other];
                 (!self.is_broken).then_some(Pair { bodies, arms })

@@ -14,37 +14,32 @@ use crate::bounds::Bounds;
 use crate::extremes::fast_max;
 
 /// Distance of the two places at which a hinge of a saved fire has let go \[m\].
-const APART: f32 = 0.02;
+const BROKEN_DISTANCE: f32 = 0.02;
 /// The greatest velocity at which a hinge pulls its two places together [m/s].
-const FASTEST: f32 = 1.0;
+const MAX_RECOVERY_SPEED: f32 = 1.0;
 
 impl Hinge {
     /// Finds its arms and how far its places are apart, `ahead` of the end of the step \[s\].
     fn measure(&mut self, all: &[Rigid], bounds: Option<&Bounds>, ahead: f32) {
         let Some(pair) = &mut self.pair else { return };
         let mut places = [Vec2::ZERO; 2];
-        for (index, number) in pair.bodies.into_iter().zip(0..) {
-            let (Some(body), Some(end)) = (all.get(index), self.ends.get(number)) else {
-                continue;
-            };
+        for number in 0..2 {
+            let body = &all[pair.bodies[number]];
             let (place, axis) = body.place();
-            let at = place + axis.rotate(end.at);
+            let at = place + axis.rotate(self.ends[number].at);
             let arm = at - body.centre;
             // One that no force moves is where it is at the end of the step.
             let path = match body.is_free {
                 true => Vec2::ZERO,
                 false => (body.velocity + arm.perp() * body.spin) * ahead,
             };
-            if let (Some(place), Some(own)) = (places.get_mut(number), pair.arms.get_mut(number)) {
-                (*place, *own) = (at - path, arm);
-            }
+            (places[number], pair.arms[number]) = (at - path, arm);
         }
         let [place, far] = places;
         self.error = place - far;
-        if let [Some(one), Some(other)] = pair.bodies.map(|index| all.get(index)) {
-            self.error -= shift(bounds, one, other);
-            self.is_live = one.is_live() || other.is_live();
-        }
+        let [one, other] = pair.bodies.map(|index| &all[index]);
+        self.error -= shift(bounds, one, other);
+        self.is_live = one.is_live() || other.is_live();
     }
 
     /// Changes its impulse, and the velocities by it.
@@ -54,7 +49,7 @@ impl Hinge {
         };
         let (bias, mass, share) = match soft {
             Some(soft) => {
-                let bias = (self.error * soft.rate).clamp_length_max(FASTEST);
+                let bias = (self.error * soft.rate).clamp_length_max(MAX_RECOVERY_SPEED);
                 (bias, soft.mass, soft.impulse)
             }
             None => (Vec2::ZERO, 1.0, 0.0),
@@ -73,8 +68,11 @@ impl FreeBodies {
     /// Hangs the bodies that hang from others. A hinge that is there stays as it is.
     pub(super) fn hang(&mut self, bodies: &[Rigid]) {
         let before = std::mem::take(&mut self.hinges);
-        let hanging = self.all.iter().filter(|one| one.is_free && !one.is_part());
-        for one in hanging.filter(|one| one.hangs_from != one.id) {
+        let hanging = self
+            .all
+            .iter()
+            .filter(|body| body.is_free && !body.is_part());
+        for one in hanging.filter(|body| body.hangs_from != body.id) {
             let mut others = self.all.iter();
             let Some(other) = others.find(|other| other.id == one.hangs_from) else {
                 continue;
@@ -91,25 +89,23 @@ impl FreeBodies {
 
     /// Finds the bodies of the hinges. Two that a hinge joins do not collide.
     pub(super) fn find_hinged(&mut self) {
-        for one in &mut self.all {
-            one.hinged = 0;
+        for body in &mut self.all {
+            body.hinged = 0;
         }
         for hinge in &mut self.hinges {
             let before = hinge.bodies();
             hinge.find(&self.all);
             if hinge.pair.is_none() {
                 for index in before.into_iter().flatten() {
+                    // The index may be that of a body before the scene changed.
                     if let Some(body) = self.all.get_mut(index) {
                         body.wake();
                     }
                 }
             }
             if let Some([one, other]) = hinge.bodies() {
-                for (one, other) in [(one, other), (other, one)] {
-                    if let Some(body) = self.all.get_mut(one) {
-                        body.hinged |= bit(other);
-                    }
-                }
+                self.all[one].hinged |= bit(other);
+                self.all[other].hinged |= bit(one);
             }
         }
     }
@@ -119,8 +115,7 @@ impl FreeBodies {
         for hinge in &mut self.hinges {
             hinge.measure(&self.all, self.bounds.as_ref(), self.ahead);
             if let Some(pair) = hinge.pair.filter(|_| hinge.is_live) {
-                let is_torn = |index: usize| self.all.get(index).is_some_and(|one| one.is_torn);
-                if pair.bodies.into_iter().any(is_torn) {
+                if pair.bodies.iter().any(|&index| self.all[index].is_torn) {
                     hinge.impulse = Vec2::ZERO;
                 }
                 hinge.inverse = inverse_masses(&self.all, &pair);
@@ -147,11 +142,11 @@ impl FreeBodies {
     /// have their places. `part_at` finds the part of a solid at a place in its frame, from the middle
     /// of it at first; `None` where nothing is left.
     pub fn burn_hinges(&mut self, part_at: &dyn Fn(u32, Vec2) -> Option<u32>) {
-        for hinge in self.hinges.iter_mut().filter(|one| !one.is_broken) {
+        for hinge in self.hinges.iter_mut().filter(|hinge| !hinge.is_broken) {
             for end in &mut hinge.ends {
                 let mut all = self.all.iter();
-                let whole = all.find(|one| one.id == end.object);
-                let middle = whole.map_or(Vec2::ZERO, |one| one.middle);
+                let whole = all.find(|body| body.id == end.object);
+                let middle = whole.map_or(Vec2::ZERO, |body| body.middle);
                 match part_at(end.object, end.at - middle) {
                     Some(part) => end.part = part,
                     None => hinge.is_broken = true,
@@ -165,7 +160,7 @@ impl FreeBodies {
         self.find_hinged();
         for hinge in &mut self.hinges {
             hinge.measure(&self.all, self.bounds.as_ref(), 0.0);
-            hinge.is_broken |= hinge.pair.is_some() && hinge.error.length() > APART;
+            hinge.is_broken |= hinge.pair.is_some() && hinge.error.length() > BROKEN_DISTANCE;
         }
     }
 }

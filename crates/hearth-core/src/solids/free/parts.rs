@@ -22,7 +22,7 @@ pub(crate) struct Piece {
 impl FreeBodies {
     /// How many parts may break off a solid; `None` of one that no force moves.
     pub fn room_for_parts_of(&self, id: u32) -> Option<usize> {
-        let moves = self.all.iter().any(|one| one.id == id && one.is_free);
+        let moves = self.all.iter().any(|body| body.id == id && body.is_free);
         moves.then(|| MAX_OBJECTS.saturating_sub(self.all.len()))
     }
 
@@ -39,7 +39,7 @@ impl FreeBodies {
         };
         free.parts += 1;
         let new = MAX_ID as u32 + free.parts;
-        if let Some(body) = free.all.iter_mut().find(|one| one.id == id) {
+        if let Some(body) = free.all.iter_mut().find(|body| body.id == id) {
             let amount = rest.amount + piece.left.amount;
             let part = body.part(new, piece, amount);
             body.leave(rest, amount);
@@ -52,8 +52,8 @@ impl FreeBodies {
 
     /// Takes over the parts of the bodies of a scene.
     pub(super) fn keep_parts(&mut self, solids: &mut Solids, before: &[Rigid]) {
-        for known in before.iter().filter(|one| one.is_part()) {
-            let object = self.all.iter().find(|one| one.id == known.object);
+        for known in before.iter().filter(|part| part.is_part()) {
+            let object = self.all.iter().find(|body| body.id == known.object);
             let part = object.map(|object| known.of_changed(object));
             if let Some((body, part)) =
                 part.and_then(|part| Some((part.body_of(&solids.bodies)?, part)))
@@ -70,12 +70,12 @@ impl FreeBodies {
             return;
         };
         let count = free.all.len();
-        free.all.retain(|one| !one.is_part() || is_there(one.id));
+        free.all.retain(|body| !body.is_part() || is_there(body.id));
         if free.all.len() < count {
             free.contacts.clear();
             free.old.clear();
             let bodies = &mut solids.bodies;
-            bodies.retain(|one| one.id <= MAX_ID as u32 || is_there(one.id));
+            bodies.retain(|body| body.id <= MAX_ID as u32 || is_there(body.id));
         }
     }
 }
@@ -110,7 +110,7 @@ impl Rigid {
 
     /// The solid that the gas meets; `None` without that of its object.
     fn body_of(&self, bodies: &[Body]) -> Option<Body> {
-        let object = bodies.iter().find(|one| one.id == self.object)?;
+        let object = bodies.iter().find(|body| body.id == self.object)?;
         let frame = self.surface.frame;
         let arm = frame.centre - self.centre;
         Some(Body {
@@ -159,18 +159,19 @@ mod tests {
     /// The moments of pieces around a place: each column is heavier than that before it.
     fn moments(pieces: &[std::ops::Range<i32>], around: Vec2) -> Moments {
         let columns = pieces.iter().cloned().flatten();
-        let columns = columns.map(|one| (0.02 + 0.003 * (one + 6) as f32, place(one) - around));
+        let columns =
+            columns.map(|column| (0.02 + 0.003 * (column + 6) as f32, place(column) - around));
         Moments::of(columns, CELL)
     }
 
     /// Mass, momentum and angular momentum of all.
     fn totals(all: &[FreeSolid]) -> [f64; 4] {
         let mut sums = [0.0; 4];
-        for one in all {
-            let (mass, spin) = (f64::from(one.mass), f64::from(one.spin));
-            let [x, y] = one.centre.to_array().map(f64::from);
-            let [u, v] = one.velocity.to_array().map(f64::from);
-            let turning = f64::from(one.inertia) * spin + mass * (x * v - y * u);
+        for body in all {
+            let (mass, spin) = (f64::from(body.mass), f64::from(body.spin));
+            let [x, y] = body.centre.to_array().map(f64::from);
+            let [u, v] = body.velocity.to_array().map(f64::from);
+            let turning = f64::from(body.inertia) * spin + mass * (x * v - y * u);
             for (sum, part) in sums.iter_mut().zip([mass, mass * u, mass * v, turning]) {
                 *sum += part;
             }
@@ -224,7 +225,7 @@ mod tests {
                 assert!((now / then - 1.0).abs() < 1e-6, "{now}, not {then}");
             }
             // The gas meets each of them.
-            let bodies: Vec<u32> = solids.bodies.iter().map(|one| one.id).collect();
+            let bodies: Vec<u32> = solids.bodies.iter().map(|body| body.id).collect();
             assert_eq!(bodies, [2, 1_000_001, 1_000_002]);
         }
     }

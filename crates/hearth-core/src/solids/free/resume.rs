@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::body::Rigid;
-use super::rest::DROWSY;
+use super::sleep::TIME_TO_SLEEP;
 use super::state::FreeBodies;
 use crate::extremes::fast_max;
 use crate::solids::Solids;
@@ -14,10 +14,10 @@ impl FreeBodies {
     #[inline(never)]
     pub fn resume(solids: &mut Solids, numbers: &[f32]) {
         if let Some(mut free) = solids.free.take() {
-            let bodies = free.all.iter_mut().filter(|one| one.is_free);
+            let bodies = free.all.iter_mut().filter(|body| body.is_free);
             let (all, _) = numbers.as_chunks();
-            for (one, numbers) in bodies.zip(all) {
-                one.resume(numbers);
+            for (body, numbers) in bodies.zip(all) {
+                body.resume(numbers);
             }
             free.let_go_apart();
             free.place(solids);
@@ -36,6 +36,6 @@ impl Rigid {
         (self.velocity, self.spin) = (Vec2::new(u, v), spin);
         self.asleep = asleep > 0.0;
         self.touches = self.asleep;
-        self.still = if self.asleep { DROWSY } else { 0.0 };
+        self.still = if self.asleep { TIME_TO_SLEEP } else { 0.0 };
     }
 }

@@ -11,14 +11,14 @@ use crate::scene::{Field, Surface};
 /// Directions in which the outermost place of a sampled surface is sought.
 const DIRECTIONS: usize = 24;
 /// Radius of the discs in the corners of a solid, in halves of its thickness, and at most \[m\].
-const ROUND: f32 = 0.1;
-const ROUNDEST: f32 = 0.004;
+const CORNER_RATIO: f32 = 0.1;
+const MAX_CORNER: f32 = 0.004;
 /// Smallest radius of the discs of a sampled surface \[m\]: thinner parts of what is left of a fire
 /// stick into other solids.
-const FINEST: f32 = 5e-4;
+const MIN_RADIUS: f32 = 5e-4;
 /// Parts between two nodes of a field along a side at most, and places that are looked at then.
-const MOST_PARTS: f32 = 8.0;
-const PLACES: f32 = 40_000.0;
+const MAX_PARTS: f32 = 8.0;
+const MAX_PLACES: f32 = 40_000.0;
 
 /// A disc, in the frame of the solid.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -42,7 +42,7 @@ impl Samples {
             None => {
                 let frame = &surface.frame;
                 let thinnest = fast_min(frame.half.x, frame.half.y) + frame.radius;
-                let radius = fast_max(frame.radius, fast_min(ROUND * thinnest, ROUNDEST));
+                let radius = fast_max(frame.radius, fast_min(CORNER_RATIO * thinnest, MAX_CORNER));
                 let inner = frame.half + frame.radius - radius;
                 let (x, y) = (fast_max(inner.x, 0.0), fast_max(inner.y, 0.0));
                 for at in [(-x, -y), (x, -y), (x, y), (-x, y)] {
@@ -66,15 +66,12 @@ impl Samples {
 
     /// All of them.
     pub fn all(&self) -> &[Sample] {
-        self.all.get(..self.count).unwrap_or_default()
+        &self.all[..self.count]
     }
 
     fn add(&mut self, sample: Sample) {
-        if self.all().contains(&sample) {
-            return;
-        }
-        if let Some(place) = self.all.get_mut(self.count) {
-            *place = sample;
+        if self.count < DIRECTIONS && !self.all().contains(&sample) {
+            self.all[self.count] = sample;
             self.count += 1;
         }
     }
@@ -84,24 +81,24 @@ impl Samples {
     fn find(&mut self, field: &Field) {
         let cells = Vec2::new(field.columns as f32 - 1.0, field.rows as f32 - 1.0);
         let step = 2.0 * field.half / cells;
-        let parts = (fast_max(step.x, step.y) / ROUNDEST).ceil();
-        let most = (PLACES / field.distances.len() as f32).sqrt();
-        let parts = fast_max(fast_min(fast_min(parts, MOST_PARTS), most), 1.0) as usize;
+        let parts = (fast_max(step.x, step.y) / MAX_CORNER).ceil();
+        let most = (MAX_PLACES / field.distances.len() as f32).sqrt();
+        let parts = fast_max(fast_min(fast_min(parts, MAX_PARTS), most), 1.0) as usize;
         let step = step / parts as f32;
         let columns = (field.columns - 1) * parts + 1;
         let rows = (field.rows - 1) * parts + 1;
         let cell = fast_max(step.x, step.y);
-        let radius = fast_min(fast_max(FINEST, 0.25 * cell), 0.5 * field.depth);
+        let radius = fast_min(fast_max(MIN_RADIUS, 0.25 * cell), 0.5 * field.depth);
         let mut best = [(f32::MIN, Sample::default()); DIRECTIONS];
         let mut directions = [Vec2::ZERO; DIRECTIONS];
-        for (number, one) in directions.iter_mut().enumerate() {
-            *one = direction(360.0 / DIRECTIONS as f32 * number as f32);
+        for (number, unit) in directions.iter_mut().enumerate() {
+            *unit = direction(360.0 / DIRECTIONS as f32 * number as f32);
         }
         for index in 0..columns * rows {
             let (column, row) = (index % columns, index / columns);
             let at = Vec2::new(column as f32, row as f32) * step - field.half;
-            let depth = match field.distances.get(index) {
-                Some(node) if parts == 1 => -node,
+            let depth = match parts {
+                1 => -field.distances[index],
                 _ => -field.distance(at).0,
             };
             if depth < radius || depth > radius + 2.0 * cell || depth <= 0.0 {

@@ -8,7 +8,7 @@ use std::f32::consts::PI;
 
 use glam::Vec2;
 
-use super::body::{FASTEST_HINGED, Rigid};
+use super::body::{MAX_HINGED_SPEED, Rigid};
 use super::contact::{Contact, Pair};
 use super::contacts::PLANES;
 use super::state::FreeBodies;
@@ -18,15 +18,15 @@ use crate::extremes::{fast_max, fast_min};
 const ROUNDS: u32 = 8;
 const RELAXATIONS: u32 = 4;
 /// Damping ratio of the bias, and its frequency, in substeps.
-const DAMPING: f32 = 10.0;
+const DAMPING_RATIO: f32 = 10.0;
 const FREQUENCY: f32 = 0.25;
 /// Overlap that stays \[m\], and the greatest velocity at which an overlap ends [m/s].
 const SLOP: f32 = 2e-5;
-const FASTEST: f32 = 1.0;
+const MAX_RECOVERY_SPEED: f32 = 1.0;
 /// How deep a body may be in a plane \[m\].
-const DEEPEST: f32 = 0.02;
+const MAX_OVERLAP: f32 = 0.02;
 /// Slowest impact that bounces [m/s].
-const BOUNCE: f32 = 0.2;
+const MIN_BOUNCE_SPEED: f32 = 0.2;
 
 /// How soft a contact or a hinge is.
 #[derive(Clone, Copy)]
@@ -39,13 +39,16 @@ pub(super) struct Soft {
 /// The velocity, the inverse mass and the inverse inertia of a body; a plane has none.
 fn motion(all: &[Rigid], index: usize) -> (Vec2, f32, f32, f32) {
     match all.get(index) {
-        Some(one) => (
-            one.velocity,
-            one.spin,
-            one.inverse_mass,
-            one.inverse_inertia,
+        Some(body) => (
+            body.velocity,
+            body.spin,
+            body.inverse_mass,
+            body.inverse_inertia,
         ),
-        None => (Vec2::ZERO, 0.0, 0.0, 0.0),
+        None => {
+            assert!(index >= PLANES, "there is no body {index}");
+            (Vec2::ZERO, 0.0, 0.0, 0.0)
+        }
     }
 }
 
@@ -63,6 +66,8 @@ pub(super) fn apply(all: &mut [Rigid], pair: &Pair, impulse: Vec2) {
         if let Some(body) = all.get_mut(index) {
             body.velocity += impulse * (sign * body.inverse_mass);
             body.spin += arm.perp_dot(impulse) * (sign * body.inverse_inertia);
+        } else {
+            assert!(index >= PLANES, "there is no body {index}");
         }
     }
 }
@@ -102,7 +107,7 @@ impl FreeBodies {
             apply(&mut self.all, &contact.pair(), impulse);
         }
         let frequency = 2.0 * PI * FREQUENCY;
-        let damped = 2.0 * DAMPING + frequency;
+        let damped = 2.0 * DAMPING_RATIO + frequency;
         let scale = 1.0 / (1.0 + frequency * damped);
         let soft = Soft {
             rate: frequency / (damped * dt),
@@ -127,12 +132,10 @@ impl FreeBodies {
         for contacts in self.contacts.chunk_by(same) {
             let [first, ..] = contacts else { continue };
             let gaps = contacts.iter().map(|contact| contact.gap);
-            let beyond = -DEEPEST - gaps.fold(0.0, fast_min);
-            if beyond > 0.0
-                && first.is_at_plane()
-                && let Some(body) = self.all.get_mut(first.one)
-            {
-                body.shift(first.normal * fast_min(beyond, FASTEST_HINGED * dt));
+            let beyond = -MAX_OVERLAP - gaps.fold(0.0, fast_min);
+            if beyond > 0.0 && first.is_at_plane() {
+                let body = &mut self.all[first.one];
+                body.shift(first.normal * fast_min(beyond, MAX_HINGED_SPEED * dt));
             }
         }
     }
@@ -146,7 +149,10 @@ impl FreeBodies {
             }
         }
         for contact in &mut self.contacts {
-            if contact.approach > -BOUNCE || contact.most <= 0.0 || contact.restitution <= 0.0 {
+            if contact.approach > -MIN_BOUNCE_SPEED
+                || contact.most <= 0.0
+                || contact.restitution <= 0.0
+            {
                 continue;
             }
             let leaving = relative(&self.all, &contact.pair()).dot(contact.normal);
@@ -166,12 +172,12 @@ impl Contact {
         self.normal_mass = mass_at(all, &pair, self.normal);
         self.along_mass = mass_at(all, &pair, self.normal.perp());
         self.approach = relative(all, &pair).dot(self.normal);
-        let (one, other) = (all.get(self.one), all.get(self.other));
-        let free = |body: Option<&Rigid>| {
+        let free = |index: usize| {
+            let body = (index < PLANES).then(|| &all[index]);
             let body = body.filter(|body| body.is_free);
             body.map(|body| (body.friction, body.restitution))
         };
-        (self.friction, self.restitution) = match (free(one), free(other)) {
+        (self.friction, self.restitution) = match (free(self.one), free(self.other)) {
             (Some(one), Some(other)) => ((one.0 * other.0).sqrt(), fast_max(one.1, other.1)),
             (Some(own), None) | (None, Some(own)) => own,
             (None, None) => (0.0, 0.0),
@@ -185,7 +191,7 @@ impl Contact {
             _ if self.gap > 0.0 => (self.gap / dt, 1.0, 0.0),
             Some(soft) => {
                 let bias = soft.rate * fast_min(self.gap + SLOP, 0.0);
-                (fast_max(bias, -FASTEST), soft.mass, soft.impulse)
+                (fast_max(bias, -MAX_RECOVERY_SPEED), soft.mass, soft.impulse)
             }
             None => (0.0, 1.0, 0.0),
         };

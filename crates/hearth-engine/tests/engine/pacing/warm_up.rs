@@ -1,5 +1,6 @@
 //! The warm-up of fires.
 
+use hearth_core::burning::BurningError;
 use hearth_core::params::{IN_DOMAIN, Input, Model, Parameters};
 use hearth_core::{Burner, Simulation};
 use hearth_engine::pacing::particle_count::{CountInputs, ParticleCount, Resolution};
@@ -130,8 +131,8 @@ fn a_damaged_saved_fire_is_reported_once_and_the_fire_warms_up() {
     let values = with(&[("max_particles", 500.0)]);
     let mut warm = WarmUp::new(0.1, vec![1, 2, 3]);
     let mut fire = Simulation::new(values.clone());
-    let message = warm.begin(&mut fire, values.clone().into());
-    assert!(message.is_some_and(|message| !message.is_empty()));
+    let error = warm.begin(&mut fire, values.clone().into());
+    assert!(matches!(error, Some(BurningError::Damaged(_))));
     assert!(warm.is_on());
     assert_eq!(warm.begin(&mut fire, values.clone().into()), None);
 }

@@ -219,20 +219,20 @@ test('every example of the documentation runs, and prints or draws something', a
   assert.ok(SAMPLES.length > 0);
   const browser = await Browser.launch();
   try {
-    for (const html of SAMPLES) {
-      // Chromium asks for an icon, which no example has.
-      const tab = await browser.open(html, { files: { 'favicon.ico': { body: '' } } });
-      await tab.until('it says or draws something', () => {
+    const frames = SAMPLES.map((html) => `<iframe width="380" height="280" src="${browser.server.publish(html)}"></iframe>`);
+    const tab = await browser.open(`<!doctype html><link rel="icon" href="data:,">${frames.join('')}`, { width: 1200, height: 900 });
+    for (const [at, frame] of tab.page.mainFrame().childFrames().entries()) {
+      await frame.waitForFunction(() => {
         const canvas = document.querySelector('canvas');
         if (!canvas) return document.querySelector('#out')?.textContent;
         const { width, height } = canvas;
         const blank = Object.assign(document.createElement('canvas'), { width, height });
         return canvas.toDataURL() !== blank.toDataURL();
-      });
-      await tab.evaluate(() => { for (const button of document.querySelectorAll('button')) button.click(); });
-      await tab.frames(10);
-      assert.deepEqual(await tab.complaints(), []);
+      }).catch((error) => assert.fail(`example ${at + 1} prints and draws nothing: ${error.message}`));
+      await frame.evaluate(() => { for (const button of document.querySelectorAll('button')) button.click(); });
     }
+    await tab.frames(10);
+    assert.deepEqual(await tab.complaints(), []);
   } finally {
     await browser.close();
   }

@@ -26,13 +26,13 @@ for (const [kind, variable, words] of [
   ['webkit', 'HEARTH_WEBKIT_DRIVER', /no WebKitWebDriver: install Debian's "webkit2gtk-driver"/],
 ]) {
   test(`without ${kind} the driver fails and names the package to install`, async () => {
-    const start = `import { Browser } from '../driver.mjs'; await Browser.start('${kind}');`;
+    const start = `import { Browser } from './driver.mjs'; await Browser.start('${kind}');`;
     assert.match(await said(start, { [variable]: '', PATH: '' }), words);
   });
 }
 
 test('HEARTH_BROWSERS selects browsers, and a misspelt name is reported', async () => {
-  const list = "import { BROWSERS } from '../driver.mjs'; console.log(BROWSERS.join());";
+  const list = "import { BROWSERS } from './driver.mjs'; console.log(BROWSERS.join());";
   const asked = (names) => said(list, { HEARTH_BROWSERS: names });
   assert.equal((await asked('')).trim(), 'chromium,firefox,webkit');
   assert.equal((await asked('webkit, chromium')).trim(), 'webkit,chromium');

@@ -25,7 +25,6 @@ use crate::particle::Particle;
 use crate::random::Random;
 use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
-use crate::simulation::burning::SavedFire;
 use crate::solids::Solids;
 use crate::solids::free::FreeBodies;
 use crate::solver::Solver;
@@ -54,6 +53,18 @@ pub use water::{Droplets, SprayError, SprayTotals};
 /// that open air cannot hold.
 const WRONG_COUNT: &str = "there must be from half to twice max_particles of them";
 const TOO_MANY: &str = "there must be at most max_particles of them";
+
+/// What a fire continues from.
+pub(crate) struct SavedFire<'a> {
+    /// The gas.
+    pub particles: &'a [Particle],
+    /// The division of the gas into these particles.
+    pub discretisation: Discretisation,
+    /// The embers.
+    pub embers: Vec<Ember>,
+    /// The numbers of each free solid, one after another.
+    pub bodies: &'a [f32],
+}
 
 /// The gas of the combustion model and the state of its solver.
 #[derive(Clone, Debug)]

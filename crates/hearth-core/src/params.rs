@@ -19,6 +19,7 @@ mod set;
 mod slot;
 mod solid;
 mod table;
+mod tables;
 #[cfg(test)]
 mod tests;
 mod value;
@@ -37,14 +38,5 @@ pub use set::Parameters;
 pub(crate) use solid::SOLID_NAMES;
 pub use solid::{SOLID, Solid};
 pub use table::{DESCRIPTIONS, PARAMETERS, Param, Physics, Values};
+pub(crate) use tables::Table;
 pub use value::{AnyValue, Colour, Input, ParamError, ParamErrorKind, Value};
-
-/// A table of entries: a reference to the static itself, of which there is one.
-pub(crate) type Table = &'static &'static [Param];
-
-/// Every table of entries, with their descriptions.
-static TABLES: &[(Table, &&[Description])] = &[
-    (&PARAMETERS, &DESCRIPTIONS),
-    (&COMMON, &name::COMMON_DESCRIPTIONS),
-    (&SOLID, &solid::SOLID_DESCRIPTIONS),
-];

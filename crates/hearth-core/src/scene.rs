@@ -11,6 +11,9 @@ mod drive;
 mod field;
 mod kinds;
 mod object;
+mod poses;
+mod source_properties;
+mod stored;
 #[cfg(test)]
 mod tests;
 
@@ -25,7 +28,8 @@ pub(crate) use drive::{Drive, MAX_SPEED};
 pub use field::Field;
 pub use kinds::{KINDS, Kind};
 pub use object::Object;
-use object::{Stored, Values, values_of_source, with_properties_of};
+use source_properties::{values_of_source, with_properties_of};
+use stored::{Stored, Values};
 
 /// Most objects of a kind in a scene.
 pub const MAX_OBJECTS: usize = 64;

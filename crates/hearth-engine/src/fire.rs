@@ -3,8 +3,6 @@
 mod particles;
 mod tick;
 
-pub use tick::FrameTime;
-
 use glam::Vec2;
 use hearth_bindings::memory;
 use hearth_core::clock::Clock;
@@ -29,6 +27,19 @@ use crate::pacing::step_requests::StepRequests;
 use crate::pacing::warm_up::WarmUp;
 use crate::pointer::PointerForce;
 use crate::requested::{Requested, adapt};
+
+/// The time of a frame.
+#[derive(Clone, Copy, Debug)]
+pub struct FrameTime {
+    /// Time of the frame \[ms\].
+    pub now: f64,
+    /// Time after which no step begins \[ms\].
+    pub deadline: f64,
+    /// Number of fires that share it.
+    pub fires: usize,
+    /// Share of the thread that the engine takes.
+    pub share: f64,
+}
 
 /// Memory of the largest map of open air, in particles.
 const MAP_MEMORY_IN_PARTICLES: usize = 4096;

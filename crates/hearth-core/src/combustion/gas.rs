@@ -13,6 +13,7 @@ mod picture;
 pub(super) mod removed;
 pub(super) mod resample;
 pub(super) mod seam;
+mod speed_limit;
 pub(super) mod time_step;
 mod vorticity_confinement;
 pub(super) mod walls;

@@ -1,10 +1,10 @@
 //! The validator of values, and the search for a parameter by its id.
 
-use super::TABLES;
 use super::choices::Model;
 use super::entry::{Description, Domain, Kind};
 use super::slot::Slot;
 use super::table::{DESCRIPTIONS, PARAMETERS, Param};
+use super::tables::TABLES;
 use super::value::{AnyValue, Colour, Input, ParamError, ParamErrorKind, Value};
 
 impl Param {

@@ -5,7 +5,6 @@ use std::f32::consts::PI;
 
 use glam::Vec2;
 
-use super::Scene;
 use super::distance::{RoundedBox, Surface};
 use crate::direction::direction;
 use crate::extremes::{fast_max, fast_min};
@@ -96,19 +95,6 @@ pub struct Pose {
     pub id: u32,
     /// The box of its surface there.
     pub frame: RoundedBox,
-}
-
-impl Scene {
-    /// Where the solids that are on are at a time of the fire \[s\], in the order of the objects. Those
-    /// that forces move are where they start.
-    pub fn poses(&self, time: f64) -> Vec<Pose> {
-        let surfaces = self.surfaces();
-        let poses = surfaces.map(|(id, solid, surface)| Pose {
-            id,
-            frame: solid.frame_at(surface, time),
-        });
-        poses.collect()
-    }
 }
 
 /// The angle of a number of turns \[°\], less than one.

@@ -4,7 +4,8 @@
 //! source is a parameter of the settings with a value per source, whose label, unit, range,
 //! default and doc the parameter gives. [`SOLID`] gives those of a solid's properties.
 
-use super::object::Values;
+use super::source_properties::OF_PARAMETERS;
+use super::stored::Values;
 use crate::params::{PARAMETERS, Parameters, Property, SOLID, SOLID_NAMES, Table};
 
 /// A kind of object.
@@ -26,35 +27,6 @@ pub struct Kind {
     /// The table of these entries.
     table: Table,
 }
-
-/// The properties that are parameters: the names of all, and the ids of their entries.
-macro_rules! of_parameters {
-    ($($name:literal = $id:literal),+) => {
-        (&["name", $($name),+], &["name", $($id),+])
-    };
-}
-
-/// The names of a source's properties, and the ids of their parameters.
-const OF_PARAMETERS: (&[&str], &[&str]) = of_parameters!(
-    "enabled" = "source_enabled",
-    "shape" = "source_shape",
-    "solid" = "source_solid",
-    "x" = "source_x",
-    "y" = "source_height",
-    "angle" = "source_angle",
-    "width" = "source_width",
-    "power" = "fuel_power",
-    "rate" = "emission_rate",
-    "speed" = "emission_speed",
-    "spread" = "emission_spread",
-    "noise" = "emission_noise",
-    "temperature" = "source_temperature",
-    "oxygen" = "source_oxygen",
-    "birth_temperature" = "maximum_temperature",
-    "life_min" = "lifetime_min",
-    "life_max" = "lifetime_max",
-    "taper" = "taper"
-);
 
 static SOURCE: Kind = Kind {
     name: "source",
@@ -104,5 +76,15 @@ impl Kind {
     /// The property with this name.
     pub fn property(&self, name: &str) -> Option<Property> {
         self.properties().find(|property| property.name == name)
+    }
+}
+
+impl Values {
+    /// Its kind.
+    pub fn kind(&self) -> &'static Kind {
+        match self {
+            Values::FirstSource | Values::Source(_) => Kind::SOURCE,
+            Values::Solid(_) => Kind::SOLID,
+        }
     }
 }

@@ -30,7 +30,7 @@ use glam::Vec2;
 
 use super::Simulation;
 use crate::bounds::Bounds;
-use crate::combustion::{Discretisation, Ember};
+use crate::combustion::{Discretisation, Ember, SavedFire};
 use crate::params::{Motion, Solid, Thermal};
 use crate::particle::Particle;
 use crate::random::Random;
@@ -75,18 +75,6 @@ impl fmt::Display for BurningError {
 }
 
 impl std::error::Error for BurningError {}
-
-/// What a fire continues from.
-pub(crate) struct SavedFire<'a> {
-    /// The gas.
-    pub particles: &'a [Particle],
-    /// The division of the gas into these particles.
-    pub discretisation: Discretisation,
-    /// The embers.
-    pub embers: Vec<Ember>,
-    /// [`BODY`] numbers for each free solid.
-    pub bodies: &'a [f32],
-}
 
 impl Simulation {
     /// This fire as bytes, with the gas in and around its frame; `None` in the classic model.

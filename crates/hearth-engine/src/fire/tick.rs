@@ -7,7 +7,7 @@ use hearth_core::params::DisplayMode;
 use hearth_core::{Simulation, Stage};
 use hearth_render::ResolutionLimits;
 
-use super::{Fire, SincePicture};
+use super::{Fire, FrameTime, SincePicture};
 use crate::events::{ErrorKind, Events};
 use crate::fire_renderer::FrameInput;
 use crate::pacing::averages::{StageTimes, smooth};
@@ -20,19 +20,6 @@ use crate::wall_clock::WallClock;
 
 /// Interval between two posts of statistics \[ms\].
 const STATS_INTERVAL_MS: f64 = 250.0;
-
-/// The time of a frame.
-#[derive(Clone, Copy, Debug)]
-pub struct FrameTime {
-    /// Time of the frame \[ms\].
-    pub now: f64,
-    /// Time after which no step begins \[ms\].
-    pub deadline: f64,
-    /// Number of fires that share it.
-    pub fires: usize,
-    /// Share of the thread that the engine takes.
-    pub share: f64,
-}
 
 /// The steps of a frame.
 #[derive(Default)]

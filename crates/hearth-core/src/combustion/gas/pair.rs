@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::Gas;
-use super::time_step::artificial_viscosity;
+use super::speed_limit::artificial_viscosity;
 use crate::interaction::Separation;
 use crate::kernel::{self, Kernel};
 use crate::lanes::{LANES, Lanes, Real, transposed};

@@ -6,10 +6,9 @@
 //! particles that only follow the flow line up along it and leave gaps, and the resulting noise
 //! dissipates vortices. A shift transports no momentum.
 
-use glam::Vec2;
-
 use super::Gas;
 use super::pair::Context;
+use super::speed_limit::SPEED_LIMIT;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::Physics;
 use crate::time_step::Stability;
@@ -22,14 +21,6 @@ const SHIFT_STRENGTH: f32 = 8.0;
 const MAX_SHIFT_STRENGTH: f32 = 0.55;
 /// Largest shift of a particle in a step, in h.
 const MAX_DISPLACEMENT: f32 = 0.55;
-/// The speed limit, relative to the speed of sound.
-const SPEED_LIMIT: f32 = 1.5;
-/// While more than one particle in this number is faster than this share of the speed limit, gas
-/// has at least this artificial viscosity. In a closed domain with little viscosity and no seam,
-/// shear and the noise of the particles would keep it there.
-const INVERSE_FAST_SHARE: usize = 100;
-const FAST_SPEED_SHARE: f32 = 0.99;
-const VISCOSITY_AT_LIMIT: f32 = 0.2;
 /// Courant number for the sound of the hottest gas. Noise in gas at rest decays with 1.05 too, whether cold or at 3700 K.
 const COURANT: f32 = 0.9;
 /// Air takes the steps of gas with this expansion. In steps that are a quarter longer, the wake of a disc
@@ -63,19 +54,6 @@ pub(crate) struct Motion {
     pub clamped_shifts: u32,
     /// Length of the step \[s\]; 0 before the first one.
     pub length: f32,
-}
-
-/// The coefficient α of the artificial viscosity: the parameter, and more while much gas is at
-/// the speed limit.
-pub(crate) fn artificial_viscosity(gas: &Gas, values: &Physics, sound: f32) -> f32 {
-    let limit = FAST_SPEED_SHARE * SPEED_LIMIT * sound;
-    let is_at_limit = |velocity: &Vec2| velocity.length_squared() > limit * limit;
-    let fast = gas.velocity.iter().filter(|v| is_at_limit(v)).count();
-    if fast * INVERSE_FAST_SHARE > gas.len() {
-        fast_max(values.artificial_viscosity, VISCOSITY_AT_LIMIT)
-    } else {
-        values.artificial_viscosity
-    }
 }
 
 /// The longest stable step \[s\] for the accelerations of the gas. `sound` is its speed in the air: in gas that takes θ times the
@@ -156,6 +134,8 @@ impl Motion {
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec2;
+
     use super::*;
     use crate::combustion::gas::tests::{random_gas, with};
     use crate::kernel::Kernel;
@@ -168,22 +148,6 @@ mod tests {
     fn longest_step(gas: &Gas, values: &Parameters) -> f32 {
         let kernel = Kernel::new(values.smoothing_length());
         max_stable_step(gas, &Context::new(gas, values, &kernel, sound(values)))
-    }
-
-    #[test]
-    fn much_gas_at_the_speed_limit_is_more_viscous() {
-        for (own, expected) in [(0.02, VISCOSITY_AT_LIMIT), (0.5, 0.5)] {
-            let parameters = with(&[("artificial_viscosity", own)]);
-            let (mut gas, sound) = (random_gas(&parameters, 1), sound(&parameters));
-            let limit = SPEED_LIMIT * sound;
-            gas.velocity.fill(Vec2::new(0.9 * limit, 0.0));
-            assert_eq!(artificial_viscosity(&gas, &parameters, sound), own as f32);
-            let few = gas.len() / INVERSE_FAST_SHARE;
-            gas.velocity[..few].fill(Vec2::new(0.0, -limit));
-            assert_eq!(artificial_viscosity(&gas, &parameters, sound), own as f32);
-            gas.velocity[few] = Vec2::new(limit, 0.0);
-            assert_eq!(artificial_viscosity(&gas, &parameters, sound), expected);
-        }
     }
 
     #[test]

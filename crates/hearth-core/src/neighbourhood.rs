@@ -58,11 +58,10 @@ pub(crate) fn measure(
     let first = first.as_flattened_mut();
     for (i, instance) in particles.iter_mut().enumerate() {
         let (column, row) = cell(instance);
-        if let Some(first) = first.get_mut(row * axis_x.cells + column) {
-            instance[NEXT] = *first;
-            // Indices are one-based; zero ends a list. An f32 holds integers up to 2²⁴.
-            *first = (i + 1) as f32;
-        }
+        let first = &mut first[row * axis_x.cells + column];
+        instance[NEXT] = *first;
+        // Indices are one-based; zero ends a list. An f32 holds integers up to 2²⁴.
+        *first = (i + 1) as f32;
     }
     for i in 0..count {
         let instance = particles[i];
@@ -74,9 +73,9 @@ pub(crate) fn measure(
         for side in 0..9 {
             let (column, beside) = axis_x.next_to(column, side % 3);
             let (row, above) = axis_y.next_to(row, side / 3);
-            let first = first.get(row * axis_x.cells + column);
-            let mut next = first.copied().unwrap_or(0.0);
-            while let Some(other) = particles.get((next as usize).wrapping_sub(1)) {
+            let mut next = first[row * axis_x.cells + column];
+            while next > 0.0 {
+                let other = &particles[next as usize - 1];
                 next = other[NEXT];
                 let (x, y) = (
                     other[0] + beside - instance[0],

@@ -31,13 +31,12 @@ impl Nodes {
 
 /// A side of a polygon.
 fn side(points: &[Vec2], index: usize) -> Line {
-    let point = |index: usize| points.get(index).copied().unwrap_or_default();
     let next = if index + 1 < points.len() {
         index + 1
     } else {
         0
     };
-    [point(index), point(next)]
+    [points[index], points[next]]
 }
 
 /// The outline of a polygon: its sides, without what is inside of a polygon that crosses or touches
@@ -136,10 +135,7 @@ pub(super) fn of_nodes(nodes: &Nodes, opacity: &[f32]) -> Vec<Line> {
 
 /// The place between two nodes where the opacity is that of the edge.
 fn cut(nodes: &Nodes, opacity: &[f32], from: [usize; 2], to: [usize; 2]) -> Option<Vec2> {
-    let [a, b] = [from, to].map(|[column, row]| {
-        let opacity = opacity.get(row * nodes.columns + column);
-        opacity.copied().unwrap_or_default()
-    });
+    let [a, b] = [from, to].map(|[column, row]| opacity[row * nodes.columns + column]);
     let [start, end] = [from, to].map(|[column, row]| nodes.place(column, row));
     let place = start + (end - start) * ((EDGE_OPACITY - a) / (b - a));
     ((a > EDGE_OPACITY) != (b > EDGE_OPACITY)).then_some(place)

@@ -5,6 +5,10 @@
 //! 1980, with lines in place of points). Between nodes the distance is interpolated linearly in
 //! both directions.
 
+mod nearest;
+#[cfg(test)]
+mod tests;
+
 use glam::Vec2;
 
 use super::contour::{self, Line, Nodes};
@@ -26,8 +30,6 @@ const MAX_STRIDES: u32 = 8;
 const MIN_STRIDE: f32 = 0.25;
 /// Distance up to which an outline may be between two nodes, in steps.
 const MAX_OUTLINE_DISTANCE: f32 = 1.1;
-/// No line.
-const NONE: u32 = u32::MAX;
 
 /// Whether a solid of this shape has a field.
 pub(super) fn is_sampled(shape: Shape) -> bool {
@@ -196,13 +198,13 @@ impl Field {
         for row in 0..nodes.rows {
             for column in 0..nodes.columns {
                 let node = row * nodes.columns + column;
-                let distance = self.distances.get(node).copied().unwrap_or_default();
+                let distance = self.distances[node];
                 // Where the outline is farther than the node to the left, both are on one side.
                 if distance < MAX_OUTLINE_DISTANCE * nodes.step.x || column == 0 {
                     is_inside = contour::winding(points, nodes.place(column, row)) != 0;
                 }
                 if is_inside {
-                    self.turn(node);
+                    self.distances[node] = -self.distances[node];
                 }
             }
         }
@@ -210,90 +212,7 @@ impl Field {
 
     /// Marks a node as inside.
     fn turn(&mut self, node: usize) {
-        if let Some(distance) = self.distances.get_mut(node) {
-            *distance = -*distance;
-        }
-    }
-
-    /// Sets the distance of each node from the nearest of these lines.
-    fn measure(&mut self, lines: &[Line]) {
-        let mut nearest = vec![NONE; self.distances.len()];
-        for (index, line) in (0..).zip(lines) {
-            self.seed(&mut nearest, lines, index, line);
-        }
-        let (columns, rows) = (self.columns as isize, self.rows as isize);
-        for sweep in 0..4 {
-            let (up, right) = ([1, -1][sweep / 2], [1, -1][sweep % 2]);
-            for row in 0..rows {
-                let row = if up > 0 { row } else { rows - 1 - row };
-                for column in 0..columns {
-                    let column = if right > 0 {
-                        column
-                    } else {
-                        columns - 1 - column
-                    };
-                    for (x, y) in [(-right, 0), (-1, -up), (0, -up), (1, -up)] {
-                        let (x, y) = (column + x, row + y);
-                        if (0..columns).contains(&x) && (0..rows).contains(&y) {
-                            let known = nearest.get((y * columns + x) as usize);
-                            let known = known.copied().unwrap_or(NONE);
-                            let node = [column as usize, row as usize];
-                            self.offer(&mut nearest, lines, node, known);
-                        }
-                    }
-                }
-            }
-        }
-        for distance in &mut self.distances {
-            *distance = libm::sqrtf(*distance);
-        }
-    }
-
-    /// Offers a line to the nodes around it.
-    fn seed(&mut self, nearest: &mut [u32], lines: &[Line], index: u32, &[start, end]: &Line) {
-        let place = |point: Vec2| (point - self.middle + self.half) / self.step;
-        let (start, end) = (place(start), place(end));
-        let (low, high) = if start.y < end.y {
-            (start, end)
-        } else {
-            (end, start)
-        };
-        let slope = (high.x - low.x) / fast_max(high.y - low.y, 1e-6);
-        let columns = self.columns;
-        let (first, last) = (low.y as usize, high.y as usize + 1);
-        for row in first..=last {
-            // Where the line passes the rows before and after this one.
-            let [begin, end] = [-1.0, 1.0].map(|beside| {
-                let y = fast_min(fast_max(row as f32 + beside, low.y), high.y);
-                fast_min(fast_max(low.x + slope * (y - low.y), 0.0), columns as f32)
-            });
-            let (left, right) = (fast_min(begin, end), fast_max(begin, end));
-            for column in left as usize..=right as usize + 1 {
-                if column < columns && row < self.rows {
-                    self.offer(nearest, lines, [column, row], index);
-                }
-            }
-        }
-    }
-
-    /// Makes a line the nearest one of a node if it is nearer.
-    fn offer(
-        &mut self,
-        nearest: &mut [u32],
-        lines: &[Line],
-        [column, row]: [usize; 2],
-        index: u32,
-    ) {
-        let Some(line) = lines.get(index as usize) else {
-            return;
-        };
-        let squared = distance_squared(self.nodes().place(column, row), line);
-        let node = row * self.columns + column;
-        if let (Some(before), Some(nearest)) = (self.distances.get_mut(node), nearest.get_mut(node))
-            && squared < *before
-        {
-            (*before, *nearest) = (squared, index);
-        }
+        self.distances[node] = -self.distances[node];
     }
 
     /// The finished field.
@@ -355,12 +274,8 @@ impl Field {
         let at = (point + self.half) / self.step;
         let column = (at.x as usize).min(self.columns - 2);
         let row = (at.y as usize).min(self.rows - 2);
-        let node = |right: usize, up: usize| {
-            let node = self
-                .distances
-                .get((row + up) * self.columns + column + right);
-            node.copied().unwrap_or_default()
-        };
+        let node =
+            |right: usize, up: usize| self.distances[(row + up) * self.columns + column + right];
         let [a, b, c, d] = [node(0, 0), node(1, 0), node(0, 1), node(1, 1)];
         let (x, y) = (at.x - column as f32, at.y - row as f32);
         let (low, high) = (a + (b - a) * x, c + (d - c) * x);
@@ -404,15 +319,3 @@ impl Field {
         false
     }
 }
-
-/// The square of the distance of a point from a line.
-#[inline]
-fn distance_squared(point: Vec2, &[start, end]: &Line) -> f32 {
-    let (path, from) = (end - start, point - start);
-    let along = from.dot(path) / fast_max(path.length_squared(), 1e-12);
-    let along = fast_min(fast_max(along, 0.0), 1.0);
-    (from - path * along).length_squared()
-}
-
-#[cfg(test)]
-mod tests;

@@ -143,9 +143,16 @@ impl Walls {
 
     /// The thin solids near a particle, if there are any: normal, distance and index.
     pub fn thin_near(&self, index: usize) -> impl Iterator<Item = (Vec2, f32, u32)> {
-        let mut entry = self.thin.get(index).copied().unwrap_or(NONE);
+        let mut entry = if self.any_thin() {
+            self.thin[index]
+        } else {
+            NONE
+        };
         std::iter::from_fn(move || {
-            let near = self.near.get(entry as usize)?;
+            if entry == NONE {
+                return None;
+            }
+            let near = &self.near[entry as usize];
             entry = near.next;
             Some((near.normal, near.distance, near.solid))
         })

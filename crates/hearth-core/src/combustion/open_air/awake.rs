@@ -56,8 +56,8 @@ pub(super) fn activate(map: &mut Map, gas: &Gas, hot: f32, min_depth: f32) {
     for (state, &position) in gas.state.iter().zip(&gas.position) {
         if state.x > hot || state.y > WAKING_FUEL || state.w > WAKING_SOOT {
             let cell = map.layout.at(position);
-            if map.depth(cell) >= min_depth {
-                map.cell(cell).remaining = AWAKE_TIME;
+            if map.depth[cell] >= min_depth {
+                map.cells[cell].remaining = AWAKE_TIME;
             }
         }
     }
@@ -125,8 +125,8 @@ impl Awake {
         let mut ceiling = layout.rows;
         for row in layout.inner_rows() {
             for at in layout.row(row) {
-                let present = map.depth(at) > 0.0;
-                let cell = map.cell(at);
+                let present = map.depth[at] > 0.0;
+                let cell = &mut map.cells[at];
                 cell.inside = distance[at] <= if present { farthest } else { reach };
                 if cell.inside {
                     cells += 1;

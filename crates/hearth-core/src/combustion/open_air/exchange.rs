@@ -41,18 +41,18 @@ const FOLLOW_RATE: f32 = 30.0;
 pub(super) fn follow(map: &mut Map, wind: Vec2, dt: f32) {
     let share = fast_min(dt * FOLLOW_RATE, 1.0);
     for at in map.layout.inner() {
-        let depth = map.depth(at);
+        let depth = map.depth[at];
         if depth == 0.0 || depth > RIM_DEPTH {
             continue;
         }
         let (mut momentum, mut count) = (Vec2::ZERO, 0);
         map.layout.around(at, &mut |other| {
-            if map.depth(other) > depth {
+            if map.depth[other] > depth {
                 momentum += map.cells[other].momentum;
                 count += map.cells[other].count;
             }
         });
-        let cell = map.cell(at);
+        let cell = &mut map.cells[at];
         if count == 0 {
             (momentum, count) = (cell.momentum, cell.count);
         }
@@ -149,7 +149,7 @@ impl Exchange {
             let stays = map.holds(position);
             if stays {
                 let cell = map.layout.at(position);
-                self.list(map.cell(cell), velocity);
+                self.list(&mut map.cells[cell], velocity);
             }
             stays
         });
@@ -178,7 +178,7 @@ impl Exchange {
             for row in layout.inner_rows() {
                 for cell in layout.row(row) {
                     let before = if wind > 0.0 { cell - 1 } else { cell + 1 };
-                    let enters = map.depth(cell) > 0.0 && map.depth(before) == 0.0;
+                    let enters = map.depth[cell] > 0.0 && map.depth[before] == 0.0;
                     if enters && !map.cells[cell].fresh {
                         let corner = layout.corner((cell - row * layout.columns, row));
                         let x = if wind > 0.0 { into } else { layout.cell - into };
@@ -206,7 +206,7 @@ impl Exchange {
         let full = (MAX_FILLING * per_cell) as u32;
         for row in layout.inner_rows() {
             for (column, at) in (1..).zip(layout.row(row)) {
-                let (depth, cell) = (map.depth(at), *map.cell(at));
+                let (depth, cell) = (map.depth[at], map.cells[at]);
                 if depth == 0.0 || (!cell.fresh && depth > 1.0) {
                     continue;
                 }
@@ -249,7 +249,8 @@ impl Exchange {
         let high = low + Vec2::splat(map.layout.cell + 2.0 * reach);
         map.layout.around(cell, &mut |other| {
             let mut particle = map.cells[other].first;
-            while let Some(&position) = gas.position.get(particle as usize) {
+            while particle != NONE {
+                let position = gas.position[particle as usize];
                 if position.cmpge(low).all() && position.cmple(high).all() {
                     self.nearby.push(position);
                 }
@@ -297,7 +298,7 @@ impl Exchange {
         for y in layout.points(row, inflow.spacing) {
             let place = Vec2::new(x, layout.bottom + (y as f32 + 0.5) * inflow.spacing);
             if self.room(place) > close * close && inflow.is_free(place) {
-                self.add(map.cell(cell), gas, inflow, place, velocity);
+                self.add(&mut map.cells[cell], gas, inflow, place, velocity);
             }
         }
     }
@@ -327,7 +328,7 @@ impl Exchange {
             *room = self.room(place(index));
         }
         for _ in 0..MAX_BIRTHS {
-            if map.cell(cell).count >= full {
+            if map.cells[cell].count >= full {
                 return;
             }
             let (mut freest, mut most) = (
@@ -342,7 +343,7 @@ impl Exchange {
             let Some(birth) = freest else {
                 return;
             };
-            self.add(map.cell(cell), gas, inflow, birth, velocity);
+            self.add(&mut map.cells[cell], gas, inflow, birth, velocity);
             for (index, room) in rooms.iter_mut().enumerate() {
                 *room = fast_min(place(index).distance_squared(birth), *room);
             }

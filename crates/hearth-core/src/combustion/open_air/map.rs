@@ -223,13 +223,13 @@ impl Map {
         }
         for cell in self.layout.inner() {
             let side = |at: usize, step: usize| {
-                self.depth(at - step) + self.depth(at) + self.depth(at + step)
+                self.depth[at - step] + self.depth[at] + self.depth[at + step]
             };
             let slope = Vec2::new(
                 side(cell + 1, columns) - side(cell - 1, columns),
                 side(cell + columns, 1) - side(cell - columns, 1),
             );
-            self.cell(cell).outward = unit(-slope);
+            self.cells[cell].outward = unit(-slope);
         }
     }
 
@@ -237,19 +237,17 @@ impl Map {
     pub fn occupy(&mut self, gas: &Gas) {
         let mut filled = vec![0.0; self.layout.len()];
         for (&position, volume) in gas.position.iter().zip(&gas.volume) {
-            if let Some(filled) = filled.get_mut(self.layout.at(position)) {
-                *filled += volume;
-            }
+            filled[self.layout.at(position)] += volume;
         }
         let half = 0.5 * self.layout.cell * self.layout.cell;
         for cell in self.layout.inner() {
             let (mut own, mut around) = (0.0, 0.0);
             self.layout.around(cell, &mut |other| {
-                let filled = filled.get(other).copied().unwrap_or(0.0);
+                let filled = filled[other];
                 own = if other == cell { filled } else { own };
                 around += filled;
             });
-            self.cell(cell).inside = own > half || around > 9.0 * half;
+            self.cells[cell].inside = own > half || around > 9.0 * half;
         }
         self.fill();
     }
@@ -269,24 +267,10 @@ impl Map {
         }
     }
 
-    /// The depth of a cell; 0 of none.
-    // An index that may panic would double the code of the map. This function and `cell` avoid it.
-    #[inline]
-    pub fn depth(&self, cell: usize) -> f32 {
-        self.depth.get(cell).copied().unwrap_or(0.0)
-    }
-
-    /// A cell; that at the lower left corner instead of none.
-    #[inline]
-    pub fn cell(&mut self, cell: usize) -> &mut Cell {
-        let within = cell < self.cells.len();
-        &mut self.cells[if within { cell } else { 0 }]
-    }
-
     /// Whether there is gas at a position.
     pub fn holds(&self, position: Vec2) -> bool {
         let cell = self.layout.at(position);
-        self.depth(cell) > 0.0 && cell >= self.layout.columns
+        self.depth[cell] > 0.0 && cell >= self.layout.columns
     }
 
     /// The depth at a position, interpolated between the centres of the cells.
@@ -308,8 +292,8 @@ impl Map {
         let (row, y) = part(position.y - bottom, rows);
         let first = row * columns + column;
         let mix = |cell: usize| {
-            let depth = self.depth(cell);
-            depth + (self.depth(cell + 1) - depth) * x
+            let depth = self.depth[cell];
+            depth + (self.depth[cell + 1] - depth) * x
         };
         let (lower, upper) = (mix(first), mix(first + columns));
         lower + (upper - lower) * y
@@ -322,14 +306,10 @@ pub(super) fn measure(distance: &mut [f32], layout: &Layout, across: f32) {
     for _ in 0..2 {
         for cell in layout.inner() {
             let below = cell - layout.columns;
-            // An index that may panic would double this code.
-            let at = |cell: usize| distance.get(cell).copied().unwrap_or(0.0);
-            let straight = fast_min(at(cell - 1), at(below)) + 1.0;
-            let diagonal = fast_min(at(below - 1), at(below + 1)) + across;
+            let straight = fast_min(distance[cell - 1], distance[below]) + 1.0;
+            let diagonal = fast_min(distance[below - 1], distance[below + 1]) + across;
             let least = fast_min(straight, diagonal);
-            if let Some(distance) = distance.get_mut(cell) {
-                *distance = fast_min(*distance, least);
-            }
+            distance[cell] = fast_min(distance[cell], least);
         }
         distance.reverse();
     }

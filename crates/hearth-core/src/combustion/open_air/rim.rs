@@ -50,7 +50,7 @@ impl Rim {
         self.near.clear();
         for (index, &position) in gas.position.iter().enumerate() {
             let cell = map.layout.at(position);
-            if map.depth(cell) > RIM_DEPTH {
+            if map.depth[cell] > RIM_DEPTH {
                 continue;
             }
             let depth = map.depth_at(position);
@@ -100,7 +100,7 @@ impl Rim {
         for near in &self.near {
             let cell = near.cell as usize;
             // Gas that has just left has no flow, and the next exchange removes it.
-            if near.live < 1.0 && map.depth(cell) > 0.0 {
+            if near.live < 1.0 && map.depth[cell] > 0.0 {
                 let velocity = &mut gas.velocity[near.index as usize];
                 *velocity += (map.cells[cell].flow - *velocity) * ((1.0 - near.live) * relaxation);
             }

@@ -1,3 +1,4 @@
+use super::nearest::distance_squared;
 use super::*;
 use crate::params::{Input, SOLID};
 use crate::random::Random;

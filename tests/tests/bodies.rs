@@ -37,7 +37,7 @@ fn add(scene: &mut Scene, shape: &str, motion: &str, numbers: &[(&str, f64)]) ->
 }
 
 fn free(fire: &Simulation, id: u32) -> FreeSolid {
-    let found = fire.free_solids().into_iter().find(|one| one.id == id);
+    let found = fire.free_solids().into_iter().find(|body| body.id == id);
     match found {
         Some(found) => found,
         None => panic!("no free solid {id}"),
@@ -66,12 +66,12 @@ fn five_boxes_stand_for_a_minute() {
         let mut fire = Simulation::new(scene);
         let start = fire.free_solids();
         watch(&mut fire, 60.0, |fire| {
-            for (one, now) in start.iter().zip(fire.free_solids()) {
-                let path = one.place.distance(now.place);
+            for (then, now) in start.iter().zip(fire.free_solids()) {
+                let path = then.place.distance(now.place);
                 assert!(
                     path < 1e-3,
                     "{} moved {path} m at {} s",
-                    one.id,
+                    then.id,
                     fire.time()
                 );
             }
@@ -217,15 +217,15 @@ fn bindings_read_each_free_body() {
     burn_on(&mut fire, 0.1);
     let (solids, numbers) = (fire.free_solids(), fire.free_solid_numbers());
     assert_eq!((solids.len(), numbers.len()), (2, 22));
-    for (one, read) in solids.iter().zip(numbers.chunks(11)) {
-        let (sine, cosine) = one.angle.to_radians().sin_cos();
-        assert_eq!(read[..3], [one.id as f32, one.place.x, one.place.y]);
+    for (body, read) in solids.iter().zip(numbers.chunks(11)) {
+        let (sine, cosine) = body.angle.to_radians().sin_cos();
+        assert_eq!(read[..3], [body.id as f32, body.place.x, body.place.y]);
         assert!((read[3] - cosine).abs() < 1e-5 && (read[4] - sine).abs() < 1e-5);
         assert_eq!(
             read[5..9],
-            [one.velocity.x, one.velocity.y, one.spin, one.mass]
+            [body.velocity.x, body.velocity.y, body.spin, body.mass]
         );
-        assert_eq!(read[9..], [0.0, one.object as f32]);
+        assert_eq!(read[9..], [0.0, body.object as f32]);
     }
 }
 

@@ -36,7 +36,10 @@ const STEADY: f32 = 0.3;
 /// Mean place of the foot of the flame and its lowest height \[m\].
 fn burning(fire: &Simulation) -> (Vec2, f32) {
     let hot = fire.positions().into_iter().zip(fire.temperatures());
-    let hot: Vec<Vec2> = hot.filter(|one| one.1 > 900.0).map(|one| one.0).collect();
+    let hot: Vec<Vec2> = hot
+        .filter(|particle| particle.1 > 900.0)
+        .map(|particle| particle.0)
+        .collect();
     let lowest = hot.iter().map(|at| at.y).fold(f32::MAX, f32::min);
     let hot: Vec<_> = hot
         .into_iter()
@@ -210,12 +213,12 @@ fn classic_particles_are_born_along_the_whole_outline_and_leave_it() {
             let born = fire
                 .particles()
                 .into_iter()
-                .filter(|one| one.age <= 1.5 * dt);
-            for one in born {
-                let (distance, normal) = surface.distance(one.position);
+                .filter(|particle| particle.age <= 1.5 * dt);
+            for particle in born {
+                let (distance, normal) = surface.distance(particle.position);
                 assert!((0.0..0.02).contains(&distance), "{distance} m, {shape}");
-                assert!(one.velocity.dot(normal) > 0.0, "{shape}");
-                let local = surface.frame.local(one.position);
+                assert!(particle.velocity.dot(normal) > 0.0, "{shape}");
+                let local = surface.frame.local(particle.position);
                 let side = usize::from(local.x.abs() > local.y.abs());
                 let far = if side == 1 { local.x } else { local.y };
                 sides[2 * side + usize::from(far > 0.0)] += 1;

@@ -81,14 +81,14 @@ fn the_vorticity_of_a_rigid_rotation_is_twice_its_angular_velocity() {
 
 #[test]
 fn uniform_flow_has_no_vorticity_and_shear_has_the_right_one() {
-    let moving = filled(closed_box(&[]), 32, |one| {
-        one.velocity = Vec2::new(2.0, -1.0);
+    let moving = filled(closed_box(&[]), 32, |particle| {
+        particle.velocity = Vec2::new(2.0, -1.0);
     });
     assert!(moving.vorticities().iter().all(|&found| found == 0.0));
 
     let shear = 4.0;
-    let sheared = filled(closed_box(&[]), 32, |one| {
-        one.velocity = Vec2::new(shear * one.position.y, 0.0);
+    let sheared = filled(closed_box(&[]), 32, |particle| {
+        particle.velocity = Vec2::new(shear * particle.position.y, 0.0);
     });
     let places = sheared.positions().into_iter();
     let inside = places
@@ -114,7 +114,7 @@ fn every_instance_has_the_value_of_its_reader() {
         let speeds = fire.velocities().into_iter().map(|v| v.length());
         let counts = fire.neighbour_counts().into_iter().map(|n| n as f32);
         let ages = fire.particles().into_iter();
-        let lived = ages.map(|one| one.age / one.lifetime);
+        let lived = ages.map(|particle| particle.age / particle.lifetime);
         let (fuels, soots) = match fire.parameters().model() {
             Model::Combustion => (
                 fire.fuels().unwrap_or_default(),
@@ -139,11 +139,11 @@ fn every_instance_has_the_value_of_its_reader() {
             };
             let places = fire.positions().into_iter();
             let expected = places.zip(expected).map(|(at, q)| [at.x, at.y, q]);
-            let shown = shown(&fire, mode).into_iter().map(|one| {
-                let [x, y, _, _, _, volume, wider, quantity] = one;
+            let shown = shown(&fire, mode).into_iter().map(|instance| {
+                let [x, y, _, _, _, volume, wider, quantity] = instance;
                 assert!(
                     volume > 0.0 && (0.0..=2.0).contains(&wider),
-                    "{mode:?}: {one:?}"
+                    "{mode:?}: {instance:?}"
                 );
                 [x, y, quantity]
             });
@@ -155,7 +155,8 @@ fn every_instance_has_the_value_of_its_reader() {
 /// The place of each particle \[m\], and how much wider its kernel is, in radii.
 fn widened(fire: &Simulation, mode: DisplayMode) -> Vec<(Vec2, f32)> {
     let all = shown(fire, mode).into_iter();
-    all.map(|one| (Vec2::new(one[0], one[1]), one[6])).collect()
+    all.map(|instance| (Vec2::new(instance[0], instance[1]), instance[6]))
+        .collect()
 }
 
 #[test]
@@ -171,7 +172,9 @@ fn kernels_are_wider_only_where_open_air_ends() {
         let cell = 2.0 * open.parameters().smoothing_length();
         let farthest = all.iter().map(|(at, _)| at.x).fold(0.0, f32::max);
         let outermost = all.iter().filter(|(at, _)| at.x > farthest - 0.5 * cell);
-        let (sum, count) = outermost.fold((0.0, 0), |(sum, count), one| (sum + one.1, count + 1));
+        let (sum, count) = outermost.fold((0.0, 0), |(sum, count), particle| {
+            (sum + particle.1, count + 1)
+        });
         assert!(
             count > 0 && sum / count as f32 > 1.0,
             "{mode:?}: {sum} of {count}"
@@ -199,7 +202,7 @@ fn a_sprite_keeps_the_number_of_its_particle() {
     let mut fire = burn(Parameters::new(Model::Classic), 1.0);
     let numbers = |fire: &Simulation| {
         let sprites = shown(fire, DisplayMode::Sprites).into_iter();
-        let mut numbers: Vec<_> = sprites.map(|one| one[6] as u64).collect();
+        let mut numbers: Vec<_> = sprites.map(|sprite| sprite[6] as u64).collect();
         numbers.sort_unstable();
         numbers
     };
@@ -277,7 +280,7 @@ fn a_distance_is_that_from_the_nearest_solid_or_floor() {
             for [x, y, _, _, _, _, _, distance] in shown {
                 let floor = if has_floor { y } else { farthest };
                 let at = Vec2::new(x, y);
-                let solids = fire.scene().solids().map(|one| one.distance(at).0);
+                let solids = fire.scene().solids().map(|surface| surface.distance(at).0);
                 let expected = solids.fold(floor, f32::min);
                 // At an edge, the image of a solid may be nearer.
                 if (at - Vec2::new(0.0, 0.4)).abs().max_element() < 0.4 {

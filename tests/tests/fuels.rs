@@ -36,8 +36,8 @@ fn solid(fire: &Simulation) -> BurningSolid {
 }
 
 /// Whether two quantities are the same within 1 % of the larger.
-fn within_a_percent(one: f64, other: f64) -> bool {
-    (one - other).abs() <= 0.01 * one.abs().max(other.abs())
+fn within_a_percent(first: f64, second: f64) -> bool {
+    (first - second).abs() <= 0.01 * first.abs().max(second.abs())
 }
 
 /// A strip of paper, 0.6 m long, at that angle.
@@ -216,7 +216,7 @@ fn a_burnt_solid_says_so_and_the_next_one_can_be_lit() {
     let states = |fire: &Simulation| {
         fire.burning_solids()
             .iter()
-            .map(|one| one.state)
+            .map(|solid| solid.state)
             .collect::<Vec<_>>()
     };
     assert_eq!(states(&fire), [BurningState::Burnt, BurningState::Unlit]);
@@ -303,15 +303,15 @@ fn the_same_seed_gives_the_same_bits_and_other_changes_keep_the_state() {
         assert_eq!(fire.ignite(IgnitionTarget::Object(ID)), Ok(()));
         burn_on(fire, 2.0);
     }
-    let [one, other] = &mut fires;
-    assert_eq!(one.particles(), other.particles());
-    assert_eq!(one.burning_solids(), other.burning_solids());
-    let before = solid(one);
-    let mut scene = one.scene().clone();
+    let [fire, other] = &mut fires;
+    assert_eq!(fire.particles(), other.particles());
+    assert_eq!(fire.burning_solids(), other.burning_solids());
+    let before = solid(fire);
+    let mut scene = fire.scene().clone();
     let moved = [("x", Input::Number(0.1)), ("material", Input::Text("coal"))];
     assert_eq!(scene.change(ID, &moved), Ok(()));
-    one.set_scene(scene);
-    assert_eq!(solid(one), before);
-    one.reset();
-    assert_eq!(solid(one).fuel, before.first);
+    fire.set_scene(scene);
+    assert_eq!(solid(fire), before);
+    fire.reset();
+    assert_eq!(solid(fire).fuel, before.first);
 }

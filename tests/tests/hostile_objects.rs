@@ -245,9 +245,12 @@ fn a_fire_survives_any_valid_object() {
                 assert!(fire.time().is_finite() && fire.power().is_none_or(f32::is_finite));
                 assert!(fire.positions().into_iter().all(|at| at.is_finite()));
                 assert!(fire.temperatures().into_iter().all(f32::is_finite));
-                assert!(fire.solid_temperatures().all(|one| one.1.is_finite()));
-                for one in fire.free_solids() {
-                    assert!(one.place.is_finite() && one.velocity.is_finite(), "{one:?}");
+                assert!(fire.solid_temperatures().all(|solid| solid.1.is_finite()));
+                for body in fire.free_solids() {
+                    assert!(
+                        body.place.is_finite() && body.velocity.is_finite(),
+                        "{body:?}"
+                    );
                 }
             }
         }

@@ -114,13 +114,13 @@ fn nothing_is_read_that_is_not_there() {
     let numbers = classic.measure(Vec2::new(0.0, 0.2));
     let at = places(&numbers)[0];
     assert!(
-        at[0] > 1000.0 && at[..4].iter().all(|one| one.is_finite()),
+        at[0] > 1000.0 && at[..4].iter().all(|number| number.is_finite()),
         "{at:?}"
     );
-    assert!(at[4..7].iter().all(|one| one.is_nan()), "{at:?}");
+    assert!(at[4..7].iter().all(|number| number.is_nan()), "{at:?}");
     assert!(numbers[3].is_nan() && numbers[4] > 0.1 && numbers[5] > 0.0);
     let empty = classic.measure(Vec2::new(0.59, 1.79));
-    assert!(places(&empty)[0][..7].iter().all(|one| one.is_nan()));
+    assert!(places(&empty)[0][..7].iter().all(|number| number.is_nan()));
 
     let mut scene = Scene::new(on_floor(in_the_open(combustion(&[]), 2000)));
     let fields = [
@@ -136,7 +136,9 @@ fn nothing_is_read_that_is_not_there() {
     for place in [Vec2::new(0.3, 0.6), Vec2::new(0.0, -0.2)] {
         let numbers = fire.measure(place);
         assert!(
-            places(&numbers)[0][..7].iter().all(|one| one.is_nan()),
+            places(&numbers)[0][..7]
+                .iter()
+                .all(|number| number.is_nan()),
             "{place}"
         );
     }

@@ -122,13 +122,13 @@ fn an_id_stays_with_its_particle_and_none_is_used_twice() {
     let mut newest = 0;
     for _ in 0..200 {
         let before: Vec<_> = fire.ids().into_iter().zip(fire.positions()).collect();
-        let most = before.iter().map(|one| one.0).max().unwrap_or(0);
+        let most = before.iter().map(|particle| particle.0).max().unwrap_or(0);
         newest = newest.max(most);
         fire.step();
         let after: Vec<_> = fire.ids().into_iter().zip(fire.positions()).collect();
         assert!(after.is_sorted_by(|a, b| a.0 < b.0));
         for (id, position) in after {
-            match before.binary_search_by_key(&id, |one| one.0) {
+            match before.binary_search_by_key(&id, |particle| particle.0) {
                 Ok(at) => assert!(before[at].1.distance(position) < 0.05, "{id}"),
                 Err(_) => assert!(id > newest, "{id} is not new"),
             }

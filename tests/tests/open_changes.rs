@@ -101,7 +101,9 @@ fn is_shown(at: &Vec2) -> bool {
 
 fn hot(fire: &Simulation) -> impl Iterator<Item = Vec2> + use<> {
     let places = fire.positions().into_iter().zip(fire.temperatures());
-    places.filter(|one| one.1 > HOT).map(|one| one.0)
+    places
+        .filter(|particle| particle.1 > HOT)
+        .map(|particle| particle.0)
 }
 
 /// The largest distance from a place three spacings from hot gas, where the map of the air has

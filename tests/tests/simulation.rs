@@ -346,7 +346,11 @@ fn a_step_of_crowded_particles_is_short_instead_of_long_in_work() {
         assert!(report.length < 0.017 / 16.0, "{} s", report.length);
         assert_eq!(fire.time() - before, f64::from(report.length));
         assert_eq!(fire.step_length(), f64::from(report.length));
-        assert!(fire.particles().iter().all(|one| one.position.is_finite()));
+        assert!(
+            fire.particles()
+                .iter()
+                .all(|particle| particle.position.is_finite())
+        );
     }
 }
 

@@ -26,9 +26,9 @@ fn scene(values: &[(&str, f64)], temperature: f64) -> Scene {
 
 fn temperature(fire: &Simulation) -> f64 {
     let mut all = fire.solid_temperatures();
-    let one = all.next();
+    let solid = all.next();
     assert!(all.next().is_none(), "an image is no solid of its own");
-    one.map_or(f64::NAN, |(_, temperature)| f64::from(temperature))
+    solid.map_or(f64::NAN, |(_, temperature)| f64::from(temperature))
 }
 
 #[test]
@@ -141,7 +141,11 @@ fn a_restored_solid_has_the_temperature_that_it_had() {
     let all = |fire: &Simulation| fire.solid_temperatures().collect::<Vec<_>>();
     let cooled = all(&fire);
     assert_eq!(cooled.len(), 2);
-    assert!(cooled.iter().all(|one| one.1 < 899.0 && one.1 != 500.0));
+    assert!(
+        cooled
+            .iter()
+            .all(|solid| solid.1 < 899.0 && solid.1 != 500.0)
+    );
     let mut restored = Simulation::new(hot.clone());
     assert_eq!(restored.restore_burning(&saved), Ok(()));
     assert_eq!(all(&restored), cooled);

@@ -132,8 +132,8 @@ fn a_turned_source_emits_at_right_angles_to_its_width() {
             fire.step();
             let all = fire.velocities().into_iter().zip(fire.temperatures());
             sum += all
-                .filter(|one| one.1 > 600.0)
-                .map(|one| one.0)
+                .filter(|particle| particle.1 > 600.0)
+                .map(|particle| particle.0)
                 .sum::<Vec2>();
         }
         let direction = sum.normalize();

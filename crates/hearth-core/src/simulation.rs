@@ -202,10 +202,10 @@ impl Simulation {
             };
             let [low, high] = self.extent();
             let farthest = high.distance(low);
-            for one in &mut *out {
-                let floor = if has_floor { one[1] } else { farthest };
-                let place = Vec2::new(one[0], one[1]);
-                one[7] = solver.solids().nearest(place, fast_min(floor, farthest));
+            for instance in &mut *out {
+                let floor = if has_floor { instance[1] } else { farthest };
+                let place = Vec2::new(instance[0], instance[1]);
+                instance[7] = solver.solids().nearest(place, fast_min(floor, farthest));
             }
         }
         let vorticity = mode == DisplayMode::Vorticity;

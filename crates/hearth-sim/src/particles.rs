@@ -64,7 +64,10 @@ pub fn ids(simulation: &Simulation) -> Vec<f64> {
 }
 
 fn pairs(vectors: Vec<Vec2>) -> Vec<f32> {
-    vectors.into_iter().flat_map(|one| one.to_array()).collect()
+    vectors
+        .into_iter()
+        .flat_map(|vector| vector.to_array())
+        .collect()
 }
 
 fn lifetimes(simulation: &Simulation) -> Vec<f32> {
@@ -76,19 +79,19 @@ fn lifetimes(simulation: &Simulation) -> Vec<f32> {
 /// temperature.
 fn fuels(simulation: &Simulation) -> Vec<f32> {
     let solids = simulation.burning_solids();
-    let rows = solids.iter().map(|one| {
-        let masses = [one.first, one.fuel, one.water, one.char].map(|mass| mass as f32);
+    let rows = solids.iter().map(|solid| {
+        let masses = [solid.first, solid.fuel, solid.water, solid.char].map(|mass| mass as f32);
         let [first, fuel, water, char] = masses;
-        let state = f32::from(one.state as u8);
+        let state = f32::from(solid.state as u8);
         [
-            one.id as f32,
+            solid.id as f32,
             state,
             first,
             fuel,
             water,
             char,
-            one.power,
-            one.hottest,
+            solid.power,
+            solid.hottest,
         ]
     });
     rows.flatten().collect()
@@ -215,17 +218,17 @@ mod tests {
 
     #[test]
     fn the_core_has_the_same_limit_and_error() {
-        let one = Particle {
+        let particle = Particle {
             lifetime: 1.0,
             ..Particle::at(Vec2::new(0.0, 0.1))
         };
         let mut fire = Simulation::new(Parameters::new(Model::Classic));
-        let refused = fire.set_particles(&vec![one; MAX_PARTICLES + 1]);
+        let refused = fire.set_particles(&vec![particle; MAX_PARTICLES + 1]);
         assert_eq!(
             refused.map_err(|error| error.to_string()),
             Err(TOO_MANY.to_owned())
         );
-        assert_eq!(fire.set_particles(&vec![one; MAX_PARTICLES]), Ok(()));
+        assert_eq!(fire.set_particles(&vec![particle; MAX_PARTICLES]), Ok(()));
         assert_eq!(property(&fire, "lifetimes"), Some(vec![1.0; MAX_PARTICLES]));
     }
 }

@@ -75,7 +75,7 @@ fn by_likeness(bodies: &[&[u8]]) -> Vec<usize> {
             .enumerate()
             .map(|(at, &function)| (at, likeness(function)));
         // Of equals the first.
-        let likest = likest.reduce(|best, one| if one.1 > best.1 { one } else { best });
+        let likest = likest.reduce(|best, other| if other.1 > best.1 { other } else { best });
         next = likest.map_or(0, |(at, _)| at);
         pieces[last]
             .iter()

@@ -90,7 +90,10 @@ impl Snapshot {
             .changed()
             .map(|(param, value)| (param.id.to_owned(), value.to_string()))
             .filter(|(id, _)| id != "model");
-        let solids = fire.scene().objects().filter(|one| one.solid().is_some());
+        let solids = fire
+            .scene()
+            .objects()
+            .filter(|object| object.solid().is_some());
         let properties = solids.map(|solid| {
             let all = solid.properties();
             all.map(|(name, _, value)| (name.to_owned(), value.to_string()))
@@ -121,7 +124,7 @@ impl Snapshot {
     fn add(&mut self, instances: &[Instance]) -> [usize; FIELDS] {
         std::array::from_fn(|field| {
             let column = Column::of(instances.iter().map(|instance| instance[field]));
-            let known = self.columns.iter().position(|one| *one == column);
+            let known = self.columns.iter().position(|known| *known == column);
             known.unwrap_or_else(|| {
                 self.columns.push(column);
                 self.columns.len() - 1
@@ -362,7 +365,7 @@ mod tests {
         ] {
             assert_eq!(read.len(), given.len());
             for field in 0..FIELDS {
-                let largest = given.iter().map(|one| one[field].abs()).fold(0.0, f32::max);
+                let largest = given.iter().map(|row| row[field].abs()).fold(0.0, f32::max);
                 for (a, b) in read.iter().zip(&given) {
                     assert!((a[field] - b[field]).abs() <= 2e-5 * largest);
                 }

@@ -215,8 +215,8 @@ impl Crowd {
         let settings = self.scene.settings();
         let frame = Vec2::new(settings.domain_width, settings.domain_height);
         for motion in &mut self.motions {
-            let found = self.scene.objects().find(|one| one.id == motion.id);
-            let Some(solid) = found.and_then(|one| one.solid().cloned()) else {
+            let found = self.scene.objects().find(|object| object.id == motion.id);
+            let Some(solid) = found.and_then(|object| object.solid().cloned()) else {
                 continue;
             };
             let at = Vec2::new(solid.x, solid.y) + motion.velocity * seconds;

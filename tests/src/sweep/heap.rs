@@ -172,7 +172,7 @@ fn add(scene: &mut Scene, bodies: u32, random: &mut Random) {
 
 /// Lets some bodies hang from others, wherever these are, some of them in a circle.
 fn hang_some(scene: &mut Scene, random: &mut Random) {
-    let ids: Vec<u32> = scene.surfaces().map(|one| one.0).collect();
+    let ids: Vec<u32> = scene.surfaces().map(|surface| surface.0).collect();
     for &id in &ids {
         let from = ids[random.bits() as usize % ids.len()];
         if random.bits().is_multiple_of(HUNG) {
@@ -226,7 +226,7 @@ fn left(fire: &Simulation) -> impl Iterator<Item = (u32, &Solid, Surface)> {
     let parts = burning.iter().filter_map(|part| {
         let (frame, field) = (part.part?, part.left.clone());
         let mut all = fire.scene().surfaces();
-        let (id, solid, _) = all.find(|one| one.0 == part.id)?;
+        let (id, solid, _) = all.find(|surface| surface.0 == part.id)?;
         Some((id, solid, Surface { frame, field }))
     });
     let parts: Vec<_> = parts.collect();
@@ -236,7 +236,7 @@ fn left(fire: &Simulation) -> impl Iterator<Item = (u32, &Solid, Surface)> {
             frame: pose.frame,
             field: surface.field.clone(),
         };
-        let found = burning.iter().find(|one| one.id == id);
+        let found = burning.iter().find(|solid| solid.id == id);
         if let Some(left) = found.and_then(|found| found.left.as_ref()) {
             (surface.frame.half, surface.frame.radius) = (left.half, 0.0);
             surface.field = Some(left.clone());
@@ -265,7 +265,7 @@ pub fn gas_in_what_is_left(fire: &Simulation) -> Option<String> {
 
 /// A body in the floor, if there is one.
 fn sunk(fire: &mut Simulation) -> Option<String> {
-    for (id, solid, surface) in left(fire).filter(|one| one.1.motion == Motion::Free) {
+    for (id, solid, surface) in left(fire).filter(|entry| entry.1.motion == Motion::Free) {
         let frame = surface.frame;
         let (half, axis) = (frame.half + frame.radius, frame.axis);
         for index in 0..GRID * GRID {
@@ -285,20 +285,20 @@ fn sunk(fire: &mut Simulation) -> Option<String> {
 
 /// What is wrong with the bodies, if anything is.
 fn wrong(fire: &Simulation) -> Option<String> {
-    for one in fire.free_solids() {
-        let (place, motion) = (one.place, [one.spin, one.angle, one.mass, one.inertia]);
-        let finite = one.velocity.is_finite() && motion.iter().all(|n| n.is_finite());
+    for body in fire.free_solids() {
+        let (place, motion) = (body.place, [body.spin, body.angle, body.mass, body.inertia]);
+        let finite = body.velocity.is_finite() && motion.iter().all(|n| n.is_finite());
         let inside = place.is_finite() && place.length() < FARTHEST;
-        if !finite || !inside || one.mass < 0.0 {
-            return Some(format!("there is {one:?}"));
+        if !finite || !inside || body.mass < 0.0 {
+            return Some(format!("there is {body:?}"));
         }
     }
-    for one in fire.burning_solids() {
-        let masses = [one.fuel, one.water, one.char, one.stored, one.gas];
+    for solid in fire.burning_solids() {
+        let masses = [solid.fuel, solid.water, solid.char, solid.stored, solid.gas];
         let valid =
-            (0.0..6000.0).contains(&one.hottest) && one.power.is_finite() && one.first > 0.0;
-        if !valid || !masses.iter().all(|n| n.is_finite()) || one.fuel < 0.0 {
-            return Some(format!("there is {one:?}"));
+            (0.0..6000.0).contains(&solid.hottest) && solid.power.is_finite() && solid.first > 0.0;
+        if !valid || !masses.iter().all(|n| n.is_finite()) || solid.fuel < 0.0 {
+            return Some(format!("there is {solid:?}"));
         }
     }
     None

@@ -81,7 +81,7 @@ const RATE: f64 = 60.0;
 fn read(values: &str, edges: &str) -> Parameters {
     let mut parameters = Parameters::new(Model::Combustion);
     let mut number = false;
-    for (id, value) in values.split(' ').filter_map(|one| one.split_once('=')) {
+    for (id, value) in values.split(' ').filter_map(|pair| pair.split_once('=')) {
         let value = value.parse().unwrap_or(f64::NAN);
         set(&mut parameters, id, Input::Number(value));
         number |= id == "max_particles";

@@ -72,7 +72,7 @@ impl Edges {
         for (id, particle) in each {
             let Vec2 { x, y } = particle.position;
             let outside = (x.abs() - 0.5 * width).max(y - height).max(-y);
-            let known = self.last.binary_search_by_key(&id, |one| one.0);
+            let known = self.last.binary_search_by_key(&id, |known| known.0);
             let was_inside = known.is_ok_and(|at| self.last[at].1);
             let inside = outside < if was_inside { self.reach } else { 0.0 };
             now.push((id, inside, y >= height));
@@ -84,7 +84,7 @@ impl Edges {
             }
         }
         for (&(id, inside, _), soot) in now.iter().zip(soots) {
-            let Ok(at) = self.last.binary_search_by_key(&id, |one| one.0) else {
+            let Ok(at) = self.last.binary_search_by_key(&id, |known| known.0) else {
                 continue;
             };
             match (self.last[at], inside) {
@@ -125,8 +125,8 @@ fn soot(view: &str, id: &str, size: (f32, f32)) -> Outcome {
         edges
     });
     let unless_ended = |measured: f64| if came { measured } else { f64::NAN };
-    let share = |part: fn(&Edges) -> f64| records.each_ref().map(|one| part(one) / one.left);
-    let entered = share(|one| one.entered);
+    let share = |part: fn(&Edges) -> f64| records.each_ref().map(|edges| part(edges) / edges.left);
+    let entered = share(|edges| edges.entered);
     let [from, to] = [f64::min, f64::max].map(|of| entered.into_iter().reduce(of).unwrap_or(0.0));
     // What rises at v crosses a row, which is this high, in so many looks.
     let row = f64::from(size.1) / (2.0 * ROWS as f64);
@@ -134,7 +134,7 @@ fn soot(view: &str, id: &str, size: (f32, f32)) -> Outcome {
         fit::mean(
             records
                 .iter()
-                .map(|one| -one.rise[at] / RATE / row / one.left),
+                .map(|edges| -edges.rise[at] / RATE / row / edges.left),
         )
     };
     let falls: Vec<_> = (0..ROWS).map(falls).collect();
@@ -153,7 +153,7 @@ fn soot(view: &str, id: &str, size: (f32, f32)) -> Outcome {
              `soot` leave",
             100.0 * from,
             100.0 * to,
-            100.0 * fit::mean(share(|one| one.from_above)),
+            100.0 * fit::mean(share(|edges| edges.from_above)),
             100.0 * crossing
         )),
         Row::new(

@@ -55,9 +55,9 @@ fn until_it_breaks(fire: &mut Simulation) -> (Vec<FreeSolid>, Vec<FreeSolid>) {
 fn balance(fire: &Simulation) -> (f64, f64, f64) {
     let all = fire.burning_solids();
     assert_eq!(all.len(), 1);
-    let one = all[0];
-    let given = one.gas + one.oxidised + one.fallen;
-    (one.fuel + one.char, given, one.first)
+    let solid = all[0];
+    let given = solid.gas + solid.oxidised + solid.fallen;
+    (solid.fuel + solid.char, given, solid.first)
 }
 
 #[test]
@@ -75,12 +75,12 @@ fn a_stick_that_burns_through_in_its_middle_becomes_two_bodies() {
     // One is to the left, one to the right, each of less than half of the mass and of an eighth of the
     // inertia.
     assert!(rest.centre.x * part.centre.x < 0.0, "{after:?}");
-    for one in [rest, part] {
-        assert!((0.15..0.35).contains(&one.centre.x.abs()), "{one:?}");
-        assert!(one.mass > 0.3 * whole.mass && one.mass < 0.5 * whole.mass);
-        assert!(one.inertia < 0.125 * whole.inertia, "{one:?}");
+    for body in [rest, part] {
+        assert!((0.15..0.35).contains(&body.centre.x.abs()), "{body:?}");
+        assert!(body.mass > 0.3 * whole.mass && body.mass < 0.5 * whole.mass);
+        assert!(body.inertia < 0.125 * whole.inertia, "{body:?}");
         // The place is that of the solid of which it is a part.
-        assert!(one.place.distance(before[0].place) < 1e-3, "{one:?}");
+        assert!(body.place.distance(before[0].place) < 1e-3, "{body:?}");
     }
     // The mass is that of what is left, less the gas that has not left its cells yet.
     let (left, given, first) = balance(&fire);
@@ -90,7 +90,7 @@ fn a_stick_that_burns_through_in_its_middle_becomes_two_bodies() {
     let mut drawn = Charred::default();
     fire.write_charred(&mut drawn);
     let drawn: Vec<_> = (drawn.solids.iter())
-        .map(|one| (one.id, one.part.is_some()))
+        .map(|body| (body.id, body.part.is_some()))
         .collect();
     assert_eq!(drawn, [(id, false), (id, true)]);
     assert_eq!(gas_in_what_is_left(&fire), None);
@@ -101,8 +101,8 @@ fn a_stick_that_burns_through_in_its_middle_becomes_two_bodies() {
         let (left, given, first) = balance(&fire);
         let error = (left + given) / first - 1.0;
         assert!(error.abs() < 1e-4, "{error} at {} s", fire.time());
-        for one in fire.free_solids() {
-            assert!(one.velocity.is_finite() && one.spin.is_finite() && one.mass >= 0.0);
+        for body in fire.free_solids() {
+            assert!(body.velocity.is_finite() && body.spin.is_finite() && body.mass >= 0.0);
         }
     }
 }
@@ -134,7 +134,7 @@ fn each_part_goes_on_with_the_velocity_of_its_material() {
     burn_on(&mut fire, 0.15);
     let two = [free(&fire, id), fire.free_solids()[1]];
     let apart = two[0].angle - two[1].angle;
-    assert!(two.iter().all(|one| one.centre.y < 1.0), "{two:?}");
+    assert!(two.iter().all(|body| body.centre.y < 1.0), "{two:?}");
     assert!(apart.is_finite());
 }
 
@@ -176,10 +176,13 @@ fn a_change_of_the_scene_keeps_the_parts_and_reset_restores_the_whole() {
     // The scene is as it was.
     assert_eq!(fire.scene().objects().len(), scene.objects().len());
     let same = |fire: &Simulation| {
-        for (one, now) in broken.iter().zip(fire.free_solids()) {
-            assert_eq!((one.id, one.place), (now.id, now.place));
-            assert!((now.mass / one.mass - 1.0).abs() < 0.01, "{one:?} {now:?}");
-            assert!(one.centre.distance(now.centre) < 1e-3, "{one:?} {now:?}");
+        for (then, now) in broken.iter().zip(fire.free_solids()) {
+            assert_eq!((then.id, then.place), (now.id, now.place));
+            assert!(
+                (now.mass / then.mass - 1.0).abs() < 0.01,
+                "{then:?} {now:?}"
+            );
+            assert!(then.centre.distance(now.centre) < 1e-3, "{then:?} {now:?}");
         }
         assert_eq!(balance(fire), left);
     };
@@ -240,7 +243,7 @@ fn an_object_is_lit_and_put_out_with_its_parts() {
     assert_eq!(fire.ignite(IgnitionTarget::Object(id)), Ok(()));
     burn_on(&mut fire, 1.0);
     let now = fire.free_solids();
-    assert!(now.iter().all(|one| one.mass < 4.0), "{now:?}");
+    assert!(now.iter().all(|body| body.mass < 4.0), "{now:?}");
 }
 
 #[test]
@@ -259,7 +262,7 @@ fn among_as_many_solids_as_there_may_be_nothing_breaks() {
     assert_eq!(unbroken(&fire), Some(1));
     assert_eq!(fire.free_solids().len(), 1);
     // With room for it, it breaks.
-    let last = scene.objects().last().map(|one| one.id);
+    let last = scene.objects().last().map(|object| object.id);
     assert_eq!(scene.remove(last.unwrap()), Ok(()));
     fire.set_scene(scene);
     until_it_breaks(&mut fire);
@@ -269,12 +272,12 @@ fn among_as_many_solids_as_there_may_be_nothing_breaks() {
 
 #[test]
 fn the_same_fire_breaks_with_the_same_bits() {
-    let [one, other] = [(); 2].map(|()| {
+    let [first, second] = [(); 2].map(|()| {
         let mut fire = lit(stick(9.81).0);
         burn_on(&mut fire, 1.5);
         fire
     });
-    assert_eq!(one.free_solids(), other.free_solids());
-    assert!(one.free_solids().len() > 1);
-    assert_eq!(one.particles(), other.particles());
+    assert_eq!(first.free_solids(), second.free_solids());
+    assert!(first.free_solids().len() > 1);
+    assert_eq!(first.particles(), second.particles());
 }

@@ -83,10 +83,10 @@ fn a_heap_of_burning_bodies_stays_finite_and_without_gas_inside() {
     while fire.time() < 10.0 {
         fire.step();
         assert_eq!(gas_in_what_is_left(&fire), None, "{} s", fire.time());
-        for one in fire.free_solids() {
-            assert!(one.place.is_finite() && one.velocity.is_finite() && one.spin.is_finite());
+        for body in fire.free_solids() {
+            assert!(body.place.is_finite() && body.velocity.is_finite() && body.spin.is_finite());
             // The place of a body may be beyond what is left of it.
-            assert!(one.centre.y > -0.05, "{one:?}");
+            assert!(body.centre.y > -0.05, "{body:?}");
         }
     }
     // Some of it has burnt.

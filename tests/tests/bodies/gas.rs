@@ -15,7 +15,7 @@ pub fn momenta(fire: &Simulation, particle: f64) -> (DVec2, DVec2) {
     (
         gas.map(|v| v.as_dvec2() * particle).sum(),
         bodies
-            .map(|one| one.velocity.as_dvec2() * f64::from(one.mass))
+            .map(|body| body.velocity.as_dvec2() * f64::from(body.mass))
             .sum(),
     )
 }

@@ -213,7 +213,7 @@ fn two_that_hang_from_each_other_do_not_collide_and_others_do() {
         assert_eq!(settings.set("gravity", gravity), Ok(()));
         scene.set_settings(settings);
         let size = [("y", 1.0), ("width", 0.1), ("height", 0.1)];
-        let one = add(&mut scene, "box", "free", &size);
+        let support = add(&mut scene, "box", "free", &size);
         let other = add(
             &mut scene,
             "box",
@@ -221,11 +221,13 @@ fn two_that_hang_from_each_other_do_not_collide_and_others_do() {
             &[&size[..], &[("x", 0.098)]].concat(),
         );
         if hinged {
-            hang(&mut scene, other, one);
+            hang(&mut scene, other, support);
         }
         let mut fire = Simulation::new(scene);
         burn_on(&mut fire, 1.0);
-        free(&fire, one).place.distance(free(&fire, other).place)
+        free(&fire, support)
+            .place
+            .distance(free(&fire, other).place)
     };
     assert!((apart(true) - 0.098).abs() < 1e-4, "{}", apart(true));
     assert!(apart(false) > 0.0995, "{}", apart(false));
@@ -246,8 +248,8 @@ fn a_solid_that_cannot_hang_falls_and_a_chain_in_a_circle_stays_finite() {
     hang(&mut scene, ids[0], ids[2]);
     let mut fire = Simulation::new(scene);
     watch(&mut fire, 3.0, |fire| {
-        for one in fire.free_solids() {
-            assert!(one.place.is_finite() && one.spin.is_finite(), "{one:?}");
+        for body in fire.free_solids() {
+            assert!(body.place.is_finite() && body.spin.is_finite(), "{body:?}");
         }
     });
 }
@@ -321,10 +323,10 @@ fn two_hinged_bodies_keep_both_momenta() {
     fire.set_scene(scene);
     let totals = |fire: &Simulation| {
         let mut sums = [0.0; 3];
-        for one in fire.free_solids() {
-            let (mass, spin) = (f64::from(one.mass), f64::from(one.spin));
-            let (at, v) = (one.centre.as_dvec2(), one.velocity.as_dvec2());
-            let turning = f64::from(one.inertia) * spin + mass * at.perp_dot(v);
+        for body in fire.free_solids() {
+            let (mass, spin) = (f64::from(body.mass), f64::from(body.spin));
+            let (at, v) = (body.centre.as_dvec2(), body.velocity.as_dvec2());
+            let turning = f64::from(body.inertia) * spin + mass * at.perp_dot(v);
             for (sum, part) in sums.iter_mut().zip([mass * v.x, mass * v.y, turning]) {
                 *sum += part;
             }

@@ -53,19 +53,19 @@ fn a_saved_fire_has_its_free_solids_where_they_were() {
     assert_eq!(other.restore_burning(&bytes), Ok(()));
     let same = |fire: &Simulation, other: &Simulation, error: f32| {
         let all = fire.free_solids().into_iter().zip(other.free_solids());
-        for (one, now) in all {
-            let path = one.place.distance(now.place);
-            assert!(path < error, "{one:?} {now:?}");
+        for (then, now) in all {
+            let path = then.place.distance(now.place);
+            assert!(path < error, "{then:?} {now:?}");
             assert!(
-                (one.angle - now.angle).abs() < 100.0 * error,
-                "{one:?} {now:?}"
+                (then.angle - now.angle).abs() < 100.0 * error,
+                "{then:?} {now:?}"
             );
-            assert!(one.velocity.distance(now.velocity) < 10.0 * error);
+            assert!(then.velocity.distance(now.velocity) < 10.0 * error);
             assert!(
-                (one.spin - now.spin).abs() < 100.0 * error,
-                "{one:?} {now:?}"
+                (then.spin - now.spin).abs() < 100.0 * error,
+                "{then:?} {now:?}"
             );
-            assert_eq!((one.asleep, one.mass), (now.asleep, now.mass));
+            assert_eq!((then.asleep, then.mass), (now.asleep, now.mass));
         }
     };
     same(&fire, &other, 1e-5);
@@ -78,7 +78,7 @@ fn a_saved_fire_has_its_free_solids_where_they_were() {
     assert!(
         places
             .into_iter()
-            .all(|(one, other)| one.distance(other) < 1e-5)
+            .all(|(first, second)| first.distance(second) < 1e-5)
     );
     // They go on alike, and those that sleep do not wake.
     for fire in [&mut fire, &mut other] {
@@ -93,8 +93,8 @@ fn a_saved_fire_has_its_free_solids_where_they_were() {
     scene.set_settings(settings);
     let mut finer = Simulation::new(scene);
     assert_eq!(finer.restore_burning(&bytes), Ok(()));
-    for (one, now) in before.iter().zip(finer.free_solids()) {
-        assert!(one.place.distance(now.place) < 1e-5, "{one:?} {now:?}");
+    for (then, now) in before.iter().zip(finer.free_solids()) {
+        assert!(then.place.distance(now.place) < 1e-5, "{then:?} {now:?}");
     }
 }
 

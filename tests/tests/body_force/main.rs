@@ -19,7 +19,7 @@ fn the_coriolis_force_turns_the_gas_and_does_no_work() {
     let force = Coriolis {
         angular_velocity: 1.5,
     };
-    let mut fire = filled(closed_box(&[]), 32, |one| one.velocity = Vec2::X);
+    let mut fire = filled(closed_box(&[]), 32, |particle| particle.velocity = Vec2::X);
     turned(&mut fire, &force, 0.2);
     let velocities = fire.velocities();
     let velocity = Vec2::new(

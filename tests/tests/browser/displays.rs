@@ -108,7 +108,9 @@ fn a_disc_has_the_colour_of_its_particle_and_a_smooth_rim() -> Result<(), JsValu
     let radius = 0.4 * parameters.spacing();
     let mut between = 0;
     for (x, y, [.., alpha]) in pixels.all() {
-        let nearest = particles.iter().map(|one| (x - one[0]).hypot(y - one[1]));
+        let nearest = particles
+            .iter()
+            .map(|particle| (x - particle[0]).hypot(y - particle[1]));
         let nearest = nearest.fold(f32::INFINITY, f32::min);
         assert!(nearest > radius - 0.008 || alpha == 255);
         assert!(nearest < radius + 0.008 || alpha == 0);

@@ -31,8 +31,8 @@ fn ground(
 }
 
 /// Whether no channel of two pixels differs by more than dithering.
-fn same(one: [u8; 4], other: [u8; 4]) -> bool {
-    one.iter().zip(other).all(|(a, b)| a.abs_diff(b) <= 1)
+fn same(first: [u8; 4], second: [u8; 4]) -> bool {
+    first.iter().zip(second).all(|(a, b)| a.abs_diff(b) <= 1)
 }
 
 /// Sum of the light of the ground.
@@ -61,7 +61,10 @@ fn a_ground_is_below_its_horizon_and_each_has_its_colours() -> Result<(), JsValu
             }
         }
         let mean = std::array::from_fn(|i| (sum[i] / count[i]) as u8);
-        assert!(!seen.iter().any(|one| same(*one, mean)), "{name}: {mean:?}");
+        assert!(
+            !seen.iter().any(|pixel| same(*pixel, mean)),
+            "{name}: {mean:?}"
+        );
         seen.push(mean);
     }
     Ok(())

@@ -123,7 +123,10 @@ fn a_moving_solid_pushes_the_gas() {
     burn(&mut fire, 0.01);
     let all = fire.positions().into_iter().zip(fire.velocities());
     let ahead = |at: Vec2| (at - Vec2::new(x as f32 + 0.13, 0.9)).length() < 0.04;
-    let pushed: Vec<f32> = all.filter(|one| ahead(one.0)).map(|one| one.1.x).collect();
+    let pushed: Vec<f32> = all
+        .filter(|particle| ahead(particle.0))
+        .map(|particle| particle.1.x)
+        .collect();
     let mean = pushed.iter().sum::<f32>() / pushed.len() as f32;
     assert!((0.2..0.7).contains(&mean), "{mean} m/s of {}", pushed.len());
     assert_eq!(fire.removed().map(|gas| gas.particles), Some(0));
@@ -146,11 +149,11 @@ fn gas_on_one_side_of_a_thin_plate_does_not_feel_the_other_side() {
     burn(&mut fire, 1.0);
     let middle = |at: Vec2| (0.45..1.35).contains(&at.y);
     let particles: Vec<Particle> = fire.particles();
-    let moving = particles.iter().map(|one| {
-        let speed = if middle(one.position) { 1.0 } else { 0.0 };
+    let moving = particles.iter().map(|particle| {
+        let speed = if middle(particle.position) { 1.0 } else { 0.0 };
         Particle {
             velocity: Vec2::new(speed, 0.0),
-            ..*one
+            ..*particle
         }
     });
     assert_eq!(fire.set_particles(&moving.collect::<Vec<_>>()), Ok(()));
@@ -158,8 +161,8 @@ fn gas_on_one_side_of_a_thin_plate_does_not_feel_the_other_side() {
     let mean = |inside: bool| {
         let all = fire.positions().into_iter().zip(fire.velocities());
         let these: Vec<f32> = all
-            .filter(|one| middle(one.0) == inside)
-            .map(|one| one.1.x)
+            .filter(|particle| middle(particle.0) == inside)
+            .map(|particle| particle.1.x)
             .collect();
         these.iter().sum::<f32>() / these.len() as f32
     };
@@ -178,25 +181,25 @@ fn gas_in_a_closed_ring_does_not_feel_the_gas_around_it() {
         let mut fire = Simulation::new(scene);
         burn(&mut fire, 0.5);
         let inside = |at: Vec2| at.x.abs() < 0.3 && (at.y - 0.9).abs() < 0.3;
-        let moving = fire.particles().into_iter().map(|one| Particle {
-            velocity: if inside(one.position) {
+        let moving = fire.particles().into_iter().map(|particle| Particle {
+            velocity: if inside(particle.position) {
                 Vec2::ZERO
             } else {
                 Vec2::new(0.5, 0.0)
             },
-            temperature: if inside(one.position) {
+            temperature: if inside(particle.position) {
                 800.0
             } else {
-                one.temperature
+                particle.temperature
             },
-            ..one
+            ..particle
         });
         assert_eq!(fire.set_particles(&moving.collect::<Vec<_>>()), Ok(()));
         burn(&mut fire, 0.3);
         let all = fire.positions().into_iter().zip(fire.temperatures());
         let hottest = all
-            .filter(|one| !inside(one.0))
-            .map(|one| one.1)
+            .filter(|particle| !inside(particle.0))
+            .map(|particle| particle.1)
             .fold(0.0, f32::max);
         assert!(hottest < 320.0, "{hottest} K outside of {thickness} m");
     }

@@ -103,8 +103,8 @@ fn no_gas_is_inside(add: &mut dyn FnMut(&mut Scene, usize, &mut Random) -> u32) 
         assert_outside(&fire, case);
         for step in 0..60 {
             let id = ids[random.bits() as usize % ids.len()];
-            let solid = fire.scene().objects().find(|one| one.id == id);
-            let Some(solid) = solid.and_then(|one| one.solid().cloned()) else {
+            let solid = fire.scene().objects().find(|object| object.id == id);
+            let Some(solid) = solid.and_then(|object| object.solid().cloned()) else {
                 panic!("case {case}: solid {id} is gone");
             };
             let near = |x: f32, random: &mut Random| f64::from(x + random.between(-0.02, 0.02));

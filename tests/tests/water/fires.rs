@@ -157,7 +157,11 @@ fn a_hot_solid_boils_water_off_and_loses_the_heat_and_a_cold_one_lets_it_run_off
         burn_on(&mut wet, 0.5);
         burn_on(&mut dry, wet.time());
         let of = |fire: &Simulation| {
-            f64::from(fire.solid_temperatures().next().map_or(0.0, |one| one.1))
+            f64::from(
+                fire.solid_temperatures()
+                    .next()
+                    .map_or(0.0, |solid| solid.1),
+            )
         };
         (of(&dry) - of(&wet), sprayed(&wet))
     };

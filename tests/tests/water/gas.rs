@@ -42,10 +42,9 @@ fn the_gas_loses_what_the_water_takes() {
         // None has struck anything, so all of the heat is in the water.
         assert_eq!(all.run_off, 0.0, "{all:?}");
         let air = f64::from(fire.parameters().ambient_temperature);
-        let flying = fire
-            .droplets()
-            .iter()
-            .map(|one| f64::from(one.mass) * CAPACITY * (f64::from(one.temperature) - air));
+        let flying = fire.droplets().iter().map(|droplet| {
+            f64::from(droplet.mass) * CAPACITY * (f64::from(droplet.temperature) - air)
+        });
         let vapour = all.evaporated * (CAPACITY * (BOILING - air) + VAPORISATION);
         let taken = flying.sum::<f64>() + vapour;
         assert!(all.evaporated > 0.0, "{all:?}");
@@ -53,7 +52,7 @@ fn the_gas_loses_what_the_water_takes() {
         assert!(
             fire.droplets()
                 .iter()
-                .all(|one| f64::from(one.temperature) <= BOILING + 0.01)
+                .all(|droplet| f64::from(droplet.temperature) <= BOILING + 0.01)
         );
     }
 }
@@ -81,14 +80,14 @@ fn the_squared_diameter_falls_evenly_in_hot_gas() {
         // They all shrink alike, so it is always the same one.
         let largest = fire.droplets().iter();
         let largest = largest.max_by(|a, b| a.diameter.total_cmp(&b.diameter));
-        let boils = largest.filter(|one| f64::from(one.temperature) > BOILING - 0.01);
-        if let Some(one) = boils {
-            all.push((fire.time(), f64::from(one.diameter * one.diameter)));
+        let boils = largest.filter(|droplet| f64::from(droplet.temperature) > BOILING - 0.01);
+        if let Some(droplet) = boils {
+            all.push((fire.time(), f64::from(droplet.diameter * droplet.diameter)));
         }
     });
     let (first, last) = (all[0], all[all.len() * 3 / 4]);
     let middle = all[all.len() * 3 / 8];
-    let slope = |(t, one): (f64, f64), (u, other): (f64, f64)| (one - other) / (u - t);
+    let slope = |(t, first): (f64, f64), (u, second): (f64, f64)| (first - second) / (u - t);
     let (early, late) = (slope(first, middle), slope(middle, last));
     assert!(last.1 < 0.8 * first.1, "{} of {}", last.1, first.1);
     assert!((early / late - 1.0).abs() < 0.05, "{early}, then {late}");
@@ -112,7 +111,7 @@ fn gas_and_droplets_keep_their_momentum() {
     let momentum = |fire: &Simulation| {
         let gas: f64 = fire.velocities().iter().map(|v| f64::from(v.x)).sum();
         let drops = fire.droplets().iter();
-        let drops = drops.map(|one| f64::from(one.mass) * f64::from(one.velocity.x));
+        let drops = drops.map(|droplet| f64::from(droplet.mass) * f64::from(droplet.velocity.x));
         (particle * gas, drops.sum::<f64>())
     };
     let still = momentum(&fire).0;
@@ -183,14 +182,17 @@ fn no_droplet_is_inside_of_a_solid_or_goes_through_a_plate() {
         let (mut steps, mut checked) = (0, 0);
         spray(&mut fire, jet, (0.2, 1.0), |fire| {
             steps += 1;
-            let in_air = fire.droplets().iter().filter(|one| one.waits <= 0.0);
-            let near = in_air.filter(|one| one.position.y < 0.8).take(10);
-            for one in near.filter(|_| steps % 12 == 0) {
+            let in_air = fire
+                .droplets()
+                .iter()
+                .filter(|droplet| droplet.waits <= 0.0);
+            let near = in_air.filter(|droplet| droplet.position.y < 0.8).take(10);
+            for droplet in near.filter(|_| steps % 12 == 0) {
                 checked += 1;
-                let gap = fire.measure(one.position)[GAP];
-                assert!(gap > -1e-4, "{gap} m at {:?}", one.position);
-                let is_behind = one.position.y < 0.3 && one.position.x.abs() < 0.1;
-                assert!(!is_behind, "{:?} is through the plate", one.position);
+                let gap = fire.measure(droplet.position)[GAP];
+                assert!(gap > -1e-4, "{gap} m at {:?}", droplet.position);
+                let is_behind = droplet.position.y < 0.3 && droplet.position.x.abs() < 0.1;
+                assert!(!is_behind, "{:?} is through the plate", droplet.position);
             }
         });
         assert!(checked > 20, "{checked}");
@@ -241,7 +243,7 @@ fn random_sprays_keep_everything_finite() {
             "{edges}"
         );
         let mut drops = fire.droplets().iter();
-        assert!(drops.all(|one| one.position.is_finite() && one.velocity.is_finite()));
+        assert!(drops.all(|droplet| droplet.position.is_finite() && droplet.velocity.is_finite()));
     }
 }
 

@@ -23,7 +23,10 @@ use picture::Picture;
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    if arguments.iter().any(|one| one == "--help" || one == "-h") {
+    if arguments
+        .iter()
+        .any(|argument| argument == "--help" || argument == "-h")
+    {
         print!("{}", options::HELP);
         return ExitCode::SUCCESS;
     }

@@ -51,7 +51,7 @@ impl Fuels {
         let mut fuels = present.take().unwrap_or_default();
         let mut before = std::mem::take(&mut fuels.all);
         for (id, solid, surface) in scene.surfaces() {
-            let known = before.iter().position(|one| one.id == id);
+            let known = before.iter().position(|burning| burning.id == id);
             let known = known.map(|at| before.swap_remove(at));
             let burning = match known {
                 Some(known) if known.is(solid, surface, spacing) => Some(known),
@@ -69,13 +69,13 @@ impl Fuels {
         }
         let all = &fuels.all;
         before.retain(|part| {
-            let mut whole = all.iter().filter(|one| one.id == part.object);
-            part.id != part.object && whole.any(|one| one.is_broken)
+            let mut whole = all.iter().filter(|burning| burning.id == part.object);
+            part.id != part.object && whole.any(|burning| burning.is_broken)
         });
         fuels.all.append(&mut before);
         if solids.free.is_some() {
             let all = &fuels.all;
-            FreeBodies::remove_parts(solids, &|id| all.iter().any(|one| one.id == id));
+            FreeBodies::remove_parts(solids, &|id| all.iter().any(|burning| burning.id == id));
         }
         for burning in &fuels.all {
             if let Some(field) = &burning.left {

@@ -68,13 +68,13 @@ fn a_hinge_stays_with_the_part_that_has_its_place() {
     let at = Vec2::new(-0.38, 0.0);
     let all = fire.free_solids();
     let end = ends(&free(&fire, id), 0.2)[0];
-    let near = |one: &FreeSolid| {
-        let place = one.place + Vec2::from_angle(one.angle.to_radians()).rotate(at);
+    let near = |body: &FreeSolid| {
+        let place = body.place + Vec2::from_angle(body.angle.to_radians()).rotate(at);
         place.distance(end) < 2e-3
     };
     let left = all
         .iter()
-        .find(|one| one.object == stick && one.centre.x < 0.0);
+        .find(|body| body.object == stick && body.centre.x < 0.0);
     assert!(left.is_some_and(near), "{all:?}");
 }
 
@@ -92,8 +92,8 @@ fn a_saved_fire_has_its_hinges_and_not_those_that_let_go() {
     let before = fire.free_solids();
     let mut other = Simulation::new(scene);
     assert_eq!(other.restore_burning(&bytes), Ok(()));
-    for (one, now) in before.iter().zip(other.free_solids()) {
-        assert!(one.place.distance(now.place) < 1e-5, "{one:?} {now:?}");
+    for (then, now) in before.iter().zip(other.free_solids()) {
+        assert!(then.place.distance(now.place) < 1e-5, "{then:?} {now:?}");
     }
     burn_on(&mut other, 0.4);
     let most = stretch(&other.free_solids()[..2], Vec2::new(0.0, 1.4));
@@ -103,7 +103,7 @@ fn a_saved_fire_has_its_hinges_and_not_those_that_let_go() {
 
 #[test]
 fn the_same_chain_has_the_same_bits() {
-    let [one, other] = [(); 2].map(|()| {
+    let [first, second] = [(); 2].map(|()| {
         let mut scene = Scene::new(floor(&[]));
         let ids = paper(&mut scene, 1.2, 6);
         let mut fire = Simulation::new(scene);
@@ -111,6 +111,6 @@ fn the_same_chain_has_the_same_bits() {
         burn_on(&mut fire, 1.5);
         fire
     });
-    assert_eq!(one.free_solids(), other.free_solids());
-    assert_eq!(one.particles(), other.particles());
+    assert_eq!(first.free_solids(), second.free_solids());
+    assert_eq!(first.particles(), second.particles());
 }

@@ -48,7 +48,7 @@ impl Burning {
                 // The body as it is before it breaks.
                 self.weigh(solids);
             }
-            for (index, _) in now.iter().enumerate().filter(|one| *one.1 == region) {
+            for (index, _) in now.iter().enumerate().filter(|entry| *entry.1 == region) {
                 match &part {
                     Some(_) => self.leave_apart(index),
                     None => {

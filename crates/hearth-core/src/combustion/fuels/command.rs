@@ -128,7 +128,8 @@ impl Fuels {
     /// Whether a body is that object or a part of it.
     fn is_of(&self, body: &Body, object: u32) -> bool {
         let mut all = self.all.iter();
-        body.id() == object || all.any(|one| one.object == object && one.id == body.id())
+        body.id() == object
+            || all.any(|burning| burning.object == object && burning.id == body.id())
     }
 
     /// Calls `act` for each cell there: of an object, all of them; near a place, those within its

@@ -11,7 +11,7 @@ impl Burning {
     pub fn is(&self, solid: &Solid, surface: &Surface, spacing: f32) -> bool {
         let frame = &self.shape.frame;
         let same_field = match (&self.shape.field, &surface.field) {
-            (Some(one), Some(other)) => Arc::ptr_eq(one, other),
+            (Some(first), Some(second)) => Arc::ptr_eq(first, second),
             (None, None) => true,
             _ => false,
         };

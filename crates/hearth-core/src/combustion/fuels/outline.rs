@@ -85,7 +85,7 @@ impl Fuels {
     /// through.
     fn part_at(&self, object: u32, at: Vec2) -> Option<u32> {
         let (mut nearest, mut found) = (f32::MAX, Some(object));
-        for burning in self.all.iter().filter(|one| one.object == object) {
+        for burning in self.all.iter().filter(|part| part.object == object) {
             for (index, cell) in burning.cells.iter().enumerate() {
                 let distance = at.distance_squared(burning.origin + burning.place(index));
                 if cell.first > 0.0 && distance < nearest {

@@ -36,9 +36,9 @@ impl Fuels {
             if let Some(body) = solids.first(burning.id) {
                 let frame = &body.surface.frame;
                 let half = frame.extent() + REGION_MARGIN;
-                let (one, other) = (frame.centre - half, frame.centre + half);
-                low = Vec2::new(fast_min(low.x, one.x), fast_min(low.y, one.y));
-                high = Vec2::new(fast_max(high.x, other.x), fast_max(high.y, other.y));
+                let (from, to) = (frame.centre - half, frame.centre + half);
+                low = Vec2::new(fast_min(low.x, from.x), fast_min(low.y, from.y));
+                high = Vec2::new(fast_max(high.x, to.x), fast_max(high.y, to.y));
             }
         }
         let size = (high - low) / BLOCKS as f32;

@@ -148,15 +148,20 @@ impl Fuels {
     /// Every solid with fuel, together with what has broken off it.
     #[inline(never)]
     pub fn solids(&self, air: f32, gas_heat: f32) -> Vec<BurningSolid> {
-        let whole = self.all.iter().filter(|one| one.id == one.object);
-        whole.map(|one| self.solid(one, air, gas_heat)).collect()
+        let whole = self
+            .all
+            .iter()
+            .filter(|burning| burning.id == burning.object);
+        whole
+            .map(|burning| self.solid(burning, air, gas_heat))
+            .collect()
     }
 
     fn solid(&self, burning: &Burning, air: f32, gas_heat: f32) -> BurningSolid {
         let mut account = Account::default();
         let (mut first, mut fuel, mut water, mut char) = (0.0, 0.0, 0.0, 0.0);
         let (mut waiting, mut stored, mut hottest) = (0.0, 0.0, 0.0_f32);
-        for part in self.all.iter().filter(|one| one.object == burning.id) {
+        for part in self.all.iter().filter(|other| other.object == burning.id) {
             account.add(&part.account);
             stored += part.stored(air);
             for cell in &part.cells {
@@ -209,7 +214,7 @@ impl Fuels {
             power,
             left: left / first.max(1e-12),
             state: state.name(),
-            unbroken: self.all.iter().map(|one| one.unbroken).sum(),
+            unbroken: self.all.iter().map(|burning| burning.unbroken).sum(),
         }
     }
 

@@ -202,20 +202,23 @@ impl Burning {
     fn conduct_between(&mut self, index: usize, later: usize, share: f32) {
         let material = self.material;
         let (before, from_later) = self.cells.split_at_mut(later);
-        let (one, other) = (&mut before[index], &mut from_later[0]);
-        if one.mass() <= 0.0 || other.mass() <= 0.0 {
+        let (cell, neighbour) = (&mut before[index], &mut from_later[0]);
+        if cell.mass() <= 0.0 || neighbour.mass() <= 0.0 {
             return;
         }
         // Radiation crosses the pores and cracks of char.
-        let mean = 0.5 * (one.temperature + other.temperature);
-        let porous = 0.5 * (one.charred() + other.charred());
+        let mean = 0.5 * (cell.temperature + neighbour.temperature);
+        let porous = 0.5 * (cell.charred() + neighbour.charred());
         let radiant = CRACK_CONDUCTIVITY * mean * mean * mean * porous;
         let conductance = share * (material.conductivity + radiant);
-        let (here, there) = (1.0 / one.capacity(material), 1.0 / other.capacity(material));
-        let difference = other.temperature - one.temperature;
+        let (here, there) = (
+            1.0 / cell.capacity(material),
+            1.0 / neighbour.capacity(material),
+        );
+        let difference = neighbour.temperature - cell.temperature;
         let heat = conductance * difference / (1.0 + conductance * (here + there));
-        one.temperature += heat * here;
-        other.temperature -= heat * there;
+        cell.temperature += heat * here;
+        neighbour.temperature -= heat * there;
     }
 
     /// Heats and burns each cell. Returns the power of the flames in the film [kW/m].

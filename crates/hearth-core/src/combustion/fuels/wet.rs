@@ -36,7 +36,7 @@ impl Fuels {
         let surface = frame.local(place - out * distance);
         let normal = Vec2::new(frame.axis.dot(out), frame.axis.perp_dot(out));
         let mut all = self.all.iter_mut();
-        let Some(burning) = all.find(|one| one.id == body.id()) else {
+        let Some(burning) = all.find(|burning| burning.id == body.id()) else {
             return (0.0, false);
         };
         let Some(index) = burning.one_below(surface, normal, random.unit()) else {

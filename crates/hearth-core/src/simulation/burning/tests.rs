@@ -81,7 +81,7 @@ fn the_same_bytes_and_seed_give_the_same_bits_at_any_number_of_particles() {
     let bytes = burnt(with(&[("max_particles", 1500.0)]), 0.5).burning();
     let bytes = bytes.unwrap_or_default();
     for n in [1000.0, 1500.0, 3000.0] {
-        let [one, other] = [(); 2].map(|()| {
+        let [first, second] = [(); 2].map(|()| {
             let mut fire = Simulation::new(with(&[("max_particles", n)]));
             assert_eq!(fire.restore_burning(&bytes), Ok(()));
             for _ in 0..20 {
@@ -89,10 +89,10 @@ fn the_same_bytes_and_seed_give_the_same_bits_at_any_number_of_particles() {
             }
             fire
         });
-        assert_eq!(one.particles(), other.particles());
-        let found = f64::from(one.parameters().domain_particles());
+        assert_eq!(first.particles(), second.particles());
+        let found = f64::from(first.parameters().domain_particles());
         assert!((found / n - 1.0).abs() < 0.01, "{found} for {n}");
-        assert!(one.temperatures().iter().any(|&kelvin| kelvin > 1000.0));
+        assert!(first.temperatures().iter().any(|&kelvin| kelvin > 1000.0));
     }
 }
 

@@ -40,9 +40,9 @@ impl Moments {
             first += at * part;
             second += at.length_squared() * part;
         }
-        let one = fast_max(amount, 1e-12);
-        let centre = first / one;
-        let around = second / one - centre.length_squared() + size.length_squared() / 12.0;
+        let divisor = fast_max(amount, 1e-12);
+        let centre = first / divisor;
+        let around = second / divisor - centre.length_squared() + size.length_squared() / 12.0;
         Moments {
             amount,
             centre,
@@ -170,7 +170,10 @@ impl Rigid {
             samples: Samples::of(&surface),
             centre: surface.frame.centre,
             offset: Vec2::ZERO,
-            middle: surface.field.as_ref().map_or(Vec2::ZERO, |one| one.middle),
+            middle: surface
+                .field
+                .as_ref()
+                .map_or(Vec2::ZERO, |field| field.middle),
             velocity: Vec2::ZERO,
             spin: 0.0,
             full: solid.density * area,
@@ -249,7 +252,7 @@ impl Rigid {
     /// Takes over a surface that has changed and, if no force moves it, where the solid is.
     pub fn follow(&mut self, body: &Body) {
         let same = match (&self.surface.field, &body.surface.field) {
-            (Some(one), Some(other)) => Arc::ptr_eq(one, other),
+            (Some(first), Some(second)) => Arc::ptr_eq(first, second),
             (None, None) => true,
             _ => false,
         };

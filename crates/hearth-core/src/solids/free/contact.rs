@@ -9,14 +9,14 @@ pub(super) struct Plane {
     pub offset: f32,
 }
 
-/// A contact of the body `one` with the body or plane `other`.
+/// A contact of the body `first` with the body or plane `second`.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Contact {
     /// The bodies and the sample.
     pub key: usize,
-    pub one: usize,
-    pub other: usize,
-    /// From the other to the one.
+    pub first: usize,
+    pub second: usize,
+    /// From the second to the first.
     pub normal: Vec2,
     /// From the centres of mass to the contact \[m\].
     pub arms: [Vec2; 2],
@@ -47,7 +47,7 @@ impl Contact {
     /// The bodies, and where the impulse acts.
     pub fn pair(&self) -> Pair {
         Pair {
-            bodies: [self.one, self.other],
+            bodies: [self.first, self.second],
             arms: self.arms,
         }
     }

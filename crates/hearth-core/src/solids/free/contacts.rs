@@ -29,21 +29,21 @@ impl FreeBodies {
     pub(super) fn find_contacts(&mut self, dt: f32) {
         std::mem::swap(&mut self.contacts, &mut self.old);
         self.contacts.clear();
-        for (number, one) in self.all.iter().enumerate() {
+        for (first, body) in self.all.iter().enumerate() {
             for (second, other) in self.all.iter().enumerate() {
-                let lives = one.is_live() || other.is_live();
-                let moves = one.is_free || other.is_free;
-                if number == second || !lives || !moves || one.is_hinged_to(second) {
+                let lives = body.is_live() || other.is_live();
+                let moves = body.is_free || other.is_free;
+                if first == second || !lives || !moves || body.is_hinged_to(second) {
                     continue;
                 }
-                let shift = shift(self.bounds.as_ref(), one, other);
-                let near = CONTACT_MARGIN + (one.speed() + other.speed()) * dt;
-                let (a, b) = (&one.surface.frame, &other.surface.frame);
+                let shift = shift(self.bounds.as_ref(), body, other);
+                let near = CONTACT_MARGIN + (body.speed() + other.speed()) * dt;
+                let (a, b) = (&body.surface.frame, &other.surface.frame);
                 let reach = a.reach() + b.reach() + near;
                 if (a.centre - shift).distance_squared(b.centre) > reach * reach {
                     continue;
                 }
-                for (index, sample) in one.samples.all().iter().enumerate() {
+                for (index, sample) in body.samples.all().iter().enumerate() {
                     let at = a.centre + a.axis.rotate(sample.at);
                     let (distance, normal) = other.surface.distance(at - shift);
                     let gap = distance - sample.radius;
@@ -52,11 +52,11 @@ impl FreeBodies {
                         add(
                             &mut self.contacts,
                             Contact {
-                                key: (number * KEY_BASE + second) * KEY_BASE + index,
-                                one: number,
-                                other: second,
+                                key: (first * KEY_BASE + second) * KEY_BASE + index,
+                                first,
+                                second,
                                 normal,
-                                arms: [point - one.centre, point - shift - other.centre],
+                                arms: [point - body.centre, point - shift - other.centre],
                                 gap,
                                 ..Contact::default()
                             },
@@ -64,25 +64,25 @@ impl FreeBodies {
                     }
                 }
             }
-            if !one.is_awake() {
+            if !body.is_awake() {
                 continue;
             }
-            let frame = &one.surface.frame;
+            let frame = &body.surface.frame;
             for (second, plane) in (PLANES..).zip(&self.planes) {
                 let Some(plane) = plane else { continue };
-                for (index, sample) in one.samples.all().iter().enumerate() {
+                for (index, sample) in body.samples.all().iter().enumerate() {
                     let at = frame.centre + frame.axis.rotate(sample.at);
                     let gap = at.dot(plane.normal) - plane.offset - sample.radius;
-                    if gap < CONTACT_MARGIN + one.speed() * dt {
+                    if gap < CONTACT_MARGIN + body.speed() * dt {
                         let point = at - plane.normal * sample.radius;
                         add(
                             &mut self.contacts,
                             Contact {
-                                key: (number * KEY_BASE + second) * KEY_BASE + index,
-                                one: number,
-                                other: second,
+                                key: (first * KEY_BASE + second) * KEY_BASE + index,
+                                first,
+                                second,
                                 normal: plane.normal,
-                                arms: [point - one.centre, Vec2::ZERO],
+                                arms: [point - body.centre, Vec2::ZERO],
                                 gap,
                                 ..Contact::default()
                             },
@@ -121,12 +121,12 @@ fn add(contacts: &mut Vec<Contact>, contact: Contact) {
     }
 }
 
-/// The path from the image of `one` that is nearest to `other` to itself, beyond periodic edges.
-pub(super) fn shift(bounds: Option<&Bounds>, one: &Rigid, other: &Rigid) -> Vec2 {
+/// The path from the image of `first` that is nearest to `second` to itself, beyond periodic edges.
+pub(super) fn shift(bounds: Option<&Bounds>, first: &Rigid, second: &Rigid) -> Vec2 {
     let Some(bounds) = bounds else {
         return Vec2::ZERO;
     };
-    let path = one.surface.frame.centre - other.surface.frame.centre;
+    let path = first.surface.frame.centre - second.surface.frame.centre;
     let whole = |is_periodic: bool, path: f32, period: f32| match is_periodic {
         true => period * (path / period + 0.5).floor(),
         false => 0.0,

@@ -36,9 +36,9 @@ pub(super) struct End {
 
 impl Hinge {
     /// The hinge of a body and the solid that it hangs from, as they are at their start.
-    pub fn of(one: &Rigid, other: &Rigid) -> Hinge {
-        let place = one.first.centre + one.first.axis.rotate(upper(&one.first));
-        let ends = [one, other].map(|body| End {
+    pub fn of(hanging: &Rigid, support: &Rigid) -> Hinge {
+        let place = hanging.first.centre + hanging.first.axis.rotate(upper(&hanging.first));
+        let ends = [hanging, support].map(|body| End {
             object: body.id,
             part: body.id,
             at: body.first.local(place) + body.middle,
@@ -70,10 +70,10 @@ impl Hinge {
             part.or_else(|| of(end.object))
         });
         self.pair = match found {
-            [Some(one), Some(other)] if !self.is_broken => {
-                self.is_broken = all[one].is_gone() || all[other].is_gone();
+            [Some(first), Some(second)] if !self.is_broken => {
+                self.is_broken = all[first].is_gone() || all[second].is_gone();
                 let arms = [Vec2::ZERO; 2];
-                let bodies = [one, other];
+                let bodies = [first, second];
                 (!self.is_broken).then_some(Pair { bodies, arms })
             }
             _ => None,

@@ -37,9 +37,9 @@ impl Hinge {
         }
         let [place, far] = places;
         self.error = place - far;
-        let [one, other] = pair.bodies.map(|index| &all[index]);
-        self.error -= shift(bounds, one, other);
-        self.is_live = one.is_live() || other.is_live();
+        let [first, second] = pair.bodies.map(|index| &all[index]);
+        self.error -= shift(bounds, first, second);
+        self.is_live = first.is_live() || second.is_live();
     }
 
     /// Changes its impulse, and the velocities by it.
@@ -72,17 +72,17 @@ impl FreeBodies {
             .all
             .iter()
             .filter(|body| body.is_free && !body.is_part());
-        for one in hanging.filter(|body| body.hangs_from != body.id) {
-            let mut others = self.all.iter();
-            let Some(other) = others.find(|other| other.id == one.hangs_from) else {
+        for body in hanging.filter(|body| body.hangs_from != body.id) {
+            let mut supports = self.all.iter();
+            let Some(support) = supports.find(|support| support.id == body.hangs_from) else {
                 continue;
             };
-            let same = |body: &Rigid| body.id == one.id && body.first == one.first;
-            let ends = [one.id, other.id];
+            let same = |old: &Rigid| old.id == body.id && old.first == body.first;
+            let ends = [body.id, support.id];
             let mut known = before.iter();
             let known = known.find(|known| known.ends.map(|end| end.object) == ends);
             let known = known.filter(|_| bodies.iter().any(same)).cloned();
-            let hinge = known.unwrap_or_else(|| Hinge::of(one, other));
+            let hinge = known.unwrap_or_else(|| Hinge::of(body, support));
             self.hinges.push(hinge);
         }
     }
@@ -103,9 +103,9 @@ impl FreeBodies {
                     }
                 }
             }
-            if let Some([one, other]) = hinge.bodies() {
-                self.all[one].hinged |= bit(other);
-                self.all[other].hinged |= bit(one);
+            if let Some([first, second]) = hinge.bodies() {
+                self.all[first].hinged |= bit(second);
+                self.all[second].hinged |= bit(first);
             }
         }
     }

@@ -25,12 +25,12 @@ impl FreeBodies {
         for index in 0..self.contacts.len() {
             let contact = &self.contacts[index];
             if contact.most > 0.0 {
-                self.touch(contact.one, contact.other);
+                self.touch(contact.first, contact.second);
             }
         }
         for index in 0..self.hinges.len() {
-            if let Some([one, other]) = self.hinges[index].bodies() {
-                self.touch(one, other);
+            if let Some([first, second]) = self.hinges[index].bodies() {
+                self.touch(first, second);
             }
         }
         for body in self.all.iter_mut().filter(|body| body.is_free) {
@@ -64,15 +64,15 @@ impl FreeBodies {
     }
 
     /// Notes that a body touches another, hangs from it, or touches a plane.
-    fn touch(&mut self, one: usize, other: usize) {
-        let is_plane = other >= PLANES;
-        if !is_plane && self.all[one].is_free && self.all[other].is_free {
-            let (one, other) = (self.root_of(one), self.root_of(other));
-            self.all[one.max(other)].root = one.min(other);
+    fn touch(&mut self, first: usize, second: usize) {
+        let is_plane = second >= PLANES;
+        if !is_plane && self.all[first].is_free && self.all[second].is_free {
+            let (first, second) = (self.root_of(first), self.root_of(second));
+            self.all[first.max(second)].root = first.min(second);
         }
         let moves = |body: &Rigid| !body.is_free && body.is_live();
-        let is_moved = moves(&self.all[one]) || !is_plane && moves(&self.all[other]);
-        let bodies = [Some(one), (!is_plane).then_some(other)];
+        let is_moved = moves(&self.all[first]) || !is_plane && moves(&self.all[second]);
+        let bodies = [Some(first), (!is_plane).then_some(second)];
         for index in bodies.into_iter().flatten() {
             let body = &mut self.all[index];
             body.touches = true;

@@ -52,14 +52,14 @@ fn motion(all: &[Rigid], index: usize) -> (Vec2, f32, f32, f32) {
     }
 }
 
-/// The velocity of the one relative to the other where an impulse acts.
+/// The velocity of the first relative to the second where an impulse acts.
 pub(super) fn relative(all: &[Rigid], pair: &Pair) -> Vec2 {
-    let [one, other] = pair.bodies.map(|index| motion(all, index));
+    let [first, second] = pair.bodies.map(|index| motion(all, index));
     let [arm, far] = pair.arms;
-    one.0 + arm.perp() * one.1 - other.0 - far.perp() * other.1
+    first.0 + arm.perp() * first.1 - second.0 - far.perp() * second.1
 }
 
-/// Applies an impulse to the one, and its opposite to the other.
+/// Applies an impulse to the first body, and its opposite to the second.
 pub(super) fn apply(all: &mut [Rigid], pair: &Pair, impulse: Vec2) {
     let signs = [1.0, -1.0];
     for ((index, sign), arm) in pair.bodies.into_iter().zip(signs).zip(pair.arms) {
@@ -128,14 +128,14 @@ impl FreeBodies {
     /// Puts bodies back that others have pressed deep into a plane: no rounds of impulses hold a light
     /// body under others a thousand times as dense. Gas yields to no faster motion.
     pub(super) fn lift(&mut self, dt: f32) {
-        let same = |a: &Contact, b: &Contact| (a.one, a.other) == (b.one, b.other);
+        let same = |a: &Contact, b: &Contact| (a.first, a.second) == (b.first, b.second);
         for contacts in self.contacts.chunk_by(same) {
-            let [first, ..] = contacts else { continue };
+            let [contact, ..] = contacts else { continue };
             let gaps = contacts.iter().map(|contact| contact.gap);
             let beyond = -MAX_OVERLAP - gaps.fold(0.0, fast_min);
-            if beyond > 0.0 && first.is_at_plane() {
-                let body = &mut self.all[first.one];
-                body.shift(first.normal * fast_min(beyond, MAX_HINGED_SPEED * dt));
+            if beyond > 0.0 && contact.is_at_plane() {
+                let body = &mut self.all[contact.first];
+                body.shift(contact.normal * fast_min(beyond, MAX_HINGED_SPEED * dt));
             }
         }
     }
@@ -177,8 +177,10 @@ impl Contact {
             let body = body.filter(|body| body.is_free);
             body.map(|body| (body.friction, body.restitution))
         };
-        (self.friction, self.restitution) = match (free(self.one), free(self.other)) {
-            (Some(one), Some(other)) => ((one.0 * other.0).sqrt(), fast_max(one.1, other.1)),
+        (self.friction, self.restitution) = match (free(self.first), free(self.second)) {
+            (Some(first), Some(second)) => {
+                ((first.0 * second.0).sqrt(), fast_max(first.1, second.1))
+            }
             (Some(own), None) | (None, Some(own)) => own,
             (None, None) => (0.0, 0.0),
         };
@@ -216,6 +218,6 @@ impl Contact {
 
     /// Whether its other side is a plane.
     pub(super) fn is_at_plane(&self) -> bool {
-        self.other >= PLANES
+        self.second >= PLANES
     }
 }

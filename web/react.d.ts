@@ -196,15 +196,15 @@ export interface HearthFireAttributes {
   'ember-life-max'?: number | `${number}` | undefined;
   /** Smoke that reaches higher. Time in which smoke, which is cold soot, decays to about a third. [s] Default in combustion: 1.5, from 0.1 to 10. */
   'smoke-life'?: number | `${number}` | undefined;
-  /** More space beside the fire, in a wider view. Width of the frame, which the picture fits. Classic and periodic edges: width of the simulated domain. [m] Default 1.2, from 0.1 to 6. */
+  /** More space beside the fire, in a wider view. Width of the domain, which the picture fits. Open edges: gas is simulated beyond it, too. [m] Default 1.2, from 0.1 to 6. */
   'domain-width'?: number | `${number}` | undefined;
-  /** More space above the fire, in a wider view. Height of the frame, which the picture fits. Classic and periodic edges: height of the simulated domain. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
+  /** More space above the fire, in a wider view. Height of the domain, which the picture fits. Open edges: gas is simulated beyond it, too. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
   'domain-height'?: number | `${number}` | undefined;
   /** Open sides, walls, or periodic sides. Particles at the left and the right edge leave, are stopped, or enter on the other side. The floor stops them, unless the sides are open; the top is always open. Default in classic: "open". */
   walls?: "open" | "solid" | "periodic" | undefined;
   /** A fire in the open, or in a closed box. Open: air surrounds the fire, smoke leaves, and fresh air enters. Periodic: gas that leaves on one side of the domain enters on the other. Default in combustion: "open". */
   edges?: "open" | "periodic" | undefined;
-  /** A fire that stands on a floor, or one that draws air from below. A solid floor is at the lower edge of the picture. Default in combustion: "none". */
+  /** A fire that stands on a floor, or one that draws air from below. A solid floor is at the lower edge of the domain. Default in combustion: "none". */
   floor?: "none" | "solid" | undefined;
   /** A fire that fades at the top and the bottom of the picture. Share of the height, at either end, in which gas becomes fresh air again. With 0 the domain is periodic without fresh air, and has neither wind nor buoyancy, because nothing would stop the gas. Default in combustion: 0.07, from 0 to 0.2. */
   seam?: number | `${number}` | undefined;
@@ -212,9 +212,9 @@ export interface HearthFireAttributes {
   seed?: number | `${number}` | 'auto' | undefined;
   /** The same fire at lower cost and accuracy. Length of one step, which is divided further for stability. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
   'time-step'?: number | `${number}` | undefined;
-  /** A coarser fire that takes less work. Distance of neighbouring particles in air. Until it is set, it follows the frame, the number of particles and the quality. [m] Default in combustion: 0.0268, from 0.0003 to 0.5. */
+  /** A coarser fire that takes less work. Distance of neighbouring particles in air. Until it is set, it follows the domain, the number of particles and the quality. [m] Default in combustion: 0.0268, from 0.0003 to 0.5. */
   spacing?: number | `${number}` | undefined;
-  /** A finer fire that takes more work. Classic, and open edges with a `spacing`: largest number of particles; with open edges, the highest air sleeps beyond it. Without a `spacing`, and periodic edges: number of particles that would fill the frame. Default in combustion: 6000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
+  /** A finer fire that takes more work. Classic, and open edges with a `spacing`: largest number of particles; with open edges, the highest air sleeps beyond it. Without a `spacing`, and periodic edges: number of particles that would fill the domain. Default in combustion: 6000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
   'max-particles'?: number | `${number}` | undefined;
   /** A smoother, wider fire that takes more work. Smoothing length h: particles interact up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
   'smoothing-radius'?: number | `${number}` | undefined;
@@ -336,7 +336,7 @@ export interface HearthSolidAttributes {
   shape?: "circle" | "box" | "line" | "polygon" | "stroke" | "mask" | undefined;
   /** A solid farther to the right, or below 0 to the left. Position of its centre. [m] Default 0, from -10 to 10. */
   x?: number | `${number}` | undefined;
-  /** A solid that is higher. Height of its centre above the lower edge of the frame. [m] Default 0.5, from -10 to 10. */
+  /** A solid that is higher. Height of its centre above the lower edge of the domain. [m] Default 0.5, from -10 to 10. */
   y?: number | `${number}` | undefined;
   /** A solid that is turned. Angle of its width from the horizontal, counterclockwise. [°] Default 0, from -360 to 360. */
   angle?: number | `${number}` | undefined;

@@ -91,8 +91,8 @@ impl Simulation {
     }
 
     /// Sets which part of the world is seen, by its lower left and upper right corner \[m\];
-    /// `None`: the frame alone. With open edges there is gas up to a margin beyond the frame and
-    /// beyond what is seen, as far as 4 heights of the frame. A change keeps every particle; gas
+    /// `None`: the domain alone. With open edges there is gas up to a margin beyond the domain and
+    /// beyond what is seen, as far as 4 heights of the domain. A change keeps every particle; gas
     /// beyond a smaller part is removed with the next steps.
     pub fn see(&mut self, seen: Option<[Vec2; 2]>) {
         self.seen = seen;

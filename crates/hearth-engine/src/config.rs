@@ -10,7 +10,7 @@
 //! parameters of the first source, too: the later of two values of one property wins.
 //!
 //! `values` without `spacing` state the resolution of open air as the number of particles that would
-//! fill the frame: `max_particles` or, without it, that of the preset.
+//! fill the domain: `max_particles` or, without it, that of the preset.
 
 use hearth_bindings::settings::{self, OBJECTS};
 use hearth_bindings::{Argument, Check, Form, Untrusted, ValidationError, Values};

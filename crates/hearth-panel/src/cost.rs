@@ -14,7 +14,7 @@ const COSTLY: &[(&str, f64)] = &[
     ("stiffness", 9.0),
 ];
 
-/// Number of particles in the frame from which a `spacing` is costly.
+/// Number of particles in the domain from which a `spacing` is costly.
 const COSTLY_IN_DOMAIN: u32 = 10_000;
 
 /// Smallest share of sleeping air that counts.

@@ -17,7 +17,7 @@ const SYNONYMS: &[(&str, &[&str])] = &[
     ("backdrop", &["background"]),
     ("big", &["size", "width", "height"]),
     ("bloom", &["glow"]),
-    ("box", &["edges", "frame"]),
+    ("box", &["edges", "domain"]),
     ("bricks", &["backdrop"]),
     ("brightness", &["exposure"]),
     ("ceiling", &["edges"]),
@@ -32,6 +32,7 @@ const SYNONYMS: &[(&str, &[&str])] = &[
     ("ember", &["spark", "sparks"]),
     ("embers", &["spark", "sparks"]),
     ("flicker", &["turbulence", "noise"]),
+    ("frame", &["domain"]),
     ("gamma", &["luminance"]),
     ("ground", &["floor"]),
     ("heat", &["temperature", "strength", "haze"]),
@@ -67,8 +68,8 @@ const SYNONYMS: &[(&str, &[&str])] = &[
     ("transparent", &["background"]),
     ("view", &["display", "layers"]),
     ("wall", &["backdrop", "walls"]),
-    ("world", &["frame", "edges"]),
-    ("zoom", &["frame"]),
+    ("world", &["domain", "edges"]),
+    ("zoom", &["domain"]),
 ];
 
 /// American spellings, and the British ones of the table.

@@ -1,6 +1,6 @@
 //! The camera: which part of the world a picture shows.
 
-/// How the domain, the frame of the scene, fits the picture.
+/// How the domain fits the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Fit {
     /// The picture is as high as the domain.

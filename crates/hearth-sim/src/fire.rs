@@ -19,7 +19,7 @@ pub struct Fire {
 #[wasm_bindgen]
 impl Fire {
     /// A fire of the preset with these values and objects. Without a `spacing` among them, the
-    /// resolution of open air is the number of particles that would fill the frame.
+    /// resolution of open air is the number of particles that would fill the domain.
     ///
     /// # Errors
     /// An unknown preset, or a value that is refused; the name of a [part](parts) that is not among

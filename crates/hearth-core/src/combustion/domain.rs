@@ -38,7 +38,7 @@ pub(super) struct Domain {
 }
 
 impl Domain {
-    /// The domain of these values, with nothing seen beyond the frame.
+    /// The domain of these values, with nothing seen beyond the domain.
     pub fn new(values: &Physics) -> Domain {
         Domain {
             open: OpenAir::new(values, None),

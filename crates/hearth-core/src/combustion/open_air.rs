@@ -25,14 +25,14 @@ use exchange::{Exchange, Inflow};
 use map::{Layout, Map};
 use rim::Rim;
 
-/// How far gas is simulated beyond the frame and what is seen, in heights of the frame and in
+/// How far gas is simulated beyond the domain and what is seen, in heights of the domain and in
 /// cells, so that its end is not visible. Below its upper end, slow eddies linger.
 const MARGIN_SIDE: f32 = 0.1;
 const MARGIN_ABOVE: f32 = 0.2;
 const MIN_MARGIN: f32 = 2.0;
-/// How far gas is simulated at most beyond the frame, in heights of the frame.
+/// How far gas is simulated at most beyond the domain, in heights of the domain.
 const MAX_BEYOND: f32 = 4.0;
-/// Most cells beyond those of the frame and its smallest margin.
+/// Most cells beyond those of the domain and its smallest margin.
 const MAX_CELLS: usize = 65_536;
 /// Smallest share of the margin where there would be more cells.
 const MIN_MARGIN_SHARE: f32 = 0.01;
@@ -239,13 +239,13 @@ impl OpenAir {
     }
 }
 
-/// The map of these values for particles of this spacing \[m\]: of the frame and what is seen,
+/// The map of these values for particles of this spacing \[m\]: of the domain and what is seen,
 /// and a margin.
 pub(super) fn layout(values: &Physics, seen: Option<Seen>, spacing: f32) -> Layout {
     let cell = 2.0 * values.smoothing_ratio * spacing;
     let (half, height) = (0.5 * values.domain_width, values.domain_height);
     let [low, high] = seen.unwrap_or([Vec2::ZERO; 2]);
-    // NaN shows nothing beyond the frame.
+    // NaN shows nothing beyond the domain.
     let beyond = |length: f32, margin: f32| {
         fast_min(fast_max(length, 0.0), MAX_BEYOND * height) + margin * height
     };

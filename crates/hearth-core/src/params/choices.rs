@@ -78,7 +78,7 @@ choices! {
     Floor {
         /// Air.
         None = "none",
-        /// A solid floor at the lower edge of the frame.
+        /// A solid floor at the lower edge of the domain.
         Solid = "solid",
     }
 

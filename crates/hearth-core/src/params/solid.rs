@@ -40,7 +40,7 @@ properties! {
     shape: (choice Shape) "Shape" { (Circle) }
     /// A solid farther to the right, or below 0 to the left. Position of its centre.
     x: number "Place" ["m"] Linear { (0.0, -10.0..=10.0) }
-    /// A solid that is higher. Height of its centre above the lower edge of the frame.
+    /// A solid that is higher. Height of its centre above the lower edge of the domain.
     y: number "Height" ["m"] Linear { (0.5, -10.0..=10.0) }
     /// A solid that is turned. Angle of its width from the horizontal, counterclockwise.
     angle: number "Angle" ["°"] Linear { (0.0, -360.0..=360.0) } when { shape: TURNED }

@@ -224,12 +224,12 @@ parameters! {
         smoke_life: number "Smoke life" ["s"] Log { Combustion(1.5, 0.1..=10.0) }
     }
     "World" {
-        /// More space beside the fire, in a wider view. Width of the frame, which the picture fits.
-        /// Classic and periodic edges: width of the simulated domain.
-        domain_width: number "Frame width" ["m"] Log { Every(1.2, 0.1..=6.0) }
-        /// More space above the fire, in a wider view. Height of the frame, which the picture
-        /// fits. Classic and periodic edges: height of the simulated domain.
-        domain_height: number "Frame height" ["m"] Log { Classic(1.5, 0.1..=6.0) Combustion(1.8, 0.1..=6.0) }
+        /// More space beside the fire, in a wider view. Width of the domain, which the picture fits.
+        /// Open edges: gas is simulated beyond it, too.
+        domain_width: number "Domain width" ["m"] Log { Every(1.2, 0.1..=6.0) }
+        /// More space above the fire, in a wider view. Height of the domain, which the picture
+        /// fits. Open edges: gas is simulated beyond it, too.
+        domain_height: number "Domain height" ["m"] Log { Classic(1.5, 0.1..=6.0) Combustion(1.8, 0.1..=6.0) }
         /// Open sides, walls, or periodic sides. Particles at the left and the right edge
         /// leave, are stopped, or enter on the other side. The floor stops them, unless the
         /// sides are open; the top is always open.
@@ -239,7 +239,7 @@ parameters! {
         /// the other.
         edges: (choice Edges) "Edges" { Combustion(Open) }
         /// A fire that stands on a floor, or one that draws air from below. A solid floor is at
-        /// the lower edge of the picture.
+        /// the lower edge of the domain.
         floor: (choice Floor) "Floor" { Combustion(None) } when { edges: OPEN }
         /// A fire that fades at the top and the bottom of the picture. Share of the height, at
         /// either end, in which gas becomes fresh air again. With 0 the domain is periodic
@@ -257,11 +257,11 @@ parameters! {
     }
     "Physics" {
         /// A coarser fire that takes less work. Distance of neighbouring particles in air. Until it
-        /// is set, it follows the frame, the number of particles and the quality.
+        /// is set, it follows the domain, the number of particles and the quality.
         spacing: number "Spacing" ["m"] Log { Combustion(0.0268, 0.0003..=0.5) } when { edges: OPEN }
         /// A finer fire that takes more work. Classic, and open edges with a `spacing`: largest
         /// number of particles; with open edges, the highest air sleeps beyond it. Without a
-        /// `spacing`, and periodic edges: number of particles that would fill the frame.
+        /// `spacing`, and periodic edges: number of particles that would fill the domain.
         max_particles: integer "Particles" [""] Log { Classic(1000, 100.0..=100_000.0) Combustion(6000, 200.0..=100_000.0) }
         /// A smoother, wider fire that takes more work. Smoothing length h: particles interact
         /// up to twice this distance.

@@ -27,9 +27,9 @@ const SPARSE: f32 = 0.2;
 
 impl Simulation {
     /// Numbers for bindings: six of the fire, then eight of `place`, then eight of each of 64 places
-    /// on the vertical through it, evenly from the floor to the top of the frame.
+    /// on the vertical through it, evenly from the floor to the top of the domain.
     ///
-    /// Of the fire: whole seconds of its time and the rest \[s\], the height of the frame \[m\], the
+    /// Of the fire: whole seconds of its time and the rest \[s\], the height of the domain \[m\], the
     /// power [kW/m], the distance from the lowest to the highest gas that is hotter than 900 K \[m\],
     /// and the luminosity, Σ V s (T/1500 K)⁴ of that gas \[m²\], with s its soot, at most 1.5, or the
     /// remaining life of a classic particle. Of a place: temperature \[K\], velocity to the right and

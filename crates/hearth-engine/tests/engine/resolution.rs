@@ -1,5 +1,5 @@
-//! Settings, links and attributes that state no spacing, with open edges: the frame is their domain,
-//! and the resolution is that of their number of particles.
+//! Settings, links and attributes without a spacing, with open edges: the resolution is that of their
+//! number of particles in their domain.
 
 use crate::harness::{at_level, imported, text};
 use hearth_bindings::{Untrusted, settings};
@@ -16,7 +16,7 @@ use hearth_engine::requested::Requested;
 /// Width and height of the domain \[m\], and the number of particles at medium quality.
 type Box = (f32, f32, u32);
 
-/// Scenes with the combustion model: their frames, and their numbers of particles in a closed domain.
+/// Scenes with the combustion model: their domains, and their numbers of particles.
 const SCENES: [(&str, Box); 11] = [
     ("default", (1.2, 1.8, 3000)),
     ("bonfire-in-wind", (2.8, 2.0, 4000)),

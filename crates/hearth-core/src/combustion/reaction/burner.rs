@@ -59,7 +59,7 @@ pub struct Burner {
 }
 
 impl Burner {
-    /// The burner of these parameters, clamped to the frame, between the seams of periodic
+    /// The burner of these parameters, clamped to the domain, between the seams of periodic
     /// edges, and to a minimum width.
     pub fn of(parameters: &Parameters) -> Burner {
         Burner::at(parameters, parameters.spacing())

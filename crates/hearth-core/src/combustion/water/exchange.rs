@@ -204,7 +204,7 @@ impl Droplets {
     }
 }
 
-/// Width of a streak in heights of the frame, the diameter from which it is drawn in full \[m\], and its
+/// Width of a streak in heights of the domain, the diameter from which it is drawn in full \[m\], and its
 /// opacity then.
 const STREAK_WIDTH: f32 = 0.006;
 const OPAQUE_DIAMETER: f32 = 0.7e-3;

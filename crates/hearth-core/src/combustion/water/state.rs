@@ -13,7 +13,7 @@ pub(crate) struct Water {
     pub(super) account: SprayTotals,
     /// Cooling of the gas that is less than the last digit of a temperature \[K\].
     pub(super) rounding: f32,
-    /// Height of the frame, by which pictures are scaled \[m\].
+    /// Height of the domain, by which pictures are scaled \[m\].
     pub(super) height: f32,
     /// Room for the particles around a place.
     pub(super) near: Vec<(usize, f32)>,

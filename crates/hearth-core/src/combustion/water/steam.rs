@@ -16,7 +16,7 @@ const MAX_PUFFS: usize = 800;
 const PARCELS_PER_PUFF: f32 = 0.12;
 /// Age at which a puff has faded \[s\].
 const MAX_AGE: f32 = 1.8;
-/// Width of a puff at first and its growth over its life, in heights of the frame.
+/// Width of a puff at first and its growth over its life, in heights of the domain.
 const BIRTH_WIDTH: f32 = 0.05;
 const WIDTH_GROWTH: f32 = 0.16;
 /// Speed at which it rises without gas [m/s].

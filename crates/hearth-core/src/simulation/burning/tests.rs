@@ -1,7 +1,7 @@
 use super::*;
 use crate::params::{IN_DOMAIN, Input, Model, Parameters};
 
-/// The defaults with these values changed and room for twice the particles of the frame.
+/// The defaults with these values changed and room for twice the particles of the domain.
 fn with(values: &[(&str, f64)]) -> Parameters {
     let mut parameters = Parameters::new(Model::Combustion);
     for &(id, value) in values {

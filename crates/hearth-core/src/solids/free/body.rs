@@ -16,7 +16,7 @@ const MEASURED_PLACES: usize = 32;
 /// Greatest speed of a body that hinges move [m/s]: at [`MAX_SPEED`], a chain stretches where it swings
 /// fastest.
 pub(super) const MAX_HINGED_SPEED: f32 = 1.1 * MAX_SPEED;
-/// Distance from the middle of the frame at which a body stops \[m\].
+/// Distance from the middle of the domain at which a body stops \[m\].
 const MAX_DISTANCE: f32 = 40.0;
 /// Layer of gas around a body that it weighs at least as much as, in spacings.
 const GAS_LAYER: f32 = 0.5;

@@ -61,28 +61,28 @@ struct Finished {
 }
 
 fn main() -> ExitCode {
-    let asked = match asked() {
-        Ok(asked) => asked,
+    let options = match options() {
+        Ok(options) => options,
         Err(text) => {
             eprintln!("error: {text}");
             return ExitCode::FAILURE;
         }
     };
-    let (start, mut seed, mut failed) = (Instant::now(), asked.seed, 0);
-    if asked.corners > 0 {
+    let (start, mut seed, mut failed) = (Instant::now(), options.seed, 0);
+    if options.corners > 0 {
         failed += scenes();
     }
     loop {
-        if asked.corners > 0 {
-            failed += visit_all("corners", &CORNERS, asked.corners, seed);
+        if options.corners > 0 {
+            failed += visit_all("corners", &CORNERS, options.corners, seed);
         }
-        if asked.crowds > 0 {
-            failed += visit_all("crowds of solids", &CROWDS, asked.crowds, seed);
+        if options.crowds > 0 {
+            failed += visit_all("crowds of solids", &CROWDS, options.crowds, seed);
         }
-        if asked.heaps > 0 {
-            failed += visit_all("heaps of burning bodies", &HEAPS, asked.heaps, seed);
+        if options.heaps > 0 {
+            failed += visit_all("heaps of burning bodies", &HEAPS, options.heaps, seed);
         }
-        if start.elapsed().as_secs_f64() >= HOUR * asked.hours {
+        if start.elapsed().as_secs_f64() >= HOUR * options.hours {
             break;
         }
         seed = seed.wrapping_add(BETWEEN);
@@ -136,7 +136,7 @@ fn scenes() -> u32 {
 }
 
 /// The requested run.
-struct Asked {
+struct Options {
     /// Corners and crowds of each kind, and heaps.
     corners: u32,
     crowds: u32,
@@ -146,8 +146,8 @@ struct Asked {
     hours: f64,
 }
 
-fn asked() -> Result<Asked, String> {
-    let mut asked = Asked {
+fn options() -> Result<Options, String> {
+    let mut options = Options {
         corners: 500,
         crowds: 170,
         heaps: 200,
@@ -163,21 +163,21 @@ fn asked() -> Result<Asked, String> {
                 .map_err(|_| format!("{argument} needs a whole number, not \"{value}\""))
         };
         match argument.as_str() {
-            "--corners" => asked.corners = whole()?,
-            "--crowds" => asked.crowds = whole()?,
-            "--heaps" => asked.heaps = whole()?,
-            "--seed" => asked.seed = whole()?,
+            "--corners" => options.corners = whole()?,
+            "--crowds" => options.crowds = whole()?,
+            "--heaps" => options.heaps = whole()?,
+            "--seed" => options.seed = whole()?,
             "--hours" => {
                 let hours = value.parse().ok();
                 let words = || format!("--hours needs a number of hours, not \"{value}\"");
-                asked.hours = hours
+                options.hours = hours
                     .filter(|h| (0.0..1000.0).contains(h))
                     .ok_or_else(words)?;
             }
             other => return Err(format!("there is no option {other}")),
         }
     }
-    Ok(asked)
+    Ok(options)
 }
 
 /// Runs all corners on all cores.
@@ -197,7 +197,7 @@ fn run(kinds: &[Visit], each: u32, seed: u32) -> Vec<Finished> {
                     let done = visit(kinds, corner, seed);
                     if let Ok(mut finished) = finished.lock() {
                         finished.push(done);
-                        tell(&finished, all);
+                        print_news(&finished, all);
                     }
                 }
             });
@@ -230,8 +230,8 @@ fn through(crowd: Crowd) -> (String, Outcome) {
     (crowd.described(), crowd.burn(SECONDS))
 }
 
-/// Says what the last one brought, where that is news.
-fn tell(finished: &[Finished], all: u32) {
+/// Prints a fault of the last corner, and a summary after every few corners.
+fn print_news(finished: &[Finished], all: u32) {
     let mut text = String::new();
     if let Some(last) = finished.last()
         && let Some(fault) = last.outcome.fault()

@@ -16,7 +16,7 @@ use hearth_tests::validation::table::{self, Finished};
 use hearth_tests::validation::{self, Case, Pace};
 
 fn main() -> ExitCode {
-    match asked().and_then(|(folder, cases)| validate(folder.as_deref(), &cases)) {
+    match options().and_then(|(folder, cases)| validate(folder.as_deref(), &cases)) {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
@@ -26,8 +26,8 @@ fn main() -> ExitCode {
     }
 }
 
-/// The folder to write into, and the cases that are asked for.
-fn asked() -> io::Result<(Option<PathBuf>, Vec<&'static Case>)> {
+/// The folder to write into, and the cases to run.
+fn options() -> io::Result<(Option<PathBuf>, Vec<&'static Case>)> {
     let (mut folder, mut names) = (None, Vec::new());
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {

@@ -46,13 +46,13 @@ pub const PARTICLES: (f64, f64) = (1000.0, 1500.0);
 /// Spacings of a corner \[m\], from and to.
 const SPACINGS: (f64, f64) = (0.03, 0.08);
 
-/// Whether a parameter only says how a fire is shown or how fast it is played.
+/// Whether a parameter affects only how a fire is shown or how fast it is played.
 pub fn is_shown_only(param: &Param) -> bool {
     param.role != Role::Physics
 }
 
 /// The parameters of `model` that move particles and have a range, without those
-/// that only say how the result is shown or how fast it is played, and without
+/// that affect only how the result is shown or how fast it is played, and without
 /// the classic model's speed limit, whose own corner is the stricter the lower
 /// it is.
 pub fn swept(model: Model) -> impl Iterator<Item = &'static Param> {
@@ -282,12 +282,12 @@ fn recovers(fire: &mut Simulation) -> Option<String> {
         return Some(format!("limits still clamp particles, {clamped} times"));
     }
     let (power, count) = (energy / LOOKED_AT, particle_seconds / LOOKED_AT);
-    let asked = f64::from(fire.parameters().fuel_power);
+    let nominal = f64::from(fire.parameters().fuel_power);
     match model {
         // What the paper's test calls the default's number of particles.
         Model::Classic => (!(700.0..=1000.0).contains(&count))
             .then(|| format!("there are {count:.0} particles, which is not usual")),
-        Model::Combustion => ((power / asked - 1.0).abs() > 0.25)
-            .then(|| format!("{power:.0} kW/m burn where {asked:.0} are fed")),
+        Model::Combustion => ((power / nominal - 1.0).abs() > 0.25)
+            .then(|| format!("{power:.0} kW/m burn where {nominal:.0} are fed")),
     }
 }

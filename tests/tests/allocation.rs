@@ -16,7 +16,7 @@ use hearth_tests::on_all_cores;
 struct Counting;
 
 thread_local! {
-    /// Allocations of this thread: the harness allocates in its own, for instance to say that a
+    /// Allocations of this thread: the harness allocates in its own, for instance for the message that a
     /// test takes long.
     static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
 }

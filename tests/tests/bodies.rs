@@ -141,7 +141,7 @@ fn a_box_holds_and_slides_at_its_friction_angle() {
 }
 
 #[test]
-fn a_body_falls_as_gravity_tells_and_bounces_as_its_restitution_tells() {
+fn a_body_falls_by_gravity_and_bounces_by_its_restitution() {
     for restitution in [0.0, 0.5, 0.9] {
         let mut scene = alone();
         let ball = [

@@ -137,7 +137,7 @@ fn diffusion_conserves_heat_and_matter_and_creates_no_extremes() {
         (min, field.iter().copied().fold(0.0, f32::max))
     };
     let before = fields(&gas);
-    // Cold soot fades; how far, the lengths of the steps tell.
+    // Cold soot fades by an amount that follows from the lengths of the steps.
     let mut left = 1.0;
     for _ in 0..400 {
         gas.step();
@@ -202,7 +202,7 @@ fn a_closed_adiabatic_box_gains_the_heat_of_combustion() {
 fn all_fuel_burns() {
     let mut fire = Simulation::new(Parameters::new(Model::Combustion));
     burn_on(&mut fire, 1.0);
-    let asked = f64::from(fire.parameters().fuel_power);
+    let nominal = f64::from(fire.parameters().fuel_power);
     let (mut burnt, from) = (0.0, fire.time());
     watch(&mut fire, 4.0, |fire| {
         let report = fire.report();
@@ -210,7 +210,7 @@ fn all_fuel_burns() {
     });
     let power = burnt / (fire.time() - from);
     assert!(
-        (power / asked - 1.0).abs() < 0.02,
-        "{power} of {asked} kW/m"
+        (power / nominal - 1.0).abs() < 0.02,
+        "{power} of {nominal} kW/m"
     );
 }

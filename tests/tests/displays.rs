@@ -39,7 +39,7 @@ fn shown(fire: &Simulation, mode: DisplayMode) -> Vec<Instance> {
 fn fires() -> [Simulation; 4] {
     [
         burn(combustion(&[]), 0.7),
-        // Narrow: most particles feel some beyond an edge.
+        // Narrow: most particles have neighbours beyond an edge.
         burn(
             combustion(&[("domain_width", 0.3), ("domain_height", 0.6)]),
             0.1,

@@ -192,7 +192,7 @@ fn a_thick_solid_burns_longer_than_a_thin_one() {
 }
 
 #[test]
-fn a_burnt_solid_says_so_and_the_next_one_can_be_lit() {
+fn a_burnt_solid_has_that_state_and_the_next_one_can_be_lit() {
     let numbers = [
         ("x", -0.3),
         ("y", 0.4),

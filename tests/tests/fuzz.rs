@@ -322,7 +322,7 @@ fn random_arguments_have_the_form_that_their_check_accepts() {
 #[test]
 fn a_damaged_fire_burns_on_within_its_bounds_or_is_refused_and_changes_nothing() {
     const STORED: &[u8] = include_bytes!("../../web/prewarmed/fireside.fire");
-    /// The bytes of the header behind those that tell fires apart.
+    /// The bytes of the header after those that identify the fire.
     const COUNTS: std::ops::Range<usize> = 16..56;
     let mut parameters = Preset::find("fireside").expect("the scene").parameters();
     parameters

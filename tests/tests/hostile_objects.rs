@@ -1,5 +1,5 @@
-//! Objects that no page should make: each is refused in words and the scene stays as it was, or a
-//! fire survives it with no gas inside.
+//! Objects that no page should make: each is an error and the scene stays as it was, or a
+//! fire burns on with no gas inside.
 
 use std::fmt::Write as _;
 
@@ -43,7 +43,7 @@ fn sent(fields: &[Named<'_>]) -> Vec<(String, Untrusted)> {
 }
 
 /// The library and the bindings refuse these fields of a new object, or of the object with that
-/// id, in words; the scene stays.
+/// id, with a message; the scene stays.
 fn assert_refused(scene: &Scene, id: Option<u32>, fields: &[Named<'_>]) {
     let mut changed = scene.clone();
     let refused = match id {
@@ -59,8 +59,8 @@ fn assert_refused(scene: &Scene, id: Option<u32>, fields: &[Named<'_>]) {
     let more: Vec<String> = more.collect();
     assert!(!more.is_empty(), "{fields:?} are accepted by the bindings");
     for words in words.iter().chain(&more) {
-        let is_said = (10..LONGEST).contains(&words.len()) && words.contains(' ');
-        assert!(is_said, "{fields:?}: {words:?}");
+        let is_message = (10..LONGEST).contains(&words.len()) && words.contains(' ');
+        assert!(is_message, "{fields:?}: {words:?}");
     }
 }
 
@@ -171,7 +171,7 @@ fn outline(at: impl Fn(usize) -> [f64; 2]) -> String {
 }
 
 #[test]
-fn a_fire_survives_any_valid_object() {
+fn a_fire_with_any_valid_object_stays_finite() {
     let chance = |seed: u32, size: f32| {
         let mut random = Random::new(seed);
         let all: Vec<[f64; 2]> = (0..POINTS)

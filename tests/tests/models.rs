@@ -83,7 +83,7 @@ fn each_model_keeps_its_own_values_and_shares_the_rest() {
     switch(&mut fire, "classic");
     assert_eq!(number(&fire, "buoyancy"), Some(0.12));
     assert_eq!(number(&fire, "gravity"), Some(5.0));
-    // What the model does not use can be read and set; it waits.
+    // A parameter that the model does not use can be read and set.
     assert_eq!(number(&fire, "fuel_power"), Some(300.0));
     set(&mut fire, "fuel_power", 400.0);
     set(&mut fire, "buoyancy", 0.5);

@@ -137,7 +137,7 @@ fn an_id_stays_with_its_particle_and_none_is_used_twice() {
 }
 
 #[test]
-fn there_are_never_more_particles_than_allowed_and_the_report_says_what_sleeps() {
+fn there_are_never_more_particles_than_allowed_and_the_report_has_the_sleeping_share() {
     let mut fire = Simulation::new(open(&[("max_particles", 500.0)]));
     while fire.time() < 2.0 {
         fire.step();

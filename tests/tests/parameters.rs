@@ -1,4 +1,4 @@
-//! Every parameter does something, and whatever cannot be is refused in words.
+//! Every parameter has an effect, and a value out of range is an error with a message.
 
 use hearth_core::params::{Input, Kind, Model, PARAMETERS, Param, ParamErrorKind, Value};
 use hearth_core::{Parameters, Scene, Simulation};

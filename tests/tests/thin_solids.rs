@@ -1,4 +1,4 @@
-//! Laws of solids thinner than the reach of the kernel: neither side feels the other.
+//! Laws of solids thinner than the reach of the kernel: the gas of the two sides does not interact.
 
 use hearth_core::params::{Input, Parameters};
 use hearth_core::{Particle, Scene, Simulation, Vec2};

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use hearth_core::params::{
-    Description, Domain, Kind, Model, PARAMETERS, Param, Scale, Value, conditions_in_words,
+    Description, Domain, Kind, Model, PARAMETERS, Param, Scale, Value, conditions_text,
 };
 
 use hearth_core::scene::{self, KINDS};
@@ -104,7 +104,7 @@ fn condition(description: &Description) -> String {
     let quoted = |word: &str| format!("`{word}`");
     let each = [("Only", description.when), ("Not", description.unless)];
     let each = each.map(
-        |(how, chosen)| match conditions_in_words(chosen, quoted, quoted) {
+        |(how, chosen)| match conditions_text(chosen, quoted, quoted) {
             words if words.is_empty() => words,
             words => format!(" {how} with {words}."),
         },

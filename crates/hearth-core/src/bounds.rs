@@ -25,7 +25,7 @@ impl Bounds {
     }
 
     /// Whether a rectangle with these corners overlaps it.
-    pub fn meets(&self, low: Vec2, high: Vec2) -> bool {
+    pub fn overlaps(&self, low: Vec2, high: Vec2) -> bool {
         let half = 0.5 * self.width;
         low.x < half && high.x > -half && low.y < self.bottom + self.height && high.y > self.bottom
     }

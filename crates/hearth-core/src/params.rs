@@ -28,7 +28,7 @@ pub use choices::{
     Backdrop, Choice, DisplayMode, Edges, Floor, Fuel, Ground, Layers, Material, Model, Motion,
     Palette, Shape, SourceShape, Thermal, Walls,
 };
-pub use entry::{Condition, Description, Domain, Kind, Role, Scale, conditions_in_words};
+pub use entry::{Condition, Description, Domain, Kind, Role, Scale, conditions_text};
 pub use name::{COMMON, Name};
 pub use outline::{Mask, Points};
 pub use property::Property;

@@ -25,11 +25,11 @@ mod tests {
                     .iter()
                     .find(|param| param.id == id);
                 let value = param.map(|param| param.get(&parameters).to_string());
-                let asked = match input {
+                let expected = match input {
                     Input::Text(text) => text.to_owned(),
                     input => input.to_string(),
                 };
-                assert_eq!(value, Some(asked), "{id} of {}", preset.name);
+                assert_eq!(value, Some(expected), "{id} of {}", preset.name);
                 let used = param.is_some_and(|param| param.domain(model).is_some());
                 assert!(used, "{} has no use for {id}", preset.name);
             }

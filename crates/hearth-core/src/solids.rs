@@ -1,4 +1,4 @@
-//! The solids of a scene as the solvers meet them: shapes that move as a caller moves them.
+//! The solids of a scene for the solvers: shapes that move as a caller moves them.
 //!
 //! A caller moves a solid by new values, so its position jumps. Gas next to it gets the velocity
 //! of that motion for as long as the motion took: the time since the change before, at most

@@ -23,7 +23,7 @@ impl Physics {
     }
 }
 
-/// Where on a solid a source burns as the noise of the emission sees it: how far along its width
+/// The argument of the noise of the emission at a place on a solid: how far along its width
 /// and height together, so that no side of the solid has the same noise throughout.
 pub(crate) fn along(local: Vec2) -> f32 {
     local.dot(Vec2::new(1.0, 0.618))

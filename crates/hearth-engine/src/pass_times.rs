@@ -12,7 +12,7 @@ use crate::webgl::Calls;
 
 const TIMER_EXTENSION: &str = "EXT_disjoint_timer_query_webgl2";
 const TIME_ELAPSED: u32 = 0x88bf;
-const DISJOINT: u32 = 0x8fbb;
+const GPU_DISJOINT: u32 = 0x8fbb;
 
 /// Times of the passes of one fire.
 pub struct PassTimes {
@@ -148,7 +148,7 @@ impl Timer {
         }
         self.state = State::Idle;
         // A disjoint operation makes the result meaningless.
-        let disjoint = Calls::of(context).parameter(DISJOINT);
+        let disjoint = Calls::of(context).parameter(GPU_DISJOINT);
         if let (Some(time), Some((_, average))) = (
             query(Context::QUERY_RESULT).as_f64(),
             times.get_mut(self.pass),

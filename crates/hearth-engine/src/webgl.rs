@@ -123,7 +123,7 @@ impl Memory {
     }
 }
 
-const TEXTURE: u32 = Context::TEXTURE_2D;
+const TEXTURE_2D: u32 = Context::TEXTURE_2D;
 
 macro_rules! forward {
     ($( fn $name:ident ( $($arg:ident : $type:ty),* ) $(-> $out:ty)? = $gl:ident => $call:expr; )+) => {
@@ -161,9 +161,9 @@ impl Graphics for WebGl {
         fn create_texture() -> Option<WebGlTexture> = gl => gl.create_texture();
         fn delete_texture(texture: &WebGlTexture) = gl => gl.delete_texture(Some(texture));
         fn active_texture(unit: u32) = gl => gl.active_texture(Context::TEXTURE0 + unit);
-        fn bind_texture(texture: &WebGlTexture) = gl => gl.bind_texture(TEXTURE, Some(texture));
-        fn tex_parameter(name: u32, value: u32) = gl => gl.tex_parameteri(TEXTURE, name, value as i32);
-        fn generate_mipmap() = gl => gl.generate_mipmap(TEXTURE);
+        fn bind_texture(texture: &WebGlTexture) = gl => gl.bind_texture(TEXTURE_2D, Some(texture));
+        fn tex_parameter(name: u32, value: u32) = gl => gl.tex_parameteri(TEXTURE_2D, name, value as i32);
+        fn generate_mipmap() = gl => gl.generate_mipmap(TEXTURE_2D);
 
         fn create_framebuffer() -> Option<WebGlFramebuffer> = gl => gl.create_framebuffer();
         fn delete_framebuffer(framebuffer: &WebGlFramebuffer) = gl => gl.delete_framebuffer(Some(framebuffer));
@@ -195,7 +195,7 @@ impl Graphics for WebGl {
         let _ = self
             .context
             .tex_image_2d_with_i32_and_i32_and_i32_and_format_and_type_and_opt_array_buffer_view(
-                TEXTURE,
+                TEXTURE_2D,
                 0,
                 internal as i32,
                 width as i32,
@@ -211,7 +211,7 @@ impl Graphics for WebGl {
         let _ = self
             .context
             .tex_sub_image_2d_with_i32_and_i32_and_u32_and_type_and_u8_array_and_src_offset(
-                TEXTURE,
+                TEXTURE_2D,
                 0,
                 0,
                 0,
@@ -229,7 +229,7 @@ impl Graphics for WebGl {
         let offset = memory.find(texels);
         let (rgba, float) = (Context::RGBA, Context::FLOAT);
         Calls::of(&self.context).replace(
-            TEXTURE,
+            TEXTURE_2D,
             0,
             x,
             y,
@@ -253,7 +253,7 @@ impl Graphics for WebGl {
         self.context.framebuffer_texture_2d(
             Context::FRAMEBUFFER,
             Context::COLOR_ATTACHMENT0,
-            TEXTURE,
+            TEXTURE_2D,
             Some(texture),
             0,
         );

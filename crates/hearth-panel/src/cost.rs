@@ -6,7 +6,7 @@ use crate::format::{count_text, significant};
 use crate::state::{Fire, Subject};
 
 /// The start of the costly values, which is far above every default.
-const COSTLY: &[(&str, f64)] = &[
+const COST_LIMITS: &[(&str, f64)] = &[
     ("max_particles", 10_000.0),
     ("emission_rate", 15_000.0),
     ("smoothing_ratio", 1.7),
@@ -18,14 +18,14 @@ const COSTLY: &[(&str, f64)] = &[
 const COSTLY_IN_DOMAIN: u32 = 10_000;
 
 /// Smallest share of sleeping air that counts.
-const ASLEEP: f64 = 0.005;
+const MIN_ASLEEP_SHARE: f64 = 0.005;
 
 /// From this fraction of the requested number on, the number of particles counts as it.
-const NEARLY: f64 = 0.95;
+const NEARLY_ALL: f64 = 0.95;
 
 /// The start of a parameter's costly values, if it has any.
 pub fn costly_from(subject: Subject) -> Option<f64> {
-    COSTLY
+    COST_LIMITS
         .iter()
         .find(|(id, _)| *id == subject.id)
         .map(|&(_, from)| from)
@@ -38,13 +38,13 @@ pub fn particles(fire: &Fire) -> String {
     if fire.parameters.has_open_edges() {
         let text = format!("{} particles", count_text(now));
         return match fire.stats.asleep {
-            share if share < ASLEEP => text,
+            share if share < MIN_ASLEEP_SHARE => text,
             share => format!("{text} ({} % asleep)", significant(100.0 * share, 2)),
         };
     }
     let requested = f64::from(fire.parameters.max_particles);
     let quality = &*fire.stats.quality;
-    if now >= NEARLY * requested || now == 0.0 {
+    if now >= NEARLY_ALL * requested || now == 0.0 {
         return format!("{} particles", count_text(now));
     }
     let of = format!("{} of {}", count_text(now), count_text(requested));
@@ -72,7 +72,7 @@ pub fn note(fire: &Fire, subject: Subject, value: f64) -> Option<String> {
     if subject.id == "max_particles"
         && fire.parameters.model() == Model::Classic
         && fire.stats.particles > 0.0
-        && fire.stats.particles < NEARLY * value
+        && fire.stats.particles < NEARLY_ALL * value
     {
         return Some(format!(
             "{} are alive: strength, life and the space at the source allow no more",

@@ -14,12 +14,12 @@ use egui::{Align, Frame, Margin, Rect, ScrollArea, Ui, UiBuilder, pos2, vec2};
 use crate::state::{Command, State};
 use crate::theme::{self, Measures};
 use crate::update;
-use crate::view::layout::END;
+use crate::view::layout::SPACE_BELOW;
 use crate::view::output::Output;
 use crate::view::{header, rows};
 
 /// Below this height the header keeps one line.
-const LOW: f32 = 540.0;
+const LOW_PANEL_HEIGHT: f32 = 540.0;
 
 /// The panel: its state, and what its last frame returned.
 #[derive(Debug)]
@@ -61,7 +61,7 @@ impl Panel {
     }
 
     fn views(&mut self, ui: &mut Ui, area: Rect) {
-        let low = area.height() < LOW;
+        let low = area.height() < LOW_PANEL_HEIGHT;
         let inner = area.shrink2(vec2(14.0, if low { 6.0 } else { 12.0 }));
         let bottom = ui
             .scope_builder(UiBuilder::new().max_rect(inner), |ui| {
@@ -81,7 +81,7 @@ impl Panel {
             left: 14,
             right: 14,
             top: 4,
-            bottom: END,
+            bottom: SPACE_BELOW,
         };
         let scrolled = ScrollArea::vertical()
             .id_salt("parameters")

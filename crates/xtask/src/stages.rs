@@ -156,9 +156,9 @@ fn size() -> Result<()> {
 mod tests {
     use super::*;
 
-    fn names(ring: Ring, asked: &[&str]) -> Result<Vec<&'static str>> {
-        let asked: Vec<_> = asked.iter().map(|&name| name.to_owned()).collect();
-        Ok(chosen(ring, &asked)?
+    fn names(ring: Ring, requested: &[&str]) -> Result<Vec<&'static str>> {
+        let requested: Vec<_> = requested.iter().map(|&name| name.to_owned()).collect();
+        Ok(chosen(ring, &requested)?
             .iter()
             .map(|stage| stage.name)
             .collect())

@@ -27,7 +27,7 @@ const ARROWS: [(&str, &[&str]); 11] = [
 /// The only packages that the physics uses.
 const CORE_USES: [&str; 2] = ["glam", "libm"];
 
-/// Crates of a platform, which neither the physics nor the renderer knows.
+/// Crates of a platform, on which neither the physics nor the renderer depends.
 const PLATFORM: [&str; 6] = [
     "egui",
     "eframe",

@@ -19,7 +19,7 @@ const BURNT: f64 = 5.0;
 /// every display mode shows of it.
 ///
 /// # Errors
-/// A value that the table refuses, in words.
+/// A value that the table refuses.
 pub fn all() -> Result<BTreeMap<String, Snapshot>, String> {
     let mut kept = BTreeMap::new();
     for preset in Preset::all() {

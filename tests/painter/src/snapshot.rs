@@ -1,7 +1,7 @@
 //! A fire that is kept: what the renderer gets of it, in a small file.
 //!
-//! A head of lines of text, then columns of 16-bit numbers. Each column says
-//! between which two values its numbers lie. What several display modes have in
+//! A head of lines of text, then columns of 16-bit numbers. Each column has
+//! the two values between which its numbers lie. What several display modes have in
 //! common, as places and velocities, is kept once.
 //!
 //! ```text
@@ -159,7 +159,7 @@ impl Snapshot {
     /// Its scene.
     ///
     /// # Errors
-    /// A value that a table refuses by now, in words.
+    /// A value that a table refuses.
     pub fn scene(&self) -> Result<Scene, String> {
         let mut scene = Scene::new(self.parameters()?);
         for solid in &self.solids {
@@ -176,7 +176,7 @@ impl Snapshot {
     /// Its values, read by the table.
     ///
     /// # Errors
-    /// A value that the table refuses by now, in words.
+    /// A value that the table refuses.
     pub fn parameters(&self) -> Result<Parameters, String> {
         let mut parameters = Parameters::default();
         let values = self.values.iter();
@@ -226,7 +226,7 @@ impl Snapshot {
     /// Reads a file.
     ///
     /// # Errors
-    /// What is wrong with it, in words.
+    /// A message about what is wrong with it.
     pub fn read(file: &[u8]) -> Result<Snapshot, String> {
         let mut snapshot = Snapshot::default();
         let mut rest = file;
@@ -237,8 +237,8 @@ impl Snapshot {
             let (line, after) = rest.split_at(end.ok_or("its head does not end")?);
             rest = &after[1..];
             let line = std::str::from_utf8(line).map_err(|error| error.to_string())?;
-            let (word, said) = line.split_once(' ').unwrap_or((line, ""));
-            let bad = || format!("a line that says nothing: {line}");
+            let (word, rest_of_line) = line.split_once(' ').unwrap_or((line, ""));
+            let bad = || format!("an unknown or incomplete line: {line}");
             match word {
                 _ if first => {
                     if line != FIRST_LINE {
@@ -246,13 +246,13 @@ impl Snapshot {
                     }
                     first = false;
                 }
-                "time" => snapshot.time = said.parse().map_err(|_| bad())?,
+                "time" => snapshot.time = rest_of_line.parse().map_err(|_| bad())?,
                 "value" => {
-                    let (id, value) = said.split_once(' ').ok_or_else(bad)?;
+                    let (id, value) = rest_of_line.split_once(' ').ok_or_else(bad)?;
                     snapshot.values.push((id.to_owned(), value.to_owned()));
                 }
                 "solid" => {
-                    let words: Vec<&str> = said.split(' ').collect();
+                    let words: Vec<&str> = rest_of_line.split(' ').collect();
                     let (pairs, rest) = words.as_chunks::<2>();
                     if !rest.is_empty() {
                         return Err(bad());
@@ -262,7 +262,7 @@ impl Snapshot {
                     snapshot.solids.push(pairs.iter().map(owned).collect());
                 }
                 "column" => {
-                    let mut words = said.split(' ');
+                    let mut words = rest_of_line.split(' ');
                     let mut next = || words.next().ok_or_else(bad);
                     let length: usize = next()?.parse().map_err(|_| bad())?;
                     let least = next()?.parse().map_err(|_| bad())?;
@@ -275,11 +275,11 @@ impl Snapshot {
                     });
                 }
                 "rows" => {
-                    let (name, columns) = said.split_once(' ').ok_or_else(bad)?;
+                    let (name, columns) = rest_of_line.split_once(' ').ok_or_else(bad)?;
                     let columns = columns_of(columns).ok_or_else(bad)?;
                     snapshot.rows.push((name.to_owned(), columns));
                 }
-                "embers" => snapshot.embers = Some(columns_of(said).ok_or_else(bad)?),
+                "embers" => snapshot.embers = Some(columns_of(rest_of_line).ok_or_else(bad)?),
                 LAST_LINE => break,
                 _ => return Err(bad()),
             }

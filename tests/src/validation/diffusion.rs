@@ -1,4 +1,4 @@
-//! Heat spreads as Fourier says.
+//! Heat spreads by the law of Fourier.
 
 use hearth_core::Simulation;
 

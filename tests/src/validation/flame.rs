@@ -61,11 +61,11 @@ pub(super) const CASES: &[Case] = &[
 fn burner_power(sizes: &[(u32, f64)]) -> Outcome {
     Outcome::rows(sizes.iter().map(|&(n, seconds)| {
         let parameters = combustion([("max_particles", f64::from(n))]);
-        let asked = f64::from(parameters.fuel_power);
+        let nominal = f64::from(parameters.fuel_power);
         let mut fire = Simulation::new(parameters);
         delivered(&mut fire, 0.5);
         let expected = Expected::Share {
-            value: asked,
+            value: nominal,
             tolerance: 0.02,
         };
         let measured = delivered(&mut fire, seconds);

@@ -122,7 +122,7 @@ fn off_the_kinks(y: f64, height: f64, margin: f64) -> bool {
 }
 
 /// With the ideal gas, a temperature that rises linearly makes a pressure that
-/// does. One step from rest tells the acceleration.
+/// does. One step from rest gives the acceleration.
 fn pressure_gradient() -> Outcome {
     let height = LATTICE.height();
     let factor = |ratio: f64| {

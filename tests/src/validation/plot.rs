@@ -73,8 +73,8 @@ const MOST_DOTS: usize = 60;
 /// Points of one line at most.
 const MOST_POINTS: usize = 160;
 
-/// Colours that hold on white and on black, and for people who do not tell
-/// red from green (Okabe and Ito).
+/// Colours that are distinct on white and on black, and without a distinction of red and green
+/// (Okabe and Ito).
 const COLOURS: [&str; 5] = ["#d55e00", "#0072b2", "#009e73", "#cc79a7", "#a08000"];
 
 impl Plot {

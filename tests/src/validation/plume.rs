@@ -67,7 +67,7 @@ fn plume() -> Outcome {
         .map(f64::abs)
         .fold(0.0, f64::max);
     // The plume seems to come from where the width of its velocity vanishes. That of its
-    // temperature would tell nothing: the flux of heat is constant, so it grows as the
+    // temperature has no information: the flux of heat is constant, so it grows as the
     // excess temperature falls.
     let spread = fit::line(bells.iter().map(|bell| (bell.0, bell.1.width)));
     let origin = -spread.intercept / spread.slope;

@@ -54,7 +54,7 @@ impl Expected {
 pub struct Row {
     /// What it is called in the list of rows that are not reached.
     pub id: String,
-    /// What is measured, in words.
+    /// The measured quantity, as a phrase.
     pub what: String,
     /// What theory expects.
     pub expected: Expected,

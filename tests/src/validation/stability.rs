@@ -1,4 +1,4 @@
-//! Interfaces that are unstable grow as linear theory says.
+//! Unstable interfaces grow at the rates of linear theory.
 
 use std::f64::consts::TAU;
 

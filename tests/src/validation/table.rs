@@ -29,7 +29,7 @@ pub fn figure(value: f64) -> String {
     }
 }
 
-/// The expected value and the tolerance of a row, in words.
+/// The expected value and the tolerance of a row, as texts.
 fn expected(row: &Row) -> [String; 2] {
     let unit = |text: String| match row.unit {
         "" => text,

@@ -255,7 +255,7 @@ fn a_solid_that_cannot_hang_falls_and_a_chain_in_a_circle_stays_finite() {
 }
 
 #[test]
-fn a_bad_reference_is_refused_in_words() {
+fn a_bad_reference_is_an_error_with_its_range() {
     let mut scene = alone();
     let id = add(&mut scene, "box", "free", &[]);
     for (value, words) in [

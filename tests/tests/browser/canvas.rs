@@ -71,7 +71,7 @@ impl Canvas {
         Ok(())
     }
 
-    /// The error that GL has noted since it was last asked; 0 for none.
+    /// The error of GL since the last call; 0 for none.
     pub fn gl_error(&self) -> u32 {
         self.context.get_error()
     }
@@ -157,7 +157,7 @@ pub fn painted(canvas: &Canvas, scene: &Scene, gas: &[Instance]) -> Result<Pixel
     pixels
 }
 
-/// What was painted: pixels, asked for by places in the fire's world.
+/// The painted pixels by places in the world of the fire.
 pub struct Pixels {
     rgba: Vec<u8>,
     width: u32,

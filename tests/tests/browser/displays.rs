@@ -46,7 +46,7 @@ fn burnt(model: Model) -> Result<Simulation, JsValue> {
     Ok(fire)
 }
 
-/// Its particles as that mode wants them.
+/// Its instances in that mode.
 fn instances(fire: &mut Simulation, mode: DisplayMode) -> Result<Vec<Instance>, JsValue> {
     fire.set("display_mode", Input::Text(mode.name()))
         .map_err(words)?;
@@ -232,7 +232,7 @@ fn sprites_do_not_depend_on_the_order_and_rotate_smoothly() -> Result<(), JsValu
 }
 
 #[wasm_bindgen_test]
-fn every_mode_survives_a_lost_context() -> Result<(), JsValue> {
+fn no_mode_panics_without_a_context() -> Result<(), JsValue> {
     let mut fire = burnt(Model::Combustion)?;
     for mode in every_mode() {
         let canvas = Canvas::new(WIDTH, HEIGHT)?;
@@ -247,7 +247,7 @@ fn every_mode_survives_a_lost_context() -> Result<(), JsValue> {
             time: 0.0,
             ..View::default()
         };
-        // Whether it says so or paints into nothing: the page goes on.
+        // An error or a picture without effect: neither stops the page.
         let _ = renderer.paint(&canvas.gl, &view, fire.parameters());
         renderer.destroy(&canvas.gl);
     }

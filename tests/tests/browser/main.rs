@@ -1,6 +1,6 @@
 //! The renderer in a real browser: shaders compile and link, light stands
-//! where the particles are and nowhere else, and a GPU that fails is answered
-//! with an error in words.
+//! where the particles are and nowhere else, and the failure of a GPU is an
+//! error with a message.
 //!
 //! Runs only in a browser; natively this file is empty.
 #![cfg(target_arch = "wasm32")]
@@ -261,7 +261,7 @@ fn a_lost_context_gives_an_error() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn a_renderer_survives_a_lost_context() -> Result<(), JsValue> {
+fn a_renderer_does_not_panic_without_a_context() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
     let view = View {
@@ -283,7 +283,7 @@ fn a_renderer_survives_a_lost_context() -> Result<(), JsValue> {
         &puff((0.1, 0.3), 1900.0),
         &[],
     );
-    // Whether it says so or paints into nothing: the page goes on.
+    // An error or a picture without effect: neither stops the page.
     let _ = renderer.paint(&canvas.gl, &view, &Parameters::new(Model::Classic));
     renderer.destroy(&canvas.gl);
     Ok(())

@@ -109,8 +109,8 @@ pub fn corner(model: Model, random: &mut Random) -> Parameters {
     if model == Model::Combustion {
         set("emission_noise", 0.0);
         set("ember_rate", 0.0);
-        // Or the border of a cell would be just the edge of the burner, and rounding
-        // would say which particles it holds.
+        // Otherwise the border of a cell is at the edge of the burner, and rounding
+        // decides which particles are in the burner.
         for (id, value) in burner {
             set(id, 0.99 * f64::from(value));
         }

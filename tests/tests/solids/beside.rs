@@ -1,4 +1,4 @@
-//! Gas beside solids: it rests, flows, burns and is heated as the surfaces require, and does not feel what is
+//! Gas beside solids: it rests, flows, burns and is heated as the surfaces require, and has no interaction with what is
 //! behind them.
 
 use hearth_core::params::Input;
@@ -133,7 +133,7 @@ fn a_moving_solid_pushes_the_gas() {
 }
 
 #[test]
-fn gas_on_one_side_of_a_thin_plate_does_not_feel_the_other_side() {
+fn gas_does_not_interact_across_a_thin_plate() {
     let mut scene = scene(
         &[],
         &[CALM, &[("seam", 0.0), ("kinematic_viscosity", 0.01)]].concat(),
@@ -171,7 +171,7 @@ fn gas_on_one_side_of_a_thin_plate_does_not_feel_the_other_side() {
 }
 
 #[test]
-fn gas_in_a_closed_ring_does_not_feel_the_gas_around_it() {
+fn gas_in_a_closed_ring_does_not_interact_with_the_gas_around_it() {
     // A step of the gas is longer than the thinner wall.
     for thickness in [0.01, 0.003] {
         let mut scene = scene(&[], &[CALM, &[("max_particles", 3000.0)]].concat());

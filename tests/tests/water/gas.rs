@@ -248,7 +248,7 @@ fn random_sprays_keep_everything_finite() {
 }
 
 #[test]
-fn the_classic_model_has_no_water_and_says_so() {
+fn the_classic_model_refuses_water() {
     let mut fire = Simulation::new(with([]));
     let refused = fire.spray(Vec2::new(0.0, 0.5), Vec2::ZERO, 0.01);
     assert_eq!(refused, Err(SprayError));
@@ -261,11 +261,11 @@ fn the_classic_model_has_no_water_and_says_so() {
 }
 
 #[test]
-fn a_fire_without_water_has_the_same_bits_whether_or_not_it_was_asked_for_none() {
-    let mut asked = Simulation::new(in_the_open(combustion(&[]), 900));
-    let mut other = asked.clone();
-    assert_eq!(asked.spray(Vec2::new(0.0, 0.5), Vec2::ZERO, 0.0), Ok(()));
-    burn_on(&mut asked, 0.5);
+fn a_spray_of_no_water_changes_no_bits() {
+    let mut sprayed = Simulation::new(in_the_open(combustion(&[]), 900));
+    let mut other = sprayed.clone();
+    assert_eq!(sprayed.spray(Vec2::new(0.0, 0.5), Vec2::ZERO, 0.0), Ok(()));
+    burn_on(&mut sprayed, 0.5);
     burn_on(&mut other, 0.5);
-    assert_eq!(asked.particles(), other.particles());
+    assert_eq!(sprayed.particles(), other.particles());
 }

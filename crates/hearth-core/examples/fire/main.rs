@@ -131,9 +131,9 @@ mod tests {
             out: out.clone(),
             ..Options::default()
         };
-        let said = burn(&options).err().map(|error| error.to_string());
+        let message = burn(&options).err().map(|error| error.to_string());
         fs::remove_file(file)?;
-        assert!(said.is_some_and(|said| said.contains(&out.display().to_string())));
+        assert!(message.is_some_and(|message| message.contains(&out.display().to_string())));
         Ok(())
     }
 }

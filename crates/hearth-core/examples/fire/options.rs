@@ -80,8 +80,8 @@ impl Options {
         let [spacing, number] =
             ["spacing", "max_particles"].map(|id| values.iter().any(|(known, _)| *known == id));
         options.parameters.set_all(values).map_err(|errors| {
-            let said: Vec<_> = errors.iter().map(ToString::to_string).collect();
-            said.join("\n")
+            let message: Vec<_> = errors.iter().map(ToString::to_string).collect();
+            message.join("\n")
         })?;
         options.parameters.complete(spacing, number, IN_DOMAIN);
         Ok(options)
@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn nonsense_is_refused_in_words() {
+    fn an_invalid_option_is_an_error_with_a_message() {
         for (line, words) in [
             (
                 "--frames 0",
@@ -146,8 +146,8 @@ mod tests {
             ("gravity=99", "from 0 to 20 m/s²"),
             ("gravity=", "from 0 to 20 m/s²"),
         ] {
-            let said = parse(line).err().unwrap_or_default();
-            assert!(said.contains(words), "{line}: {said}");
+            let message = parse(line).err().unwrap_or_default();
+            assert!(message.contains(words), "{line}: {message}");
         }
     }
 }

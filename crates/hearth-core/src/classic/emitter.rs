@@ -10,7 +10,7 @@
 use glam::Vec2;
 
 use super::particles::{ParticleState, Particles};
-use super::solids::GAP;
+use super::solids::MIN_GAP;
 use crate::noise::perlin;
 use crate::params::Physics;
 use crate::particle::Particle;
@@ -201,7 +201,7 @@ impl Emitter {
         let position = frame.centre + frame.axis.rotate(local);
         let (distance, normal) = body.surface.distance(position);
         (distance > 0.0 && distance < band).then(|| Place {
-            from: position - normal * (distance - GAP * values.smoothing_radius),
+            from: position - normal * (distance - MIN_GAP * values.smoothing_radius),
             axis: Some(-normal.perp()),
             across: 0.0,
             along: source::along(local),

@@ -1,8 +1,8 @@
 //! The pair interactions of the classic model: one line each in [`list`].
 //!
 //! With V = m/ρ the volume of a particle, each file states the force of a pair; the
-//! other particle feels the opposite force, which conserves momentum to rounding. [`AsPublished`] has the
-//! forms that the paper prints differently.
+//! opposite force acts on the other particle, which conserves momentum to rounding. [`AsPublished`] has
+//! the forms that the paper prints differently.
 
 mod as_published;
 mod pressure;

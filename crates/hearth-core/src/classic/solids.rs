@@ -11,7 +11,7 @@ use crate::params::Physics;
 use crate::solids::Solids;
 
 /// Smallest distance of a particle from a solid, in smoothing lengths.
-pub(super) const GAP: f32 = 0.05;
+pub(super) const MIN_GAP: f32 = 0.05;
 /// Coefficient of friction.
 const FRICTION_COEFFICIENT: f32 = 0.3;
 
@@ -26,7 +26,7 @@ pub(super) fn keep_all_outside(
     if solids.is_empty() {
         return;
     }
-    let gap = GAP * values.smoothing_radius;
+    let gap = MIN_GAP * values.smoothing_radius;
     let depth = values.spacing();
     let rate = if dt > 0.0 {
         values.particle_mass / dt

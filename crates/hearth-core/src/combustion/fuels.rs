@@ -90,7 +90,7 @@ impl Fuels {
         }
     }
 
-    /// Makes room for what the cells of all meet and see.
+    /// Makes room for the gas beside each cell and the light on it.
     fn make_room(&mut self) {
         let mut cells = 0;
         for burning in &mut self.all {

@@ -74,22 +74,22 @@ pub struct Description {
 /// The id of a choice and some of its names: it is met if one of them is chosen.
 pub type Condition = (&'static str, &'static [&'static str]);
 
-/// Conditions as text, such as "layers both or fire and display fire". `id_in_words` and
-/// `name_in_words` give the text of ids and names.
-pub fn conditions_in_words<'a>(
+/// Conditions as text, such as "layers both or fire and display fire". `id_text` and
+/// `name_text` give the text of ids and names.
+pub fn conditions_text<'a>(
     all: impl IntoIterator<Item = &'a Condition>,
-    id_in_words: impl Fn(&str) -> String,
-    name_in_words: impl Fn(&str) -> String,
+    id_text: impl Fn(&str) -> String,
+    name_text: impl Fn(&str) -> String,
 ) -> String {
     let each = all.into_iter().map(|(id, names)| {
-        let names: Vec<_> = names.iter().map(|name| name_in_words(name)).collect();
+        let names: Vec<_> = names.iter().map(|name| name_text(name)).collect();
         let names = match names.split_last() {
             Some((last, others)) if !others.is_empty() => {
                 format!("{} or {last}", others.join(", "))
             }
             _ => names.concat(),
         };
-        format!("{} {names}", id_in_words(id))
+        format!("{} {names}", id_text(id))
     });
     each.collect::<Vec<_>>().join(" and ")
 }

@@ -219,7 +219,7 @@ pub enum ParamErrorKind {
     NotAFlag,
     /// Not a colour.
     NotAColour,
-    /// Another rule of an object; the allowed values in words.
+    /// Another rule of an object; the text names the allowed values.
     Other(&'static str),
 }
 

@@ -38,7 +38,7 @@ pub(crate) use state::FreeBodies;
 
 /// Longest substep \[s\].
 const MAX_SUBSTEP: f32 = 1e-3;
-/// How much faster a body is that hinges tear in several directions: they forget their impulses.
+/// How much faster a body is that hinges tear in several directions: their impulses are then reset.
 const TORN_SPEED_RATIO: f32 = 4.0;
 /// Longest step that the bodies follow \[s\].
 const MAX_STEP: f32 = 0.05;
@@ -54,7 +54,7 @@ impl Body {
 }
 
 impl FreeBodies {
-    /// The free solids of a scene, and the others that they meet. Those that the scene has not moved
+    /// The free solids of a scene, and the others that they may touch. Those that the scene has not moved
     /// stay where they are.
     #[inline(never)]
     pub fn set(solids: &mut Solids, scene: &Scene, time: f64, bounds: &Bounds) {

@@ -26,7 +26,7 @@ const EDGES: &str = "edges";
 pub const QUALITIES: [&str; 4] = ["auto", "low", "medium", "high"];
 
 /// The length of the history in samples: half a minute at four a second.
-pub const HISTORY: usize = 120;
+pub const HISTORY_LENGTH: usize = 120;
 
 /// The panel's copy of the fire.
 #[derive(Debug, Default)]
@@ -246,7 +246,7 @@ impl Fire {
 
     /// Takes new measurements.
     pub fn measure(&mut self, stats: Stats) {
-        if self.history.len() == HISTORY {
+        if self.history.len() == HISTORY_LENGTH {
             self.history.pop_front();
         }
         self.history.push_back(stats.fps as f32);
@@ -378,7 +378,7 @@ mod tests {
                 ..Stats::default()
             });
         }
-        assert_eq!(fire.history.len(), HISTORY);
+        assert_eq!(fire.history.len(), HISTORY_LENGTH);
         assert_eq!(fire.history.back(), Some(&999.0));
     }
 }

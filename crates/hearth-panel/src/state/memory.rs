@@ -7,7 +7,7 @@ use hearth_core::params::PARAMETERS;
 use crate::state::objects::OBJECTS;
 
 /// The group that is folded at the first visit.
-const FOLDED: &str = "Physics";
+const FOLDED_GROUP: &str = "Physics";
 
 /// The folded parts of the panel.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,7 +21,7 @@ pub struct Memory {
 impl Default for Memory {
     fn default() -> Memory {
         Memory {
-            folded: BTreeSet::from([FOLDED]),
+            folded: BTreeSet::from([FOLDED_GROUP]),
             times: false,
         }
     }

@@ -15,16 +15,16 @@ use crate::view::output::Output;
 use crate::view::title;
 
 /// The longest list that is never folded.
-const FEW: usize = 4;
+const MAX_UNFOLDED: usize = 4;
 
 /// Names per line of an unfolded list.
 const PER_LINE: usize = 3;
 
 /// Maximum height of a line of the list: the longest list fits into a sheet.
-const LINE: f32 = 30.0;
+const MAX_LINE_HEIGHT: f32 = 30.0;
 
 /// Width of the button that unfolds a list.
-const BUTTON: f32 = 150.0;
+const BUTTON_WIDTH: f32 = 150.0;
 
 /// The names of a choice.
 type Names = &'static [&'static str];
@@ -32,7 +32,7 @@ type Names = &'static [&'static str];
 /// Shows the row of a choice.
 pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject, names: Names) {
     let measures = state.device.measures;
-    if names.len() <= FEW {
+    if names.len() <= MAX_UNFOLDED {
         title::line(state, out, ui, subject, measures.line);
         let rect = strip(ui, measures.control);
         buttons(&state.fire, out, ui, subject, names, rect, names.len());
@@ -41,7 +41,7 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject, name
         return;
     }
     let room = title::line(state, out, ui, subject, measures.control);
-    let rect = room.with_min_x(room.left().max(room.right() - BUTTON));
+    let rect = room.with_min_x(room.left().max(room.right() - BUTTON_WIDTH));
     let before = state.open.choice == Some(subject.id);
     let open = before ^ unfolder(&state.fire, out, ui, subject, names, (rect, before));
     out.record(ui, subject.id, rect);
@@ -53,7 +53,7 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject, name
     }
     for names in names.chunks(PER_LINE) {
         ui.add_space(4.0);
-        let rect = strip(ui, measures.control.min(LINE));
+        let rect = strip(ui, measures.control.min(MAX_LINE_HEIGHT));
         buttons(&state.fire, out, ui, subject, names, rect, PER_LINE);
     }
     if !before {

@@ -18,7 +18,7 @@ use crate::view::layout;
 use crate::view::output::Output;
 
 /// Scroll distance of one notch of most wheels, which is one step [points].
-const NOTCH: f32 = 50.0;
+const NOTCH_DISTANCE: f32 = 50.0;
 
 /// Most letters of a text: those of the longest mask.
 const MOST_LETTERS: usize = 66_000;
@@ -86,7 +86,7 @@ pub fn wheel_steps(pointer: &mut Pointer, ui: &Ui, subject: Subject) -> Option<f
                 modifiers,
                 ..
             } if !modifiers.command => match unit {
-                MouseWheelUnit::Point => delta.y / NOTCH,
+                MouseWheelUnit::Point => delta.y / NOTCH_DISTANCE,
                 MouseWheelUnit::Line | MouseWheelUnit::Page => delta.y,
             },
             _ => 0.0,

@@ -13,10 +13,10 @@ use crate::view::tools::{self, Tool};
 use crate::view::{choices, row, search_field, telemetry, title, variants};
 
 /// Width of the button that resets all.
-const RESET: f32 = 100.0;
+const RESET_WIDTH: f32 = 100.0;
 
 /// Least width of the button of the scene beside others.
-const SCENE: f32 = 110.0;
+const MIN_SCENE_WIDTH: f32 = 110.0;
 
 /// The part that never scrolls: one line where the panel is low, or where the page
 /// selects the parameters.
@@ -25,7 +25,7 @@ pub fn fixed(state: &State, out: &mut Output, ui: &mut Ui, low: bool) {
     let control = state.device.measures.control;
     if state.only.is_some() {
         let line = strip(ui, control);
-        let (tools, reset) = line.split_left_right_at_x(line.right() - RESET);
+        let (tools, reset) = line.split_left_right_at_x(line.right() - RESET_WIDTH);
         let tools = tools.with_max_x(tools.right() - gap);
         let few = [Tool::Pause, Tool::Restart, Tool::Undo, Tool::Redo];
         tools::line(state, out, ui, tools, &few);
@@ -47,7 +47,7 @@ pub fn fixed(state: &State, out: &mut Output, ui: &mut Ui, low: bool) {
         ui.add_space(gap);
         let line = labelled(ui, control, "Scene");
         let room = line.right() - variants::width(control);
-        let (scene, beside) = if room - gap >= line.left() + SCENE {
+        let (scene, beside) = if room - gap >= line.left() + MIN_SCENE_WIDTH {
             let (scene, beside) = line.split_left_right_at_x(room);
             (scene.with_max_x(room - gap), Some(beside))
         } else {
@@ -132,7 +132,7 @@ fn scene_button(scene: &str, out: &mut Output, ui: &Ui, rect: Rect) {
 
 fn search(state: &State, out: &mut Output, ui: &mut Ui) {
     let rect = strip(ui, state.device.measures.control);
-    let (field, reset) = rect.split_left_right_at_x(rect.right() - RESET);
+    let (field, reset) = rect.split_left_right_at_x(rect.right() - RESET_WIDTH);
     let field = field.with_max_x(field.right() - 6.0);
     search_field::show(&state.search, out, ui, field);
     reset_all(state, out, ui, reset);

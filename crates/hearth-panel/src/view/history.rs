@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use egui::{Align2, Mesh, Rect, Shape, Stroke, Ui, pos2};
 
-use crate::state::fire::HISTORY;
+use crate::state::fire::HISTORY_LENGTH;
 use crate::theme;
 
 /// Paints the history in `rect`, the newest sample at the right.
@@ -24,7 +24,7 @@ pub fn show(ui: &Ui, rect: Rect, history: &VecDeque<f32>) {
         egui::FontId::proportional(11.0),
         theme::weak(),
     );
-    let step = rect.width() / (HISTORY - 1) as f32;
+    let step = rect.width() / (HISTORY_LENGTH - 1) as f32;
     let points: Vec<_> = history
         .iter()
         .rev()

@@ -7,10 +7,10 @@ use crate::theme;
 
 /// Empty space below the last row: a row can scroll above the focused accessible control, which
 /// covers the lower edge of the panel.
-pub const END: i8 = 84;
+pub const SPACE_BELOW: i8 = 84;
 
 /// Width of the label before a line of buttons.
-const LABEL: f32 = 56.0;
+const LABEL_WIDTH: f32 = 56.0;
 
 /// Allocates a strip of the whole width.
 pub fn strip(ui: &mut Ui, height: f32) -> Rect {
@@ -21,7 +21,7 @@ pub fn strip(ui: &mut Ui, height: f32) -> Rect {
 
 /// Scrolls `rect` into view, above what covers the lower edge.
 pub fn scroll_into_view(ui: &Ui, mut rect: Rect) {
-    rect.max.y += f32::from(END);
+    rect.max.y += f32::from(SPACE_BELOW);
     // The middle, unless that pushes the row out at the top.
     let align = if rect.height() > ui.clip_rect().height() {
         Align::Min
@@ -33,7 +33,7 @@ pub fn scroll_into_view(ui: &Ui, mut rect: Rect) {
 
 /// The part of a line beside its label.
 pub fn beside_label(rect: Rect) -> Rect {
-    rect.with_min_x(rect.left() + LABEL)
+    rect.with_min_x(rect.left() + LABEL_WIDTH)
 }
 
 /// Allocates a strip, paints a label at its left, and returns the room beside the label.

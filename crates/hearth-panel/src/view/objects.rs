@@ -22,16 +22,16 @@ use crate::view::row;
 const PER_LINE: usize = 2;
 
 /// Buttons per line.
-const BUTTONS: usize = 4;
+const BUTTONS_PER_LINE: usize = 4;
 
 /// Width of the button that switches an object.
-const EYE: f32 = 30.0;
+const EYE_WIDTH: f32 = 30.0;
 
 /// Maximum height of a line of the list.
-const LINE: f32 = 36.0;
+const MAX_LINE_HEIGHT: f32 = 36.0;
 
 /// What acts on the fire at the selected object: name, label and hint.
-const ACTS: [(&str, &str, &str); 5] = [
+const ACTIONS: [(&str, &str, &str); 5] = [
     (
         "ignite",
         "Ignite",
@@ -53,7 +53,7 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui) {
     let gap = state.device.measures.gap;
     buttons(state, out, ui);
     let all: Vec<Object<'_>> = state.fire.objects.objects().collect();
-    let height = state.device.measures.control.min(LINE);
+    let height = state.device.measures.control.min(MAX_LINE_HEIGHT);
     for (at, line) in all.chunks(PER_LINE).enumerate() {
         let rect = strip(ui, height);
         if at == 0 {
@@ -136,7 +136,7 @@ pub fn results(state: &State, out: &mut Output, ui: &mut Ui) -> bool {
 
 /// Shows an object on a line of its own.
 fn line(state: &State, out: &mut Output, ui: &mut Ui, object: Object<'_>) {
-    let rect = strip(ui, state.device.measures.control.min(LINE));
+    let rect = strip(ui, state.device.measures.control.min(MAX_LINE_HEIGHT));
     entry(state, out, ui, rect, object);
     ui.add_space(4.0);
 }
@@ -151,7 +151,7 @@ fn entry(state: &State, out: &mut Output, ui: &Ui, rect: Rect, object: Object<'_
         ..Face::text("")
     };
     let response = button::show(ui, rect, Id::unique(&key), face);
-    let eye = rect.with_min_x(rect.right() - EYE);
+    let eye = rect.with_min_x(rect.right() - EYE_WIDTH);
     let room = rect.shrink2(vec2(8.0, 0.0)).with_max_x(eye.left());
     button::left_text(ui, room, &name_of(object));
     out.record(ui, key, rect.with_max_x(eye.left()));
@@ -221,11 +221,11 @@ fn buttons(state: &State, out: &mut Output, ui: &mut Ui) {
     ];
     let edits = edits.map(|(label, command, on, hint)| (label.to_owned(), command, on, hint));
     let all: Vec<_> = adds.chain(edits).collect();
-    let acts = ACTS.map(|(name, label, hint)| {
+    let acts = ACTIONS.map(|(name, label, hint)| {
         let command = Command::Act(name, id);
         (label.to_owned(), command, selected.is_some(), hint)
     });
-    for line in all.chunks(BUTTONS).chain([&acts[..]]) {
+    for line in all.chunks(BUTTONS_PER_LINE).chain([&acts[..]]) {
         let rect = strip(ui, state.device.measures.control);
         let words: Vec<&str> = line.iter().map(|(label, ..)| label.as_str()).collect();
         let parts = button::split_by_words(ui, rect, &words, 4.0);

@@ -13,7 +13,7 @@ use crate::view::{choices, colour, control, title};
 
 /// Opacity of a control without effect. It can still be set, so its text keeps a contrast
 /// of 4.5:1 on every ground.
-const IDLE: f32 = 0.8;
+const IDLE_OPACITY: f32 = 0.8;
 
 /// Shows the row of a parameter or a property.
 pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: impl Into<Subject>) {
@@ -47,7 +47,7 @@ pub fn framed(
     let idle = title::idle(&state.fire, subject);
     ui.scope(|ui| {
         if idle.is_some() {
-            ui.multiply_opacity(IDLE);
+            ui.multiply_opacity(IDLE_OPACITY);
         }
         content(out, ui);
     });
@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn dimmed_text_keeps_its_contrast() {
-        let on = |ground: Color32, ink: Color32| ground.lerp_to_gamma(ink, IDLE);
+        let on = |ground: Color32, ink: Color32| ground.lerp_to_gamma(ink, IDLE_OPACITY);
         // The panel, a marked row, and buttons on both, lit ones included.
         for behind in [theme::GROUND, theme::RAISED] {
             let words = [

@@ -11,13 +11,13 @@ use crate::state::Gesture;
 use crate::theme;
 
 /// Length of a finger's path that decides its direction [points].
-const DECIDED: f32 = 7.0;
+const DECISIVE_PATH: f32 = 7.0;
 
 /// Motion of the knob relative to the pointer, with the shift key.
-const FINE: f32 = 0.1;
+const FINE_MOTION: f32 = 0.1;
 
 /// Steps per page key.
-const PAGE: f32 = 10.0;
+const STEPS_PER_PAGE: f32 = 10.0;
 
 /// A move of the knob.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,7 +90,7 @@ fn follow(
     };
     if let Gesture::Undecided(origin) = now {
         let way = pos - origin;
-        if way.length() > DECIDED {
+        if way.length() > DECISIVE_PATH {
             now = if way.x.abs() >= way.y.abs() {
                 Gesture::Slide
             } else {
@@ -113,7 +113,7 @@ fn follow(
         Gesture::Fine(start, from) => {
             response.request_focus();
             // The knob rests while the pointer does, even if the value is rounded.
-            (pos.x != start).then(|| to(from + (pos.x - start) * FINE))
+            (pos.x != start).then(|| to(from + (pos.x - start) * FINE_MOTION))
         }
         Gesture::Undecided(_) => response.clicked().then(|| to(pos.x)),
         Gesture::Scroll => {
@@ -147,8 +147,8 @@ fn keys(ui: &Ui, response: &Response) -> Option<Moved> {
             (Key::ArrowUp, 1.0),
             (Key::ArrowLeft, -1.0),
             (Key::ArrowDown, -1.0),
-            (Key::PageUp, PAGE),
-            (Key::PageDown, -PAGE),
+            (Key::PageUp, STEPS_PER_PAGE),
+            (Key::PageDown, -STEPS_PER_PAGE),
         ]
         .into_iter()
         .map(|(key, steps)| input.num_presses(key) as f32 * steps)
@@ -174,10 +174,10 @@ fn paint(
     };
     match rail.colours {
         Some(colours) => {
-            const PIECES: u32 = 24;
+            const SEGMENTS: u32 = 24;
             let mut band = egui::Mesh::default();
-            for piece in 0..=PIECES {
-                let part = piece as f32 / PIECES as f32;
+            for piece in 0..=SEGMENTS {
+                let part = piece as f32 / SEGMENTS as f32;
                 let (x, colour) = (at(part), colours(part));
                 band.colored_vertex(pos2(x, y - thick / 2.0), colour);
                 band.colored_vertex(pos2(x, y + thick / 2.0), colour);

@@ -1,7 +1,7 @@
 //! The first line of a row: the parameter's name, and the button that resets it.
 
 use egui::{CursorIcon, Id, Rect, Sense, Ui, pos2, vec2};
-use hearth_core::params::{Condition, conditions_in_words};
+use hearth_core::params::{Condition, conditions_text};
 
 use crate::state::{Action, Fire, State, Subject};
 use crate::theme;
@@ -74,15 +74,15 @@ pub fn idle(fire: &Fire, subject: Subject) -> Option<String> {
             choice.description().label.to_lowercase()
         })
     };
-    let in_words = |all: &[Condition]| conditions_in_words(all, label, str::to_owned);
+    let text_of = |all: &[Condition]| conditions_text(all, label, str::to_owned);
     let missing: Vec<_> = fire
         .unmet_conditions(subject)
         .into_iter()
         .copied()
         .collect();
     if !missing.is_empty() {
-        return Some(format!("Only with {}", in_words(&missing)));
+        return Some(format!("Only with {}", text_of(&missing)));
     }
     let ruled_out = fire.met_exclusions(subject);
-    (!ruled_out.is_empty()).then(|| format!("Not with {}", in_words(ruled_out)))
+    (!ruled_out.is_empty()).then(|| format!("Not with {}", text_of(ruled_out)))
 }

@@ -8,11 +8,11 @@ use crate::view::icons::Icon;
 use crate::view::output::Output;
 
 /// The gap between two buttons.
-const GAP: f32 = 4.0;
+const BUTTON_GAP: f32 = 4.0;
 
 /// The width of the line of buttons that are `height` wide.
 pub fn width(height: f32) -> f32 {
-    3.0 * height + 2.0 * GAP
+    3.0 * height + 2.0 * BUTTON_GAP
 }
 
 /// Shows the buttons of the two states, and of random values beside them.
@@ -41,7 +41,7 @@ pub fn line(controller: &ControllerState, out: &mut Output, ui: &Ui, rect: Rect)
             Command::Randomise,
         ),
     ];
-    let parts = button::split(rect, buttons.len(), GAP);
+    let parts = button::split(rect, buttons.len(), BUTTON_GAP);
     for (rect, (name, hint, face, command)) in parts.zip(buttons) {
         let response = button::show(ui, rect, Id::unique(name), face).on_hover_text(hint);
         out.record(ui, name, rect);

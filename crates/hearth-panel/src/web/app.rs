@@ -10,7 +10,7 @@ use crate::theme;
 use crate::web::element::Element;
 
 /// The event on the canvas after each frame: rectangles may have moved.
-const PAINTED: &str = "panel-painted";
+const PAINTED_EVENT: &str = "panel-painted";
 
 /// What eframe's event handlers need, which run outside of a frame.
 #[derive(Debug, Default)]
@@ -61,7 +61,7 @@ impl eframe::App for App {
         for command in commands {
             self.element.send(command);
         }
-        if let Ok(event) = Event::new(PAINTED) {
+        if let Ok(event) = Event::new(PAINTED_EVENT) {
             let _ = self.canvas.dispatch_event(&event);
         }
     }

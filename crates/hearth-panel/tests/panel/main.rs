@@ -78,7 +78,7 @@ fn buttons_send_their_commands() {
         ..ControllerState::default()
     };
     harness.wait();
-    for (button, asked) in [
+    for (button, command) in [
         ("action:pause", Command::Pause),
         ("action:reset", Command::Reset),
         ("action:scenes", Command::Scenes),
@@ -92,7 +92,7 @@ fn buttons_send_their_commands() {
         ("action:help", Command::Help),
     ] {
         harness.click(button);
-        assert_eq!(harness.panel.take_commands(), [asked], "{button}");
+        assert_eq!(harness.panel.take_commands(), [command], "{button}");
     }
     harness.panel.state.fire.paused = true;
     harness.click("action:pause");
@@ -270,8 +270,8 @@ fn each_model_has_its_own_rows_ranges_and_defaults() {
         .fire
         .receive("source_width", Input::Number(0.2));
     harness.click("choice:model:combustion");
-    let asked = harness.panel.take_commands();
-    assert_eq!(asked, [Command::Set(MODEL, Value::Choice("combustion"))]);
+    let commands = harness.panel.take_commands();
+    assert_eq!(commands, [Command::Set(MODEL, Value::Choice("combustion"))]);
     harness.reveal("ember_size");
     harness.rect("ember_size");
     harness.reveal("walls");

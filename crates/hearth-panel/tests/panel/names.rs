@@ -37,14 +37,14 @@ fn a_name_is_typed_listed_and_reset() {
             let rows = select(&mut harness, id);
             let row = rows[0];
             type_into(&mut harness, row.id, name);
-            let asked = harness.panel.take_commands();
-            assert_eq!(asked, [Command::Write(row, name.to_owned())]);
+            let commands = harness.panel.take_commands();
+            assert_eq!(commands, [Command::Write(row, name.to_owned())]);
             assert!(shows(&mut harness, listed), "{listed}");
             assert!(harness.panel.state.fire.is_changed());
             harness.reveal(row.id);
             harness.click(&format!("action:restore:{}", row.id));
-            let asked = harness.panel.take_commands();
-            assert_eq!(asked, [Command::RestoreProperty(row)]);
+            let commands = harness.panel.take_commands();
+            assert_eq!(commands, [Command::RestoreProperty(row)]);
         }
     }
 }
@@ -89,9 +89,9 @@ fn the_eye_of_an_object_switches_it_off_and_on() {
     for size in [TALL, PHONE] {
         let mut harness = with_objects(Model::Combustion, size);
         harness.click("enabled:3");
-        let asked = harness.panel.take_commands();
-        let [Command::Change(row, Value::Flag(false))] = asked[..] else {
-            panic!("{asked:?}");
+        let commands = harness.panel.take_commands();
+        let [Command::Change(row, Value::Flag(false))] = commands[..] else {
+            panic!("{commands:?}");
         };
         assert_eq!(
             (row.id, row.object.map(|owner| owner.id)),
@@ -99,13 +99,13 @@ fn the_eye_of_an_object_switches_it_off_and_on() {
         );
         assert!(shows(&mut harness, "Solid 3 · wood line · off"));
         harness.click("enabled:3");
-        let asked = harness.panel.take_commands();
-        assert_eq!(asked, [Command::Change(row, Value::Flag(true))]);
+        let commands = harness.panel.take_commands();
+        assert_eq!(commands, [Command::Change(row, Value::Flag(true))]);
         // The properties of the first source are parameters.
         harness.click("enabled:1");
         let id = Param::find("source_enabled").map_or("", |param| param.id);
-        let asked = harness.panel.take_commands();
-        assert_eq!(asked, [Command::Set(id, Value::Flag(false))]);
+        let commands = harness.panel.take_commands();
+        assert_eq!(commands, [Command::Set(id, Value::Flag(false))]);
         assert!(shows(&mut harness, "Source 1 · off"));
     }
 }

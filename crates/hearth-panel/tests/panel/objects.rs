@@ -189,8 +189,8 @@ fn dragging_changes_every_slider_and_reset_restores_it() {
                 assert!(harness.panel.state.fire.is_changed());
                 harness.reveal(row.id);
                 harness.click(&format!("action:restore:{}", row.id));
-                let asked = harness.panel.take_commands();
-                assert_eq!(asked, [Command::RestoreProperty(row)]);
+                let commands = harness.panel.take_commands();
+                assert_eq!(commands, [Command::RestoreProperty(row)]);
                 let default = harness.panel.state.fire.default_of(row);
                 assert_eq!(default, before, "{}", row.id);
                 let input = Entry::Number(default.as_number().unwrap_or_default());
@@ -233,10 +233,10 @@ fn what_is_typed_counts_when_another_object_is_selected() {
     harness.click("value:solid:width");
     harness.frame(vec![Event::Text("0.7".to_owned())]);
     harness.click("object:4");
-    let asked = harness.panel.take_commands();
+    let commands = harness.panel.take_commands();
     let set = Command::Change(*width, Value::Number(0.7));
-    assert!(asked.contains(&set), "{asked:?}");
-    assert!(asked.contains(&Command::Select(Some(4))));
+    assert!(commands.contains(&set), "{commands:?}");
+    assert!(commands.contains(&Command::Select(Some(4))));
     assert!(harness.panel.state.open.field.is_none());
 }
 
@@ -274,7 +274,7 @@ fn buttons_send_their_commands() {
     harness.click("action:ignite");
     assert!(harness.panel.take_commands().is_empty(), "none is selected");
     select(&mut harness, 3);
-    for (button, asked) in [
+    for (button, command) in [
         ("action:add:source", Command::Add("source")),
         ("action:add:solid", Command::Add("solid")),
         ("action:duplicate", Command::Duplicate(3)),
@@ -289,7 +289,7 @@ fn buttons_send_their_commands() {
     ] {
         harness.reveal(OBJECTS);
         harness.click(button);
-        assert_eq!(harness.panel.take_commands(), [asked], "{button}");
+        assert_eq!(harness.panel.take_commands(), [command], "{button}");
     }
 }
 

@@ -51,8 +51,8 @@ fn drag_every_slider(mut harness: Harness) {
         let last = harness.panel.take_commands().pop();
         assert_eq!(last, Some(Command::Set(param.id, harness.value(param.id))));
         harness.click(&format!("action:restore:{}", param.id));
-        let asked = harness.panel.take_commands();
-        assert_eq!(asked, [Command::Restore(param.id)], "{before:?}");
+        let commands = harness.panel.take_commands();
+        assert_eq!(commands, [Command::Restore(param.id)], "{before:?}");
     }
 }
 
@@ -76,8 +76,8 @@ fn a_typed_value_out_of_range_is_refused_with_a_reason() {
     harness.key(Key::Enter);
     assert_eq!(harness.value("viscosity"), Value::Number(0.02));
     assert!(harness.panel.state.fire.refusals.is_empty());
-    let asked = harness.panel.take_commands();
-    assert_eq!(asked, [Command::Set("viscosity", Value::Number(0.02))]);
+    let commands = harness.panel.take_commands();
+    assert_eq!(commands, [Command::Set("viscosity", Value::Number(0.02))]);
 }
 
 #[test]
@@ -203,8 +203,8 @@ fn a_double_click_on_the_name_resets() {
     for pressed in [true, false, true, false] {
         harness.button(pos, pressed);
     }
-    let asked = harness.panel.take_commands();
-    assert_eq!(asked, [Command::Restore("gravity")]);
+    let commands = harness.panel.take_commands();
+    assert_eq!(commands, [Command::Restore("gravity")]);
 }
 
 #[test]

@@ -47,7 +47,7 @@ fn turning_disc() -> Result<Simulation, JsValue> {
     Ok(fire)
 }
 
-/// What a reader of the library says of the disc at a place.
+/// The value of the quantity that the library computes at a place of the disc.
 fn read(fire: &Simulation, mode: DisplayMode, place: Vec2) -> f32 {
     let turns = place.distance(MIDDLE) < RADIUS;
     let of_disc = |value: f32, of_air: f32| if turns { value } else { of_air };

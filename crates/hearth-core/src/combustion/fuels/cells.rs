@@ -15,7 +15,7 @@ use crate::scene::{Field, RoundedBox, Surface};
 const MAX_CELLS_ALONG: f32 = 48.0;
 /// Smallest share of a cell that the solid fills.
 const MIN_FILLED_SHARE: f32 = 0.35;
-/// Depths below the surface at which a cell meets the gas, in halves of a cell.
+/// Depths below the surface at which a cell touches the gas, in halves of a cell.
 const DEPTHS: [f32; 8] = [-1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
 /// Mass of fuel and char over the area of a cell, half of which does not stand [kg/m²].
 const HALF_STANDING_MASS: f32 = 0.5;
@@ -274,7 +274,7 @@ impl Burning {
         self.shape.distance(place + self.origin).0
     }
 
-    /// The cells that meet the gas at a place of the surface with that normal, and the share of each:
+    /// The cells that touch the gas at a place of the surface with that normal, and the share of each:
     /// char is porous, so what a cell has given off is the share of those below it.
     pub fn below(&self, surface: Vec2, normal: Vec2, act: &mut dyn FnMut(usize, f32) -> bool) {
         let depth = 0.5 * fast_min(self.side.x, self.side.y);

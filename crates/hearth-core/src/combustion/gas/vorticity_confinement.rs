@@ -259,7 +259,7 @@ mod tests {
         }
         let domain = bounds(scene.settings());
         let plates = Solids::of(&scene, &domain, 0.2);
-        for (solids, felt) in [(&Solids::default(), true), (&plates, false)] {
+        for (solids, is_reached) in [(&Solids::default(), true), (&plates, false)] {
             let (gas, added) = confined(0.9, solids);
             let still = gas
                 .position
@@ -267,7 +267,7 @@ mod tests {
                 .zip(&added)
                 .filter(|particle| particle.0.y < 0.9);
             let moved = still.filter(|particle| *particle.1 != Vec2::ZERO).count();
-            assert_eq!(moved > 0, felt, "{moved} particles");
+            assert_eq!(moved > 0, is_reached, "{moved} particles");
             assert!(added.iter().any(|&a| a != Vec2::ZERO));
         }
     }

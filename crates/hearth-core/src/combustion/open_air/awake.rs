@@ -73,7 +73,7 @@ pub(super) fn hot(values: &Physics) -> f32 {
 #[inline(always)]
 pub(super) fn activate_source(map: &mut Map, source: &Rectangle) {
     let Layout { columns, .. } = map.layout;
-    if !map.layout.bounds().meets(source.low, source.high) {
+    if !map.layout.bounds().overlaps(source.low, source.high) {
         return;
     }
     let (low, high) = (map.layout.place(source.low), map.layout.place(source.high));

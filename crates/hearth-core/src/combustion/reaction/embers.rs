@@ -220,7 +220,7 @@ mod tests {
     use crate::scene::Scene;
 
     #[test]
-    fn an_ember_does_not_feel_the_gas_behind_a_thin_plate() {
+    fn gas_behind_a_thin_plate_does_not_move_an_ember() {
         let mut scene = Scene::new(with(&[]));
         let fields = [
             ("kind", Input::Text("solid")),
@@ -244,7 +244,7 @@ mod tests {
         let positions = gas.position.clone().into_iter();
         gas.reorder(grid.sort(positions, &bounds, kernel.support()));
         let plate = Solids::of(&scene, &bounds, kernel.support());
-        for (solids, felt) in [(&Solids::default(), true), (&plate, false)] {
+        for (solids, is_reached) in [(&Solids::default(), true), (&plate, false)] {
             let air = Air {
                 gas: &gas,
                 grid: &grid,
@@ -254,7 +254,7 @@ mod tests {
                 solids,
             };
             let speed = air.velocity_at(Vec2::new(0.1, 0.89)).x;
-            assert_eq!(speed > 0.0, felt, "{speed} m/s");
+            assert_eq!(speed > 0.0, is_reached, "{speed} m/s");
         }
     }
 }

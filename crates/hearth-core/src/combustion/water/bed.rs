@@ -141,7 +141,6 @@ impl Bed {
         let distance = match &self.burner {
             Some(burner) => {
                 let (offset, axis) = (place - self.centre, burner.axis());
-                // `clamp` would add 8 KB: it prints its arguments.
                 let half = burner.half_width;
                 let across = fast_max(-half, fast_min(offset.dot(axis), half));
                 (offset - axis * across).length()

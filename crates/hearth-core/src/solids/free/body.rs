@@ -104,7 +104,7 @@ fn whole(inverse: f32) -> f32 {
     if inverse > 0.0 { 1.0 / inverse } else { 0.0 }
 }
 
-/// A solid that forces move, or one that it meets.
+/// A solid that forces move, or another that it may touch.
 #[derive(Clone, Debug)]
 pub(super) struct Rigid {
     pub id: u32,

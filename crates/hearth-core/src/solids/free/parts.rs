@@ -108,7 +108,7 @@ impl Rigid {
         part
     }
 
-    /// The solid that the gas meets; `None` without that of its object.
+    /// The solid that the gas touches; `None` without that of its object.
     fn body_of(&self, bodies: &[Body]) -> Option<Body> {
         let object = bodies.iter().find(|body| body.id == self.object)?;
         let frame = self.surface.frame;
@@ -150,7 +150,7 @@ mod tests {
     };
     /// The size of a cell, and the pieces as their columns of it.
     const CELL: Vec2 = Vec2::new(0.05, 0.04);
-    const PIECES: [std::ops::Range<i32>; 3] = [-6..-2, -1..3, 4..6];
+    const PARTS: [std::ops::Range<i32>; 3] = [-6..-2, -1..3, 4..6];
 
     fn place(column: i32) -> Vec2 {
         Vec2::new(column as f32 + 0.5, 0.0) * CELL
@@ -197,7 +197,7 @@ mod tests {
             ]);
             assert_eq!(added, Ok(2));
             let mut solids = Solids::of(&scene, &BOX, 0.1);
-            let all = moments(&PIECES, Vec2::ZERO);
+            let all = moments(&PARTS, Vec2::ZERO);
             if let Some(free) = &mut solids.free {
                 free.weigh(2, &all);
                 let body = &mut free.all[0];
@@ -205,7 +205,7 @@ mod tests {
             }
             let seen = |solids: &Solids| solids.free.as_ref().map(|free| free.seen());
             let before = seen(&solids).unwrap_or_default();
-            for (number, columns) in PIECES.iter().enumerate().skip(1) {
+            for (number, columns) in PARTS.iter().enumerate().skip(1) {
                 let middle = 0.5 * (place(columns.start) + place(columns.end - 1));
                 let half = Vec2::new(0.5 * columns.len() as f32, 0.5) * CELL;
                 let inside = |at: Vec2| f32::from(u8::from(at.abs().cmplt(half).all()));
@@ -214,7 +214,7 @@ mod tests {
                     field: Arc::new(Field::of_opacity(half, 0.005, &inside)),
                     left: moments(std::slice::from_ref(columns), middle),
                 };
-                let others = [&PIECES[..1], &PIECES[number + 1..]].concat();
+                let others = [&PARTS[..1], &PARTS[number + 1..]].concat();
                 let rest = moments(&others, Vec2::ZERO);
                 let id = FreeBodies::break_off(&mut solids, 2, &rest, piece);
                 assert_eq!(id, 1_000_000 + number as u32);
@@ -224,7 +224,7 @@ mod tests {
             for (now, then) in totals(&after).into_iter().zip(totals(&before)) {
                 assert!((now / then - 1.0).abs() < 1e-6, "{now}, not {then}");
             }
-            // The gas meets each of them.
+            // The gas touches each of them.
             let bodies: Vec<u32> = solids.bodies.iter().map(|body| body.id).collect();
             assert_eq!(bodies, [2, 1_000_001, 1_000_002]);
         }

@@ -9,7 +9,7 @@ use crate::extremes::fast_max;
 use crate::solids::Solids;
 
 impl FreeBodies {
-    /// Puts the bodies where these numbers tell, in the order of the objects: for each its place \[m\], the
+    /// Moves the bodies to the states in these numbers, in the order of the objects: for each its place \[m\], the
     /// cosine and the sine of its angle, its velocity [m/s], its spin [1/s], and 1 if it sleeps.
     #[inline(never)]
     pub fn resume(solids: &mut Solids, numbers: &[f32]) {

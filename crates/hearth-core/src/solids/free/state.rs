@@ -5,7 +5,7 @@ use super::contact::{Contact, Plane};
 use super::hinge::Hinge;
 use crate::bounds::Bounds;
 
-/// The free solids of a scene and the solids that they meet.
+/// The free solids of a scene and the solids that they may touch.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct FreeBodies {
     /// All solids, in the order of the scene.

@@ -26,8 +26,6 @@ mod format;
 #[cfg(test)]
 mod tests;
 
-use std::fmt;
-
 use glam::Vec2;
 
 use super::Simulation;
@@ -42,7 +40,7 @@ use format::{
 };
 
 pub use digest::digest;
-pub use format::VERSION;
+pub use format::{BurningError, VERSION};
 
 /// Largest distance of a free solid from the middle \[m\], its largest speed [m/s], and its largest
 /// spin [1/s].
@@ -51,32 +49,6 @@ const MAX_SPEED: f32 = 10.0;
 const MAX_SPIN: f32 = 1e5;
 /// Largest temperature of an ember \[K\].
 const MAX_EMBER_TEMPERATURE: f32 = 2500.0;
-
-/// An error of bytes that are not a fire of this scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BurningError {
-    /// The fire has other values or another model. The bytes are valid.
-    OtherValues,
-    /// The format has this version, which is not [`VERSION`].
-    OtherVersion(u16),
-    /// The bytes are damaged; the message.
-    Damaged(&'static str),
-}
-
-impl fmt::Display for BurningError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            BurningError::OtherValues => f.write_str("the burning fire has other values"),
-            BurningError::OtherVersion(version) => write!(
-                f,
-                "the burning fire has version {version} of the format; it must be {VERSION}"
-            ),
-            BurningError::Damaged(message) => f.write_str(message),
-        }
-    }
-}
-
-impl std::error::Error for BurningError {}
 
 impl Simulation {
     /// This fire as bytes, with the gas in and around its frame; `None` in the classic model.

@@ -1,10 +1,37 @@
 //! The format of a burning fire: a header, then column by column.
 
+use std::fmt;
+
 use glam::Vec2;
 
-use super::BurningError;
 use crate::bounds::Bounds;
 use crate::scene::MAX_OBJECTS;
+
+/// An error of bytes that are not a fire of this scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BurningError {
+    /// The fire has other values or another model. The bytes are valid.
+    OtherValues,
+    /// The format has this version, which is not [`VERSION`].
+    OtherVersion(u16),
+    /// The bytes are damaged; the message.
+    Damaged(&'static str),
+}
+
+impl fmt::Display for BurningError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BurningError::OtherValues => f.write_str("the burning fire has other values"),
+            BurningError::OtherVersion(version) => write!(
+                f,
+                "the burning fire has version {version} of the format; it must be {VERSION}"
+            ),
+            BurningError::Damaged(message) => f.write_str(message),
+        }
+    }
+}
+
+impl std::error::Error for BurningError {}
 
 /// The version of the format.
 pub const VERSION: u16 = 3;

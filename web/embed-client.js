@@ -118,7 +118,7 @@ class FrameFire extends EventTarget {
   /** @param {string} type @param {Listener} entry */
   #forget(type, entry) {
     super.removeEventListener(type, entry.wrapped, entry.capture);
-    const others = (this.#listeners.get(type) ?? []).filter((one) => one !== entry);
+    const others = (this.#listeners.get(type) ?? []).filter((listening) => listening !== entry);
     if (others.length > 0) this.#listeners.set(type, others);
     else this.#listeners.delete(type);
     this.#subscribe(type);
@@ -126,7 +126,7 @@ class FrameFire extends EventTarget {
 
   /** @param {string} type @param {unknown} listener @param {boolean} capture */
   #listenerOf(type, listener, capture) {
-    return this.#listeners.get(type)?.find((one) => one.listener === listener && one.capture === capture);
+    return this.#listeners.get(type)?.find((entry) => entry.listener === listener && entry.capture === capture);
   }
 
   /**

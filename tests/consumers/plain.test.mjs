@@ -61,7 +61,7 @@ test('custom-elements.json names what the element has', async () => {
       ofClass: own(Fire),
       attributes: Fire.observedAttributes,
       // The panel's own inside is not for others to style.
-      cssParts: [...shadowRoot.querySelectorAll('.root [part], .panel[part]')].flatMap((one) => [...one.part]),
+      cssParts: [...shadowRoot.querySelectorAll('.root [part], .panel[part]')].flatMap((element) => [...element.part]),
       slots: [...shadowRoot.querySelectorAll('slot')].map((slot) => slot.name),
     };
   });
@@ -69,10 +69,10 @@ test('custom-elements.json names what the element has', async () => {
   assert.deepEqual(names('slots'), has.slots.sort());
   // The playback button is loaded for reduced motion only.
   assert.deepEqual(names('cssParts'), [...new Set([...has.cssParts, 'play', 'retry'])].sort());
-  const members = manifest.members.filter((one) => !one.static).map(({ name }) => name);
+  const members = manifest.members.filter((member) => !member.static).map(({ name }) => name);
   // What the parts of the element have for each other, no one else calls.
   const inner = ['constructor', 'keepEarlyProperties', 'chosen'];
   assert.deepEqual(members.sort(), has.members.filter((name) => !inner.includes(name)).sort());
-  const ofClass = manifest.members.filter((one) => one.static).map(({ name }) => name);
+  const ofClass = manifest.members.filter((member) => member.static).map(({ name }) => name);
   for (const name of ofClass) assert(has.ofClass.includes(name), name);
 });

@@ -28,7 +28,7 @@ after(() => server?.close());
 /** What a parameter is in the model of the page without another value. @param {string} id */
 async function byDefault(id) {
   const { PARAMETERS } = await import(pathToFileURL(path.join(PACKAGE, 'parameters.js')).href);
-  return PARAMETERS.find((one) => one.id === id).domains.classic.default;
+  return PARAMETERS.find((parameter) => parameter.id === id).domains.classic.default;
 }
 
 test('attributes and events are typed', async () => {

@@ -86,7 +86,7 @@ function keepMessages(/** @type {string} */ fireOrigin) {
   page.answer = async (id, timeout = 30000) => {
     const ends = performance.now() + timeout;
     for (;;) {
-      const found = page.received.find((one) => one.id === id && 'ok' in one);
+      const found = page.received.find((message) => message.id === id && 'ok' in message);
       if (found || performance.now() > ends) return found;
       await new Promise((resolve) => setTimeout(resolve, 20));
     }
@@ -106,7 +106,7 @@ function keepMessages(/** @type {string} */ fireOrigin) {
 export function received(tab, event) {
   return tab.until(
     `the page receives “${event}”`,
-    (wanted) => /** @type {any} */ (window).received.find((one) => one.event === wanted),
+    (wanted) => /** @type {any} */ (window).received.find((message) => message.event === wanted),
     event,
   );
 }

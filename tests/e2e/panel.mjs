@@ -23,9 +23,9 @@ export const actionOf = (/** @type {string} */ name) => `[data-action="${name}"]
  * @param {any[]} PARAMETERS @param {string} model @param {string} [edges]
  */
 export function entriesOf(PARAMETERS, model, edges = 'open') {
-  return Object.fromEntries(PARAMETERS.map((one) => [
-    one.id,
-    { ...one, ...domainOf(one, model), used: one.models.includes(model) && (one.when?.edges ?? [edges]).includes(edges) },
+  return Object.fromEntries(PARAMETERS.map((parameter) => [
+    parameter.id,
+    { ...parameter, ...domainOf(parameter, model), used: parameter.models.includes(model) && (parameter.when?.edges ?? [edges]).includes(edges) },
   ]));
 }
 

@@ -20,10 +20,10 @@ export async function table() {
   const file = path.join(SITE, 'web/parameters.js');
   accessSync(file);
   const { PARAMETERS, PRESETS } = await import(pathToFileURL(file).href);
-  const entry = Object.fromEntries(PARAMETERS.map((one) => [one.id, one]));
-  const DEFAULTS = Object.fromEntries(PARAMETERS.map((one) => [one.id, one.default]));
+  const entry = Object.fromEntries(PARAMETERS.map((parameter) => [parameter.id, parameter]));
+  const DEFAULTS = Object.fromEntries(PARAMETERS.map((parameter) => [parameter.id, parameter.default]));
   const defaultsOf = (/** @type {string} */ model) => {
-    const values = PARAMETERS.map((one) => [one.id, domainOf(one, model).default]);
+    const values = PARAMETERS.map((parameter) => [parameter.id, domainOf(parameter, model).default]);
     return { ...Object.fromEntries(values), model };
   };
   return { PARAMETERS, PRESETS, DEFAULTS, defaultsOf, entry };
@@ -31,10 +31,10 @@ export async function table() {
 
 /**
  * Default and range of a parameter in a model, or in the model that uses it.
- * @param {any} one @param {string} model
+ * @param {any} parameter @param {string} model
  */
-export function domainOf(one, model) {
-  return one.domains[model] ?? Object.values(one.domains)[0];
+export function domainOf(parameter, model) {
+  return parameter.domains[model] ?? Object.values(parameter.domains)[0];
 }
 
 /** The scene in the HTML of the landing page. */

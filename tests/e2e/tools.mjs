@@ -52,4 +52,4 @@ export async function drag(tab, from, to, touch = false) {
   await (touch ? tab.touchDrag(start, end) : tab.drag(start, end));
 }
 
-export const close = (one, other, off = 0.02) => Math.abs(one - other) <= off;
+export const close = (a, b, off = 0.02) => Math.abs(a - b) <= off;

@@ -24,9 +24,9 @@ const FIRES = [
 test('fires in one context look as each alone, to the bit', async () => {
   const together = await painter.ask('inTurn', FIRES, 4);
   const alone = [];
-  for (const one of FIRES) alone.push(...await painter.ask('inTurn', [one], 4));
-  assert.ok(together.every((one, at) => one.length > 10_000 && together.indexOf(one) === at));
-  assert.deepEqual(together.map((one, at) => one === alone[at]), [true, true, true]);
+  for (const fire of FIRES) alone.push(...await painter.ask('inTurn', [fire], 4));
+  assert.ok(together.every((picture, at) => picture.length > 10_000 && together.indexOf(picture) === at));
+  assert.deepEqual(together.map((picture, at) => picture === alone[at]), [true, true, true]);
 });
 
 test('foreign state in a WebGL context does not change a picture', async () => {
@@ -36,7 +36,7 @@ test('foreign state in a WebGL context does not change a picture', async () => {
     // A mask of colours is the one thing here that a host has to undo; and so it is seen
     // that what is left behind would be seen.
     const same = disturbance !== 'a colour without two channels';
-    assert.deepEqual(disturbed.map((one, at) => one === right[at]), [same, same, same], disturbance);
+    assert.deepEqual(disturbed.map((picture, at) => picture === right[at]), [same, same, same], disturbance);
   }
 });
 

@@ -68,12 +68,12 @@ export function compare(a, b) {
     each[at] = Math.hypot(...apart);
     if (seen[at]) differences.push(each[at]);
     if (Math.max(...[ofA, ofB].map(([, x, y]) => Math.hypot(x[at], y[at]))) > GREY) {
-      apart.forEach((one, k) => { shift[k] += one; });
+      apart.forEach((component, k) => { shift[k] += component; });
       coloured += 1;
     }
   }
-  differences.sort((one, other) => one - other);
-  const mean = differences.reduce((sum, one) => sum + one, 0) / Math.max(differences.length, 1);
+  differences.sort((a, b) => a - b);
+  const mean = differences.reduce((sum, difference) => sum + difference, 0) / Math.max(differences.length, 1);
   return {
     /** Mean difference of colour: 100 from black to white, 2 to be seen. */
     colour: mean,

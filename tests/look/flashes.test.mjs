@@ -42,8 +42,8 @@ const BLACK = [0, 0, 0];
 const encode = (/** @type {number} */ x) => Math.round(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055));
 
 /** To and fro between two colours so many times a second. */
-const between = (/** @type {number} */ hertz, /** @type {number[]} */ one, /** @type {number[]} */ other) => (
-  (/** @type {number} */ time) => ((time * hertz) % 1 < 0.5 ? one : other)
+const between = (/** @type {number} */ hertz, /** @type {number[]} */ colour, /** @type {number[]} */ other) => (
+  (/** @type {number} */ time) => ((time * hertz) % 1 < 0.5 ? colour : other)
 );
 
 const grey = (/** @type {number} */ light) => [light, light, light];
@@ -109,7 +109,7 @@ test('a saturated red to and from another colour flashes', () => {
 });
 
 test('what is no change of a saturated red by much is no red flash', () => {
-  for (const [one, other] of [
+  for (const [colour, other] of [
     [RED, [0.7, 0, 0]], // Darker alone.
     [RED, [0.8, 0.2, 0]], // Both are saturated reds.
     [[1, 0.4, 0], [0.6, 0.24, 0]], // Orange.
@@ -117,8 +117,8 @@ test('what is no change of a saturated red by much is no red flash', () => {
     [[0, 0, 1], [0, 1, 0]], // Far apart, and neither is red.
     [[0.003, 0, 0], BLACK], // Invisible.
   ]) {
-    const { red } = film(700, between(5, one, other));
-    assert.ok(red.flashes === 0, `${one} and ${other}: ${JSON.stringify(red)}`);
+    const { red } = film(700, between(5, colour, other));
+    assert.ok(red.flashes === 0, `${colour} and ${other}: ${JSON.stringify(red)}`);
   }
 });
 

@@ -49,7 +49,7 @@ export function wishes() {
   for (const kept of snapshots.sort()) {
     const shown = modes(kept);
     // Where all modes are kept, fire is that of a scene.
-    for (const mode of shown.length === 1 ? shown : shown.filter((one) => one !== 'fire')) {
+    for (const mode of shown.length === 1 ? shown : shown.filter((name) => name !== 'fire')) {
       all[shown.length === 1 ? kept : `${kept}-${mode}`] = { kept, mode };
     }
   }

@@ -81,5 +81,5 @@ function assertReported(wrong, right) {
     shift / TOLERANCE.shift,
     (1 - structure) / (1 - TOLERANCE.structure),
   ];
-  assert.ok(Math.max(...clearly) > 1.5, `only ${clearly.map((one) => one.toFixed(2))} of what is tolerated`);
+  assert.ok(Math.max(...clearly) > 1.5, `only ${clearly.map((ratio) => ratio.toFixed(2))} of what is tolerated`);
 }

@@ -51,5 +51,5 @@ export const hueTurned = (degrees) => {
 export const toneMappedByChannel = changed((shown) => {
   const peak = Math.max(...shown, 1e-6);
   const light = -Math.log(1 - Math.min(peak, 0.995));
-  return shown.map((one) => 1 - Math.exp(-light * (one / peak)));
+  return shown.map((value) => 1 - Math.exp(-light * (value / peak)));
 });

@@ -67,7 +67,7 @@ export function encode({ width, height, rgb }) {
       }
       return out;
     });
-    rows.push(filtered.reduce((best, one) => (weight(one) < weight(best) ? one : best)));
+    rows.push(filtered.reduce((best, row) => (weight(row) < weight(best) ? row : best)));
     above.set(row);
   }
   const header = Buffer.alloc(13);
@@ -89,7 +89,7 @@ const FILTERS = [
   (/** @type {number} */ _, /** @type {number} */ up) => up,
   (/** @type {number} */ left, /** @type {number} */ up) => (left + up) >> 1,
   (/** @type {number} */ left, /** @type {number} */ up, /** @type {number} */ corner) => {
-    const [a, b, c] = [left, up, corner].map((one) => Math.abs(left + up - corner - one));
+    const [a, b, c] = [left, up, corner].map((neighbour) => Math.abs(left + up - corner - neighbour));
     if (a <= b && a <= c) return left;
     return b <= c ? up : corner;
   },

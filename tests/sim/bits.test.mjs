@@ -38,27 +38,27 @@ test('the library burns every preset to the same bits as the native program', as
 
 test('the same calls give the same bits for any division of the steps', async () => {
   const [first, second] = [await fires(), await fires()];
-  for (const [one, other] of first.map((one, at) => [one, second[at]])) {
-    one.step(150);
+  for (const [sim, other] of first.map((sim, at) => [sim, second[at]])) {
+    sim.step(150);
     for (let left = 150; left > 0; left -= 1) other.step();
-    assert.deepEqual(everything(one), everything(other));
+    assert.deepEqual(everything(sim), everything(other));
   }
   assert.deepEqual(await burnEverything(createSimulation), await burnEverything(createSimulation));
 });
 
 test('another seed gives another fire, and a reset the same one', async () => {
   for (const model of ['combustion', 'classic']) {
-    const [one, other] = await Promise.all(
+    const [sim, other] = await Promise.all(
       [1, 2].map((seed) => createSimulation({ model, seed, params: { max_particles: 1000 } })),
     );
-    one.step(100);
+    sim.step(100);
     other.step(100);
-    const after = everything(one);
-    assert.notDeepEqual(one.positions(), other.positions());
-    one.reset();
-    assert.equal(one.time, 0);
-    one.step(100);
-    assert.deepEqual(everything(one), after);
+    const after = everything(sim);
+    assert.notDeepEqual(sim.positions(), other.positions());
+    sim.reset();
+    assert.equal(sim.time, 0);
+    sim.step(100);
+    assert.deepEqual(everything(sim), after);
     other.set('seed', 1);
     assert.equal(other.time, 0);
     other.step(100);

@@ -14,18 +14,18 @@ function lattice(side) {
 }
 
 test('particles that are read can be put in again to the last bit', async () => {
-  for (const one of await fires()) {
-    one.step(150);
-    const particles = one.particles();
-    one.setParticles(particles);
-    assert.deepEqual(one.particles(), particles);
-    const again = await createSimulation({ params: one.params });
+  for (const sim of await fires()) {
+    sim.step(150);
+    const particles = sim.particles();
+    sim.setParticles(particles);
+    assert.deepEqual(sim.particles(), particles);
+    const again = await createSimulation({ params: sim.params });
     again.setParticles(particles);
     const { ages, ...rest } = again.particles();
     const { ages: known, ...read } = particles;
     assert.deepEqual(rest, read);
     // The gas of the combustion model is as old as the fire.
-    assert.deepEqual(ages, one.get('model') === 'classic' ? known : new Float32Array(again.count));
+    assert.deepEqual(ages, sim.get('model') === 'classic' ? known : new Float32Array(again.count));
   }
 });
 

@@ -115,7 +115,7 @@ test('readers return copies that later steps do not change', async () => {
 
 test('all parameters have the defaults of the table', async () => {
   const sim = await createSimulation();
-  const defaults = PARAMETERS.map((one) => [one.id, one.default]);
+  const defaults = PARAMETERS.map((parameter) => [parameter.id, parameter.default]);
   assert.deepEqual(sim.params, Object.fromEntries(defaults));
   for (const { id } of PARAMETERS) assert.equal(sim.get(id), sim.params[id]);
 });

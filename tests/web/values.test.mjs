@@ -28,7 +28,7 @@ test('fires of a document get different seeds, the same ones in the same order, 
 });
 
 test('transitions move log parameters by ratios, and step whole numbers', () => {
-  const ids = (/** @type {(one: typeof PARAMETERS[number]) => boolean} */ holds) => PARAMETERS.filter(holds).map(({ id }) => id).sort();
+  const ids = (/** @type {(parameter: typeof PARAMETERS[number]) => boolean} */ holds) => PARAMETERS.filter(holds).map(({ id }) => id).sort();
   assert.deepEqual([...LOGARITHMIC].sort(), ids(({ kind, scale }) => kind === 'number' && scale === 'log'));
   assert.deepEqual([...WHOLE].sort(), ids(({ kind }) => kind === 'integer' || kind === 'seed'));
 });

@@ -236,17 +236,17 @@ describe('on a page', () => {
       width: 720, height: 440,
     });
     const values = () => tab.evaluate(() => [...document.querySelectorAll('hearth-fire')].map(
-      (one) => /** @type {any} */ (one).params.buoyancy,
+      (fire) => /** @type {any} */ (fire).params.buoyancy,
     ));
     await tab.until('both panels', () => [...document.querySelectorAll('hearth-fire')].every(
-      (one) => one.shadowRoot?.querySelector('[data-action="pause"][data-rect]'),
+      (fire) => fire.shadowRoot?.querySelector('[data-action="pause"][data-rect]'),
     ));
-    const second = await (await tab.page.$$('hearth-fire'))[1].evaluateHandle((one) => one.shadowRoot);
+    const second = await (await tab.page.$$('hearth-fire'))[1].evaluateHandle((fire) => fire.shadowRoot);
     await second.evaluate((root) => /** @type {any} */ (root).querySelector('[data-parameter="buoyancy"]').focus());
     await tab.key('ArrowRight');
     await tab.until('the second fire alone has another value', (old) => {
-      const [one, two] = [...document.querySelectorAll('hearth-fire')].map((each) => /** @type {any} */ (each).params.buoyancy);
-      return one === old && two !== old;
+      const [first, second] = [...document.querySelectorAll('hearth-fire')].map((each) => /** @type {any} */ (each).params.buoyancy);
+      return first === old && second !== old;
     }, DEFAULTS.buoyancy);
     const undo = (at) => tab.evaluate((which) => /** @type {any} */ (
       document.querySelectorAll('hearth-fire')[which].shadowRoot
@@ -344,9 +344,9 @@ function countListeners() {
   EventTarget.prototype.addEventListener = function add(name, listener, options) {
     const once = typeof options === 'object' && options?.once;
     if (listener && !once && watched(this ?? window)) {
-      const one = key(this ?? window, name, listener, options);
-      kept.add(one);
-      if (typeof options === 'object') options?.signal?.addEventListener('abort', () => kept.delete(one));
+      const listening = key(this ?? window, name, listener, options);
+      kept.add(listening);
+      if (typeof options === 'object') options?.signal?.addEventListener('abort', () => kept.delete(listening));
     }
     return addEventListener.call(this, name, listener, options);
   };

@@ -137,7 +137,7 @@ for (const model of ['classic', 'combustion']) {
   test(`in the ${model} model every attribute sets its value, and without it the default is back`, async () => {
     const tab = await browser.show(`<hearth-fire paused model="${model}"></hearth-fire>`);
     await tab.ready();
-    const wanted = PARAMETERS.filter(({ id }) => id !== 'model').map((one) => anotherValue(one, model));
+    const wanted = PARAMETERS.filter(({ id }) => id !== 'model').map((parameter) => anotherValue(parameter, model));
     await tab.fire((fire, changes) => {
       for (const { attribute, value } of changes) fire.setAttribute(attribute, String(value));
     }, wanted);
@@ -157,14 +157,14 @@ for (const model of ['classic', 'combustion']) {
 }
 
 /** An allowed value of a parameter in a model that is not its default there. */
-function anotherValue(one, model) {
-  const { id, attribute, kind } = one;
-  const domain = domainOf(one, model);
+function anotherValue(parameter, model) {
+  const { id, attribute, kind } = parameter;
+  const domain = domainOf(parameter, model);
   const value = {
     number: () => (domain.default === domain.max ? domain.min : domain.max),
     integer: () => domain.min,
     seed: () => 4_294_967_295,
-    choice: () => one.choices.find((name) => name !== domain.default),
+    choice: () => parameter.choices.find((name) => name !== domain.default),
     flag: () => !domain.default,
     colour: () => '#204060',
   }[kind]();
@@ -261,7 +261,7 @@ test('with reduced motion a still picture of the fire has a play button', async 
   assert.equal(still.difference(await tab.firePicture()), 0);
   assert.ok(still.part(0.3, 0.4, 0.7, 1).glowing() > 0.02, 'the still shows a fire');
   const button = await tab.fire((fire) => {
-    const found = [...fire.shadowRoot.querySelectorAll('button')].find((one) => one.checkVisibility());
+    const found = [...fire.shadowRoot.querySelectorAll('button')].find((button) => button.checkVisibility());
     const { x, y, width, height } = found.getBoundingClientRect();
     return { x: x + width / 2, y: y + height / 2, label: found.ariaLabel || found.textContent };
   });

@@ -132,7 +132,7 @@ test('unrelated names in the address cause no message and stay in the address', 
   await tab.fire((fire) => fire.set('exposure', 1));
   await tab.until('the address follows', () => new URLSearchParams(location.search).get('exposure') === '1');
   const found = await tab.evaluate(() => [...new URLSearchParams(location.search)]);
-  for (const one of new URLSearchParams(foreign)) assert.ok(found.some((other) => `${other}` === `${one}`), `${one} in ${found}`);
+  for (const entry of new URLSearchParams(foreign)) assert.ok(found.some((other) => `${other}` === `${entry}`), `${entry} in ${found}`);
   assert.deepEqual(tab.problems, []);
 });
 

@@ -187,7 +187,7 @@ test('a drag on a source that is on a solid moves the solid', async () => {
   const solid = () => tab.fire(async (fire, wanted) => {
     await fire.exportConfig();
     const { left, top } = fire.getBoundingClientRect();
-    const { x, y } = fire.objects.find((one) => one.id === wanted);
+    const { x, y } = fire.objects.find((object) => object.id === wanted);
     const at = fire.toPixels(x, y);
     return { x: left + at.x, y: top + at.y };
   }, id);
@@ -253,7 +253,7 @@ test('`stir` and `sparks` act on the fire, and invalid arguments are rejected', 
       fire.sparks(0, Infinity), fire.sparks(0, 0.5, 0), fire.sparks(0, 0.5, 201), fire.sparks(0, 0.5, 1.5), fire.sparks({}, 1),
     ];
     const settled = await Promise.allSettled(asked);
-    return settled.map((one) => `${one.status} ${/** @type {any} */ (one).reason?.name}: ${/** @type {any} */ (one).reason?.message}`);
+    return settled.map((result) => `${result.status} ${/** @type {any} */ (result).reason?.name}: ${/** @type {any} */ (result).reason?.message}`);
   });
   const words = [
     /x = NaN .*from -1000 to 1000/, /u = "fast" .*from -20 to 20/, /v = 21 .*from -20 to 20/, /is refused/,

@@ -61,7 +61,7 @@ test('one fire imports the export of another, as data or as text', async () => {
     '<hearth-fire paused preset="seed" viscosity="0.02" seed="7"></hearth-fire><hearth-fire paused exposure="2"></hearth-fire>',
   );
   await tab.ready();
-  const { one, two, three, preset } = await tab.evaluate(async () => {
+  const { exported, asData, asText, preset } = await tab.evaluate(async () => {
     const [first, second] = /** @type {any} */ ([...document.querySelectorAll('hearth-fire')]);
     await second.ready;
     const config = await first.exportConfig();
@@ -69,11 +69,11 @@ test('one fire imports the export of another, as data or as text', async () => {
     const data = second.params;
     await second.restore();
     await second.importConfig(JSON.stringify(config));
-    return { one: first.params, two: data, three: second.params, preset: second.preset };
+    return { exported: first.params, asData: data, asText: second.params, preset: second.preset };
   });
-  assert.equal(one.viscosity, 0.02);
-  assert.deepEqual(two, one);
-  assert.deepEqual(three, one);
+  assert.equal(exported.viscosity, 0.02);
+  assert.deepEqual(asData, exported);
+  assert.deepEqual(asText, exported);
   assert.equal(preset, 'seed');
 });
 

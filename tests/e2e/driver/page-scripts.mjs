@@ -13,7 +13,7 @@ export function rememberContexts() {
   /** @type {WeakRef<any>[]} */
   const known = [];
   Object.defineProperty(scope, 'contexts', {
-    get: () => known.map((one) => one.deref()).filter((context) => context !== undefined),
+    get: () => known.map((reference) => reference.deref()).filter((context) => context !== undefined),
   });
   for (const type of [scope.HTMLCanvasElement, scope.OffscreenCanvas]) {
     if (!type) continue;
@@ -59,7 +59,7 @@ export function rememberContexts() {
     /** How many things of a graphics card were made in contexts and not deleted. */
     objects: () => objects,
     /** Bytes of all wasm's memory. */
-    memory: () => memories.reduce((sum, one) => sum + (one.deref()?.buffer.byteLength ?? 0), 0),
+    memory: () => memories.reduce((sum, reference) => sum + (reference.deref()?.buffer.byteLength ?? 0), 0),
     /** Loses the contexts that are alive, for so long; says how many. */
     lose(milliseconds) {
       const lost = living();

@@ -17,7 +17,7 @@ export const BROWSERS = chosen(process.env.HEARTH_BROWSERS);
 function chosen(names) {
   if (!names) return KINDS;
   return names.split(',').map((name) => {
-    const kind = KINDS.find((one) => one === name.trim());
+    const kind = KINDS.find((known) => known === name.trim());
     if (!kind) throw new Error(`HEARTH_BROWSERS names "${name}"; there are: ${KINDS.join(', ')}`);
     return kind;
   });

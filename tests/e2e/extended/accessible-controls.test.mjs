@@ -46,7 +46,7 @@ test('every parameter of the model has an accessible control with a name', async
   }
   for (const [model, edges] of [['combustion', 'open'], ['combustion', 'periodic'], ['classic', 'periodic']]) {
     await tab.fire((fire, values) => fire.set(values), { model, edges });
-    const used = Object.values(entriesOf(PARAMETERS, model, edges)).filter((one) => one.used).map(({ id }) => id);
+    const used = Object.values(entriesOf(PARAMETERS, model, edges)).filter((entry) => entry.used).map(({ id }) => id);
     assert.deepEqual(await panel.controls(), used);
   }
 });

@@ -92,7 +92,7 @@ describe('a measurement of few particles', () => {
   });
 
   test('is plotted beside the paper’s', async () => {
-    const names = await tab.evaluate(() => [...document.querySelectorAll('#plot figcaption span')].map((one) => one.textContent));
+    const names = await tab.evaluate(() => [...document.querySelectorAll('#plot figcaption span')].map((span) => span.textContent));
     assert.deepEqual(names, ['classic', 'combustion', 'the paper’s loop, here', 'the paper’s Table 1']);
     assert.ok(await tab.evaluate(() => document.querySelectorAll('#plot circle').length === 1 + 1 + 1 + 10));
   });

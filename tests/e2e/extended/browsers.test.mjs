@@ -61,7 +61,7 @@ for (const kind of BROWSERS) {
       await assertBurns(tab);
       const picture = await tab.firePicture();
       for (const corner of [picture.part(0, 0, 0.15, 0.3), picture.part(0.85, 0, 1, 0.3)]) {
-        const seen = corner.share((...rgb) => rgb.every((one, at) => Math.abs(one - BLUE[at]) <= 2));
+        const seen = corner.share((...rgb) => rgb.every((channel, at) => Math.abs(channel - BLUE[at]) <= 2));
         assert.ok(seen > 0.97, `${seen} of an upper corner is the page`);
       }
       assert.equal((await events(tab, 'ready')).length, 1);

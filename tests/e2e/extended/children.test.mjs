@@ -118,20 +118,20 @@ test('attributes are live, a call changes the object and not the attribute, and 
 test('children are added, removed and reordered, and keep their ids', async () => {
   const tab = await opened('<hearth-solid x="0.1"></hearth-solid><p>text</p><hearth-solid x="0.2"></hearth-solid>');
   const ids = () => tab.fire((fire) => [...fire.querySelectorAll('hearth-solid')].map(({ objectId }) => objectId));
-  const [one, two] = await ids();
+  const [first, second] = await ids();
   await acts(tab, (fire) => {
     const added = document.createElement('hearth-solid');
     added.setAttribute('x', '0.3');
     fire.prepend(added);
   });
-  const [three] = await ids();
+  const [third] = await ids();
   assert.deepEqual(await listed(tab), ['source 0', 'solid 0.3', 'solid 0.1', 'solid 0.2']);
   await acts(tab, (fire) => fire.append(fire.firstElementChild));
-  assert.deepEqual(await ids(), [one, two, three]);
+  assert.deepEqual(await ids(), [first, second, third]);
   assert.deepEqual(await listed(tab), ['source 0', 'solid 0.1', 'solid 0.2', 'solid 0.3']);
   await acts(tab, (fire) => fire.firstElementChild.remove());
   assert.deepEqual(await listed(tab), ['source 0', 'solid 0.2', 'solid 0.3']);
-  assert.deepEqual(await ids(), [two, three]);
+  assert.deepEqual(await ids(), [second, third]);
 });
 
 test('calls beside a reordering are kept', async () => {
@@ -147,8 +147,8 @@ test('calls beside a reordering are kept', async () => {
     return all.map(({ objectId }) => objectId);
   });
   const objects = await tab.fire((fire) => fire.objects.slice(1).map(({ id, y }) => [id, y]));
-  const [one, two, ...others] = ids;
-  assert.deepEqual(objects, [two, one, ...others].map((id) => [id, 1]));
+  const [first, second, ...others] = ids;
+  assert.deepEqual(objects, [second, first, ...others].map((id) => [id, 1]));
 });
 
 test('a child moves between fires, also while one is off the page', async () => {
@@ -350,7 +350,7 @@ test('`solid` names a solid of the same fire, whose id the source follows', asyn
   const tab = await opened(`
     <hearth-source shape="solid" solid="#log"></hearth-source>
     <hearth-solid id="log" shape="box"></hearth-solid>`);
-  const refers = async () => (await owned(tab)).filter((one) => one?.kind === 'source').map(({ shape, solid }) => [shape, solid]);
+  const refers = async () => (await owned(tab)).filter((object) => object?.kind === 'source').map(({ shape, solid }) => [shape, solid]);
   const idOf = (/** @type {string} */ id) => tab.fire((fire, wanted) => fire.querySelector(`#${wanted}`).objectId, id);
   assert.deepEqual(await refers(), [['solid', await idOf('log')]]);
   assert.deepEqual(told(tab), []);
@@ -366,7 +366,7 @@ test('`solid` names a solid of the same fire, whose id the source follows', asyn
   assert.deepEqual(await refers(), [['solid', await idOf('ashes')]]);
   // A number is an id.
   const id = await idOf('log');
-  await acts(tab, (fire, one) => fire.querySelector('hearth-source').setAttribute('solid', one), id);
+  await acts(tab, (fire, solid) => fire.querySelector('hearth-source').setAttribute('solid', solid), id);
   assert.deepEqual(await refers(), [['solid', id]]);
   assert.deepEqual(told(tab), []);
 });
@@ -377,7 +377,7 @@ test('`hangs-from` names the solid that a free one hangs from', async () => {
     <hearth-solid id="ball" motion="free" y="0.6" hangs-from="#hook"></hearth-solid>
     <hearth-solid id="hook" y="0.9"></hearth-solid>
     <hearth-solid motion="free" x="0.4" hangs-from="#none"></hearth-solid>`);
-  const hangs = async () => (await owned(tab)).filter((one) => one?.motion === 'free').map(({ hangs_from }) => hangs_from);
+  const hangs = async () => (await owned(tab)).filter((object) => object?.motion === 'free').map(({ hangs_from }) => hangs_from);
   const hook = await tab.fire((fire) => fire.querySelector('#hook').objectId);
   assert.deepEqual(await hangs(), [hook, 0]);
   assert.equal(told(tab).length, 1);

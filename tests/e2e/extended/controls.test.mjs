@@ -161,7 +161,7 @@ test('each model has its own controls, and its values return with it', async () 
   for (const id of ['buoyancy', 'max_particles']) {
     await panel.value(id, 'its default', (value) => value === there[id].default);
   }
-  const used = Object.values(there).filter((one) => one.used).map(({ id }) => id);
+  const used = Object.values(there).filter((entry) => entry.used).map(({ id }) => id);
   assert.deepEqual(await panel.controls(), used);
   await panel.reveal('fuel_power');
   await panel.dragSlider('buoyancy', 0.5, 0.8);
@@ -213,7 +213,7 @@ for (const model of ['combustion', 'classic']) {
     const sliders = all.filter(({ id }, at) => at % 3 === 0 || id === 'spacing');
     assert.ok(sliders.length > 5, `${sliders.length} sliders`);
     // Until it is set, the spacing follows others.
-    sliders.sort((one, other) => Number(other.id === 'spacing') - Number(one.id === 'spacing'));
+    sliders.sort((a, b) => Number(b.id === 'spacing') - Number(a.id === 'spacing'));
     for (const slider of sliders) {
       const before = await tab.fire((fire) => fire.params);
       const from = fractionOf(slider, before[slider.id]);

@@ -92,7 +92,7 @@ for (const [about, before] of /** @type {[string, () => void][]} */ ([
 function reported(tab) {
   return tab.fire((fire) => {
     const style = getComputedStyle(fire);
-    return [style.getPropertyValue('--hearth-light'), style.getPropertyValue('--hearth-glow')].map((one) => one.trim());
+    return [style.getPropertyValue('--hearth-light'), style.getPropertyValue('--hearth-glow')].map((property) => property.trim());
   });
 }
 
@@ -146,7 +146,7 @@ test('the reported colour is that of the picture', async () => {
       const most = Math.max(...sum);
       return {
         glow: getComputedStyle(fire).getPropertyValue('--hearth-glow').trim(),
-        mean: sum.map((one) => Math.round((255 * one) / most)),
+        mean: sum.map((channel) => Math.round((255 * channel) / most)),
       };
     }, palette);
     const colour = glow.match(/\w\w/g).map((hex) => parseInt(hex, 16));

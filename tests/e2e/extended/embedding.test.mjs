@@ -55,8 +55,8 @@ before(async () => {
       methods: members.filter(([, { value }]) => typeof value === 'function').map(([name]) => name),
       properties: members.filter(([, { get }]) => get).map(([name]) => name),
       stats: Object.keys(fire.stats),
-      parts: [...fire.shadowRoot.querySelectorAll('[part]')].map((one) => one.getAttribute('part')),
-      slots: [...fire.shadowRoot.querySelectorAll('slot')].map((one) => one.name),
+      parts: [...fire.shadowRoot.querySelectorAll('[part]')].map((element) => element.getAttribute('part')),
+      slots: [...fire.shadowRoot.querySelectorAll('slot')].map((slot) => slot.name),
     };
   });
 });
@@ -137,7 +137,7 @@ async function run(examples) {
     for (const [at, outer] of documents.entries()) {
       const inside = outer.querySelector('iframe')?.contentDocument;
       const within = [outer, ...(inside ? [inside] : [])];
-      const fires = within.flatMap((one) => /** @type {any[]} */ ([...one.querySelectorAll('hearth-fire')]));
+      const fires = within.flatMap((root) => /** @type {any[]} */ ([...root.querySelectorAll('hearth-fire')]));
       if (burning[at] && (fires.length === 0 || fires.some((fire) => fire.ready === undefined))) return false;
       for (const fire of fires) {
         // A fire below the fold may wait.

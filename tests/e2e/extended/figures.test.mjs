@@ -44,7 +44,7 @@ test('figure 1 has lighter colours at higher temperatures', async () => {
   await tab.ready();
   await tab.on('#colours', (figure) => figure.scrollIntoView());
   await tab.until('the slider of temperatures', () => document.querySelector('#kelvin:enabled'));
-  const colours = await tab.evaluate(() => [...document.querySelectorAll('#scale li')].map((one) => one.textContent ?? ''));
+  const colours = await tab.evaluate(() => [...document.querySelectorAll('#scale li')].map((entry) => entry.textContent ?? ''));
   assert.equal(colours.length, 16);
   const sums = colours.map((words, at) => {
     const [, kelvin, ...rgb] = /^(\d+) K: #(..)(..)(..)$/.exec(words) ?? [];
@@ -124,10 +124,10 @@ describe('the figures on a phone', () => {
     const figure = place('buoyancy', 1);
     await tab.page.focus(`${figure} input`);
     await tab.press('End');
-    assert.deepEqual(await tab.on(figure, (one) => [
-      one.querySelector('hearth-fire').getAttribute('buoyancy'),
-      one.querySelector('hearth-fire').alt,
-      one.querySelector('input').ariaValueText,
+    assert.deepEqual(await tab.on(figure, (element) => [
+      element.querySelector('hearth-fire').getAttribute('buoyancy'),
+      element.querySelector('hearth-fire').alt,
+      element.querySelector('input').ariaValueText,
     ]), ['1', 'Fire: buoyancy 1', '1']);
     assert.deepEqual(await numbers(tab, 'buoyancy', 1), await numbers(tab, 'buoyancy', 2));
   });

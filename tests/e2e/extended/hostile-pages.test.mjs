@@ -62,7 +62,7 @@ test('under the policy that the documents state, the fire burns in a worker', as
   const tab = await under(policy);
   await assertBurnsIn(tab, 'worker');
   // The icon of the test's page is none of the fire's.
-  assert.deepEqual((await violations(tab)).filter((one) => !one.startsWith('img-src')), []);
+  assert.deepEqual((await violations(tab)).filter((violation) => !violation.startsWith('img-src')), []);
 });
 
 test('each rule of that policy is needed, as the documents say', async () => {
@@ -88,7 +88,7 @@ test('under that policy glyphs and images count by their pixels, and an SVG elem
     const { objects } = /** @type {any} */ (document.querySelector('hearth-fire'));
     return objects.slice(1).map(({ shape }) => shape).join() === 'mask,box,mask';
   });
-  assert.deepEqual((await violations(tab)).filter((one) => !one.startsWith('img-src data')), []);
+  assert.deepEqual((await violations(tab)).filter((violation) => !violation.startsWith('img-src data')), []);
   assert.ok(tab.problems.some((problem) => /of = #drawing counts as a box: the policy of the page forbids data: images/.test(problem)), tab.problems.join('\n'));
 });
 
@@ -114,7 +114,7 @@ for (const page of ['index.html', 'web/embed.html']) {
       await tab.on('#embed form button', (button) => button.click());
       await tab.until('the dialog is closed', () => !document.querySelector('#embed')?.matches('[open]'));
     }
-    const others = (await violations(tab)).filter((one) => !one.includes('Element innerHTML'));
+    const others = (await violations(tab)).filter((violation) => !violation.includes('Element innerHTML'));
     assert.deepEqual(others, []);
   });
 }
@@ -126,8 +126,8 @@ function freezeAll() {
     if (Object(value) !== value || value === globalThis || frozen.has(value)) return;
     frozen.add(value);
     freeze(Object.getPrototypeOf(value));
-    for (const one of Object.values(Object.getOwnPropertyDescriptors(value))) {
-      for (const part of [one.value, one.get, one.set]) if (typeof part === 'function') freeze(part);
+    for (const descriptor of Object.values(Object.getOwnPropertyDescriptors(value))) {
+      for (const part of [descriptor.value, descriptor.get, descriptor.set]) if (typeof part === 'function') freeze(part);
     }
     if (typeof value === 'function') freeze(value.prototype);
     try {

@@ -134,7 +134,7 @@ test('measuring refuses what is no place, and the fire burns on', async () => {
     for (const place of [[NaN, 0], [0, 2000], ['a', 1], [0]]) all.push(await fire.measure(...place).then(() => 'measured', (error) => `${error.name}: ${error.message}`));
     return all;
   });
-  for (const one of why) assert.match(one, /^RangeError: .*\b[xy]\b/);
+  for (const message of why) assert.match(message, /^RangeError: .*\b[xy]\b/);
   const { time, place, power } = await tab.fire((fire) => fire.measure(0, 1));
   assert.ok(time >= 0.2 && power >= 0 && place.temperature > 200);
 });

@@ -39,10 +39,10 @@ for (const model of ['combustion', 'classic']) {
       pictures.push(shrunk(picture, ratio));
       assert.deepEqual(await tab.complaints(), []);
     }
-    const [one, ...others] = pictures;
-    assert.ok(one.glowing() > 0.02);
+    const [first, ...others] = pictures;
+    assert.ok(first.glowing() > 0.02);
     for (const other of others) {
-      const { colour, shift, structure } = compare(other, one);
+      const { colour, shift, structure } = compare(other, first);
       assert.ok(
         colour < 2 && shift < 1 && structure > 0.98,
         `colours differ by ${colour}, all by ${shift}, structure agrees by ${structure}`,

@@ -95,7 +95,7 @@ for (const place of ['worker', 'main']) {
       // browser, JavaScript and wasm.
       const boxed = /performance\.now|^js-to-wasm/;
       const ours = [...bytes].filter(([name]) => !boxed.test(name)).sort(([, a], [, b]) => b - a);
-      const sum = ours.reduce((all, [, one]) => all + one, 0);
+      const sum = ours.reduce((all, [, bytes]) => all + bytes, 0);
       const list = JSON.stringify(ours.slice(0, 8));
       // A message of what it says of itself has some forty fields.
       const most = 6000 * (reported + 1) + PICTURE[place] * pictures;

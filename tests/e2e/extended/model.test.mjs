@@ -107,7 +107,7 @@ test('a change of the model reports every value that differs', async () => {
       now,
     );
     const sent = await events(tab, 'params-change');
-    assert.deepEqual([...new Set(sent.map((one) => one.source))], [source]);
+    assert.deepEqual([...new Set(sent.map((message) => message.source))], [source]);
     const other = defaultsOf(/** @type {string} */ (before));
     const differing = Object.entries(defaultsOf(/** @type {string} */ (now)))
       .filter(([id, value]) => other[id] !== value);

@@ -23,9 +23,9 @@ async function openCard(query = 'scene=candle&paused', options = {}) {
   return { tab, panel };
 }
 
-const names = (tab) => tab.evaluate(() => [...document.querySelectorAll('.hearth-own input')].map((one) => /** @type {HTMLInputElement} */ (one).value));
+const names = (tab) => tab.evaluate(() => [...document.querySelectorAll('.hearth-own input')].map((input) => /** @type {HTMLInputElement} */ (input).value));
 const named = (tab, list) => tab.until(`the scenes ${list}`, (wanted) => (
-  [...document.querySelectorAll('.hearth-own input')].map((one) => /** @type {HTMLInputElement} */ (one).value).join() === wanted
+  [...document.querySelectorAll('.hearth-own input')].map((input) => /** @type {HTMLInputElement} */ (input).value).join() === wanted
 ), list.join());
 const alerted = (tab, pattern) => tab.until(`${pattern}`, (source) => (
   new RegExp(source).test(document.querySelector('.hearth-own + [role=alert]')?.textContent ?? '')

@@ -268,8 +268,8 @@ test('`captureStream` of a burning fire is a moving video', async () => {
       await fire.step(100);
     }
     for (const track of stream.getTracks()) track.stop();
-    const [one, two] = pictures;
-    return { bright: Math.max(...two.filter((_, at) => at % 4 === 0)), moved: one.some((value, at) => Math.abs(value - two[at]) > 20) };
+    const [first, second] = pictures;
+    return { bright: Math.max(...second.filter((_, at) => at % 4 === 0)), moved: first.some((value, at) => Math.abs(value - second[at]) > 20) };
   });
   assert.ok(seen.bright > 100, `${seen.bright}`);
   assert.ok(seen.moved);

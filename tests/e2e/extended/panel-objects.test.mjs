@@ -37,7 +37,7 @@ async function scenePage(name) {
   const label = await tab.fire(async (fire, preset) => {
     await fire.importConfig({ hearth: 2, preset, values: {} });
     const { PRESETS } = await import(new URL('web/parameters.js', document.baseURI).href);
-    return PRESETS.find((one) => one.name === preset).label;
+    return PRESETS.find((entry) => entry.name === preset).label;
   }, name);
   await titled(panel, label);
   await tab.page.select(actionOf('select-object'), '');
@@ -71,18 +71,18 @@ describe('a mouse', () => {
 
       const rail = await panel.pointAt(propertyOf('solid:width'));
       await tab.drag(along(rail, 0.5), along(rail, 0.7));
-      await until(tab, 'wider', ([, one]) => one.width > 1.4 * solid.width);
+      await until(tab, 'wider', ([, moved]) => moved.width > 1.4 * solid.width);
 
       await panel.press('undo');
-      await until(tab, 'as narrow as before', ([, one]) => one?.width === solid.width);
+      await until(tab, 'as narrow as before', ([, moved]) => moved?.width === solid.width);
       await panel.pointAt(actionOf('redo'));
       await panel.press('redo');
       // The width during the drag may be that of any of its moves; this one is the last.
-      const [, dragged] = await until(tab, 'wider again', ([, one]) => one.width > 1.4 * solid.width);
+      const [, dragged] = await until(tab, 'wider again', ([, moved]) => moved.width > 1.4 * solid.width);
       assert.deepEqual({ ...dragged, width: solid.width }, solid, 'only its width is another');
       await panel.pointAt(actionOf('undo'));
       await panel.press('undo');
-      await until(tab, 'as narrow as before', ([, one]) => one?.width === solid.width);
+      await until(tab, 'as narrow as before', ([, moved]) => moved?.width === solid.width);
       await panel.press('undo');
       await until(tab, 'one', (all) => all.length === 1);
       assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), first);
@@ -91,7 +91,7 @@ describe('a mouse', () => {
         await panel.pointAt(actionOf('redo'));
         await panel.press('redo');
       }
-      await until(tab, 'as wide as dragged', ([, one]) => one?.width === dragged.width);
+      await until(tab, 'as wide as dragged', ([, moved]) => moved?.width === dragged.width);
       assert.deepEqual(tab.problems, []);
 
       // A link shows the same fire.
@@ -170,8 +170,8 @@ describe('buttons act on the fire at the selected object', () => {
       ['blow', 'stir', (x, y, u) => x > 0.2 && x < 0.25 && y === 0.6 && u > 5],
     ]) {
       await press(panel, tab, button);
-      await tab.until(`a call of ${name}`, (wanted) => window.calls.some(([one]) => one === wanted), name);
-      const calls = await tab.evaluate((wanted) => window.calls.filter(([one]) => one === wanted), name);
+      await tab.until(`a call of ${name}`, (wanted) => window.calls.some(([method]) => method === wanted), name);
+      const calls = await tab.evaluate((wanted) => window.calls.filter(([method]) => method === wanted), name);
       for (const [, ...call] of calls) assert.ok(holds(...call), `${name}(${call})`);
     }
     // The fuel is the one step.
@@ -331,7 +331,7 @@ test('accessible controls add, change, reset and delete by keys', async () => {
   // The list selects; the first source has its parameters instead of properties, and a name.
   await tab.page.select(actionOf('select-object'), '1');
   await panel.until('its name alone', (root) => (
-    [...root.querySelectorAll('[data-property]')].filter((one) => one.checkVisibility()).map((one) => one.dataset.property).join() === 'source:name'
+    [...root.querySelectorAll('[data-property]')].filter((row) => row.checkVisibility()).map((row) => row.dataset.property).join() === 'source:name'
   ));
   await tab.page.select(actionOf('select-object'), '5');
   await tab.page.focus(propertyOf('solid:angle'));

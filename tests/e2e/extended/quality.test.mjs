@@ -185,7 +185,7 @@ test('the stages of a step add up, and every pass is reported', async () => {
     const stats = await tab.fire((fire) => fire.stats);
     const { upload, ...stages } = stats.stages;
     assert.deepEqual(Object.keys(stages), ['sort', 'density', 'forces', 'integrate']);
-    const sum = Object.values(stages).reduce((all, one) => all + one, 0);
+    const sum = Object.values(stages).reduce((all, stage) => all + stage, 0);
     const steps = stats.stepMs * stats.stepsPerFrame;
     assert.ok(sum > 0 && Math.abs(sum / steps - 1) < 1e-6, `${sum} ms of stages, ${steps} ms of steps`);
     assert.ok(upload >= 0 && upload <= stats.drawMs + 0.1, `${upload} ms of ${stats.drawMs}`);

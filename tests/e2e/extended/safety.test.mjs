@@ -86,7 +86,7 @@ test('wasm of another version is refused, and both versions are named', async ()
   const wasm = await readFile(ENGINE);
   const [{ module: version }] = WebAssembly.Module.imports(new WebAssembly.Module(wasm));
   assert.match(version, /^\d+\.\d+\.\d+$/);
-  const names = (/** @type {string} */ one) => `${String.fromCharCode(one.length)}${one}`;
+  const names = (/** @type {string} */ domain) => `${String.fromCharCode(domain.length)}${domain}`;
   const body = Buffer.from(wasm.toString('latin1').replaceAll(names(version), names('9.8.7')), 'latin1');
   const tab = await browser.open('<hearth-fire></hearth-fire>', { files: { 'hearth-engine_bg.wasm': { body } } });
   const { kind, message } = await tab.fire((fire) => fire.ready.catch((error) => ({ kind: error.kind, message: error.message })));

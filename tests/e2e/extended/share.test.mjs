@@ -156,7 +156,7 @@ describe('the panel', () => {
         document.querySelector('.hearth-card [role="alert"]')?.textContent
       ));
       assert.match(said, /** @type {RegExp} */ (words));
-      assert.equal(await tab.page.$eval(field, (one) => /** @type {any} */ (one).value.length), text.length);
+      assert.equal(await tab.page.$eval(field, (input) => /** @type {any} */ (input).value.length), text.length);
       assert.deepEqual(await paramsOf(tab), params);
       await tab.key('Escape');
       await tab.until('the card is gone', () => !document.querySelector('.hearth-card'));

@@ -116,10 +116,10 @@ test('a simulation in a browser changes to the classic model, or throws and goes
     const both = await (await browser.open(page)).evaluate(async (from) => {
       const { createSimulation } = await import(from);
       const solid = { kind: 'solid', shape: 'polygon', points: '-0.1,0 0.1,0 0,0.2' };
-      const two = await Promise.all([0, 1].map(() => createSimulation({ model: 'classic' })));
-      const one = await createSimulation();
-      one.set({ model: 'classic', objects: [{ kind: 'source' }, solid] });
-      return [...two, one].map((sim) => `${sim.get('model')} ${sim.objects.length}`);
+      const classics = await Promise.all([0, 1].map(() => createSimulation({ model: 'classic' })));
+      const changed = await createSimulation();
+      changed.set({ model: 'classic', objects: [{ kind: 'source' }, solid] });
+      return [...classics, changed].map((sim) => `${sim.get('model')} ${sim.objects.length}`);
     }, url);
     assert.deepEqual(both, ['classic 1', 'classic 1', 'classic 2']);
     const without = await browser.open(page, { files: { 'hearth-sim_classic.wasm': gone, 'hearth-sim_bodies.wasm': gone } });

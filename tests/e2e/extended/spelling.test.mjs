@@ -34,10 +34,10 @@ test('attributes without effect cause one warning, in HTML or set later; removed
   });
   await warnings(tab, 3);
   await tab.frames(5);
-  const [zero, one, two, ...more] = tab.problems;
-  assert.match(zero, /^console\.warn.*<hearth-fire>.*quailty; did you mean quality\?/);
-  assert.match(one, /expozure.*exposure/);
-  assert.match(two, /interractive.*interactive/);
+  const [first, second, third, ...more] = tab.problems;
+  assert.match(first, /^console\.warn.*<hearth-fire>.*quailty; did you mean quality\?/);
+  assert.match(second, /expozure.*exposure/);
+  assert.match(third, /interractive.*interactive/);
   assert.deepEqual(more, []);
 });
 
@@ -71,9 +71,9 @@ test('`controls` names the parameters of the panel, and unknown names are report
   await mounted([...list, 'gone']);
   const set = await tab.fire((fire) => {
     fire.controls = 'wind';
-    const one = fire.getAttribute('controls');
+    const controls = fire.getAttribute('controls');
     fire.controls = true;
-    return [one, fire.getAttribute('controls')];
+    return [controls, fire.getAttribute('controls')];
   });
   assert.deepEqual(set, ['wind', '']);
 });

@@ -21,8 +21,8 @@ const CHARTS = ['Flame height', 'Power', 'Luminosity', 'Luminosity spectrum', 'T
 
 /** The charts in words, by their titles; hidden ones are left out. */
 const charts = (tab) => tab.evaluate(() => Object.fromEntries([...document.querySelectorAll('.hearth-plots .chart')]
-  .filter((one) => one.checkVisibility())
-  .map((one) => (one.getAttribute('aria-label') ?? '').split(/: (.*)/s))));
+  .filter((element) => element.checkVisibility())
+  .map((element) => (element.getAttribute('aria-label') ?? '').split(/: (.*)/s))));
 
 /** Steps the fire so often, each time for so long [s of fire], which is a row of the record. */
 async function burn(tab, rows, seconds = 0.2) {

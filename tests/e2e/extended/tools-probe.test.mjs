@@ -17,7 +17,7 @@ const PAUSED = 'scene=default&paused&quality=low';
 
 /** What the probe shows, once it shows it at a place [m]; without one, now. */
 const read = (tab, x, y) => tab.until(`values at ${x}, ${y} m`, (at) => {
-  const rows = [...document.querySelectorAll('.hearth-probe dl > div')].map((row) => [...row.children].map((one) => one.textContent));
+  const rows = [...document.querySelectorAll('.hearth-probe dl > div')].map((row) => [...row.children].map((cell) => cell.textContent));
   const values = Object.fromEntries(rows);
   const [right, up] = (values.at ?? '').split(',').map(Number.parseFloat);
   const isThere = Number.isFinite(up) && (at === null || (Math.abs(right - at[0]) < 0.02 && Math.abs(up - at[1]) < 0.02));
@@ -28,7 +28,7 @@ const read = (tab, x, y) => tab.until(`values at ${x}, ${y} m`, (at) => {
 const hottest = (tab) => tab.fire(async (fire) => {
   const { profile } = await fire.measure(0, 0);
   // Not behind what is at the edges of the page.
-  return profile.filter(({ y }) => y > 0.2 && y < 1.2).reduce((best, one) => ((one.temperature ?? 0) > (best.temperature ?? 0) ? one : best));
+  return profile.filter(({ y }) => y > 0.2 && y < 1.2).reduce((best, sample) => ((sample.temperature ?? 0) > (best.temperature ?? 0) ? sample : best));
 });
 
 const kelvin = ({ temperature }) => Number(/^(\d+) K$/.exec(temperature)?.[1]);

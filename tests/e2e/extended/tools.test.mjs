@@ -26,11 +26,11 @@ test('keys draw, choose, move, turn, scale, duplicate and delete without a point
   await tab.key('Escape');
   await tab.key('2');
   await tab.key('ArrowLeft');
-  await until(tab, 'to the left', ([, one]) => close(one.x, box.x - 0.01, 1e-4));
+  await until(tab, 'to the left', ([, solid]) => close(solid.x, box.x - 0.01, 1e-4));
   await tab.key('[');
-  await until(tab, 'turned', ([, one]) => one.angle === 5);
+  await until(tab, 'turned', ([, solid]) => solid.angle === 5);
   await tab.key('+');
-  await until(tab, 'larger', ([, one]) => close(one.width, 0.11, 1e-4));
+  await until(tab, 'larger', ([, solid]) => close(solid.width, 0.11, 1e-4));
   await chord(tab, 'Control', 'd');
   await until(tab, 'three', (all) => all.length === 3);
   await tab.key('Delete');

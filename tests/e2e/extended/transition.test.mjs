@@ -105,7 +105,7 @@ test('an easing of CSS bends the way, 600 ms of ease-in-out without one', async 
   await at(tab, 0.5, { exposure: 0.5 });
   const timing = await tab.evaluate(() => {
     const all = [];
-    for (const one of /** @type {any} */ (window).moves) all.push(one.effect.getTiming());
+    for (const animation of /** @type {any} */ (window).moves) all.push(animation.effect.getTiming());
     return all.map(({ duration, easing }) => [duration, easing]);
   });
   assert.deepEqual(timing, [[600, 'ease-in-out']]);

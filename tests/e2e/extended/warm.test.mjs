@@ -137,7 +137,7 @@ test('the picture before stays until the new fire is warm, and fades into it', a
     // The one before lies over it, and goes when it has faded.
     const { before: over } = await seen(tab);
     assert.equal(over, 1);
-    await tab.fire((fire) => fire.shadowRoot.querySelector('.before').getAnimations().forEach((one) => { one.finish(); }));
+    await tab.fire((fire) => fire.shadowRoot.querySelector('.before').getAnimations().forEach((animation) => { animation.finish(); }));
     await tab.until('what has faded is gone', () => (
       document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.before') === null
     ));

@@ -104,12 +104,12 @@ async function inTurn(wishes, pictures, disturbance) {
   const brushes = fires.map(() => of.of_one_fire('medium'));
   const last = [];
   for (let picture = 1; picture <= pictures; picture += 1) {
-    wishes.forEach(({ width, height }, one) => {
+    wishes.forEach(({ width, height }, index) => {
       Object.assign(context.canvas, { width, height });
-      fires[one].burn(wishes[one].burnt + picture / 30);
+      fires[index].burn(wishes[index].burnt + picture / 30);
       if (disturbance) DISTURBANCES[disturbance](context);
-      brushes[one].paint(fires[one], width, height);
-      last[one] = packed(brushes[one].pixels(width, height));
+      brushes[index].paint(fires[index], width, height);
+      last[index] = packed(brushes[index].pixels(width, height));
     });
   }
   for (const brush of brushes) brush.destroy();

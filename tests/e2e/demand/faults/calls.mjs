@@ -40,8 +40,8 @@ async function callAtRandom(seed, calls, parameters) {
   };
   const parameter = () => oneOf(parameters);
   const pair = () => {
-    const one = parameter();
-    return { [one.id]: random(4) ? fair(one) : odd() };
+    const known = parameter();
+    return { [known.id]: random(4) ? fair(known) : odd() };
   };
   const some = () => (random(3) ? fair({ min: -1, max: 400 }) : odd());
   /** @type {(() => unknown)[]} */

@@ -64,14 +64,14 @@ function spoil(name, gives, first, calls) {
   for (const holder of holders) {
     const ofContext = holder === scope.WebGL2RenderingContext.prototype;
     const names = name === 'any' && ofContext ? Object.keys(holder) : [name];
-    for (const one of names) {
-      const { value: original } = Object.getOwnPropertyDescriptor(holder, one) ?? {};
+    for (const method of names) {
+      const { value: original } = Object.getOwnPropertyDescriptor(holder, method) ?? {};
       if (typeof original !== 'function') continue;
-      holder[one] = function spoilt(...args) {
-        if (one === 'getContext' && args[0] !== 'webgl2') return original.apply(this, args);
+      holder[method] = function spoilt(...args) {
+        if (method === 'getContext' && args[0] !== 'webgl2') return original.apply(this, args);
         call += 1;
         if (call < first || call >= first + calls) return original.apply(this, args);
-        if (gives === 'throws') throw new Error(`${one} fails in a test`);
+        if (gives === 'throws') throw new Error(`${method} fails in a test`);
         return JSON.parse(gives);
       };
     }

@@ -52,18 +52,18 @@ const PAUSES = {
 function signal(browser, name) {
   const family = new Set([browser.browser.process().pid]);
   const processes = readdirSync('/proc').filter((entry) => /^\d+$/.test(entry)).map(Number).sort((a, b) => a - b);
-  for (const one of processes) {
+  for (const pid of processes) {
     try {
       // The fields of a process: its number, its name in parentheses, its state, its parent.
-      const fields = readFileSync(`/proc/${one}/stat`, 'utf8').split(') ').at(-1)?.split(' ') ?? [];
-      if (family.has(Number(fields[1]))) family.add(one);
+      const fields = readFileSync(`/proc/${pid}/stat`, 'utf8').split(') ').at(-1)?.split(' ') ?? [];
+      if (family.has(Number(fields[1]))) family.add(pid);
     } catch {
       // It has ended.
     }
   }
-  for (const one of family) {
+  for (const pid of family) {
     try {
-      process.kill(one, name);
+      process.kill(pid, name);
     } catch {
       // It has ended.
     }

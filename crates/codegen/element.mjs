@@ -63,7 +63,7 @@ import { read } from './element/jsdoc.mjs';
  * @property {Named[]} members
  * @property {Named[]} attributes
  *
- * @typedef {object} Element  What there is to know of the element.
+ * @typedef {object} Element  The description of the element.
  * @property {string} doc
  * @property {Property[]} properties
  * @property {Method[]} methods

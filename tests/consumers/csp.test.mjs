@@ -61,7 +61,7 @@ test('a strict policy is kept by the scenes of the panel, with their pictures or
 
 test('a policy without wasm causes an error, the poster and a message', async () => {
   const tab = await under("'self'");
-  const failures = await tab.until('the fire says that it cannot', () => {
+  const failures = await tab.until('the fire reports its failure', () => {
     const { failures } = /** @type {any} */ (window);
     return failures.length > 0 && failures;
   });

@@ -38,7 +38,7 @@ export async function alone(...names) {
 }
 
 /**
- * A project beside this file, with what its lock file says and the packed package
+ * A project beside this file, with the packages of its lock file and the packed package
  * installed; gives its folder.
  * @param {string} name
  */
@@ -64,7 +64,7 @@ export async function installed(name) {
   return folder;
 }
 
-/** What npm packs of the package, in a file whose name tells its contents. */
+/** What npm packs of the package, in a file named after its contents. */
 async function packed() {
   const folder = path.join(YARD, 'packed');
   await mkdir(folder, { recursive: true });
@@ -75,7 +75,7 @@ async function packed() {
   return file;
 }
 
-/** What npm says. @param {string} folder @param {...string} words */
+/** The output of npm. @param {string} folder @param {...string} words */
 async function npm(folder, ...words) {
   const windows = process.platform === 'win32';
   const { stdout } = await promisify(execFile)(windows ? 'npm.cmd' : 'npm', words, { cwd: folder, shell: windows });

@@ -22,15 +22,15 @@ export function browser() {
 }
 
 /**
- * The page's fire burns in a worker, or where else is said, and nothing complains.
+ * The page's fire burns in a worker, or on `thread`, without a problem.
  * @param {import('../e2e/driver.mjs').Tab} tab
- * @param {'worker' | 'main'} [place]
+ * @param {'worker' | 'main'} [thread]
  */
-export async function burnsWell(tab, place = 'worker') {
+export async function burnsWell(tab, thread = 'worker') {
   await tab.ready();
   await tab.burnt(1);
   await assertBurns(tab);
-  assert.equal(await tab.fire((fire) => fire.stats.engine), place);
+  assert.equal(await tab.fire((fire) => fire.stats.engine), thread);
   assert.deepEqual(tab.problems, []);
 }
 

@@ -67,7 +67,7 @@ test('a fire in strict mode burns, accepts properties and sends events', async (
   await value('viscosity', 0.03);
   assert((await observed()).changes.includes('source_width=0.5'));
 
-  // What React no longer says is at its default again.
+  // A property that React no longer sets returns to its default.
   await wish({ there: true });
   await value('source_width', await byDefault('source_width'));
   await value('viscosity', await byDefault('viscosity'));

@@ -34,7 +34,7 @@ test('every entry point is imported without a window and touches no global', asy
     .map(([entry]) => entry.replace(/^\./, manifest.name));
   assert(scripts.length > 5);
   for (const script of scripts) {
-    const said = await node(`
+    const output = await node(`
       const describe = () => JSON.stringify(Object.entries(Object.getOwnPropertyDescriptors(globalThis))
         .map(([name, { writable, enumerable, configurable }]) => [name, writable, enumerable, configurable]));
       const before = describe();
@@ -43,7 +43,7 @@ test('every entry point is imported without a window and touches no global', asy
       if (typeof window !== 'undefined') console.log('there is a window');
       console.log(Object.keys(module).length > 0);
     `);
-    assert.equal(said, 'true\n', script);
+    assert.equal(output, 'true\n', script);
   }
 });
 

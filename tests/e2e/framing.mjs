@@ -34,7 +34,7 @@ const APART = 0.25;
 /** How long the fire burns before the first [s]. */
 const BURNT = 3;
 
-/** How many steps tell how long a step is. */
+/** Number of steps from which the length of a step is found. */
 const TRIED = 400;
 
 /** Pixels that are enough for these measures: a software renderer computes each one. */
@@ -70,7 +70,7 @@ export async function measure(browser, [width, height], query = '', moments = MO
     const canvas = fire.shadowRoot.querySelector('canvas');
     /** @type {{[scale in Scale]: number[]}[]} */
     const found = [];
-    // The fire tells its time a few times a second, so the length of a step is found once.
+    // The fire reports its time a few times a second, so the length of a step is found once.
     let [made, reported] = [tried, false];
     await fire.step(tried);
     fire.addEventListener('stats', () => { reported = true; }, { once: true });

@@ -1,7 +1,7 @@
 /**
  * Takes the picture that a link to Hearth shows, and the page until its fire burns: the
  * scene that the page opens with, always the same moment, 1200 × 630. `cargo xtask poster`
- * runs this and says where it goes: `node poster.mjs file.jpg`.
+ * runs this with the path of the picture: `node poster.mjs file.jpg`.
  */
 import { writeFileSync } from 'node:fs';
 import { Browser } from './driver.mjs';

@@ -1,6 +1,6 @@
 /**
  * Takes the small picture of each scene, 120 × 160, always the same ones.
- * `cargo xtask thumbnails` runs this and says where they go:
+ * `cargo xtask thumbnails` runs this with their folder:
  * `node thumbnails.mjs folder [scene…]`; without a name, all of them.
  */
 import { mkdirSync, writeFileSync } from 'node:fs';

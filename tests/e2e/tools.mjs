@@ -1,6 +1,6 @@
 /**
  * What the tests of the toolbar share: the page with its toolbar, a mouse or a finger at places of the world, and
- * what the fire and the toolbar say.
+ * the state of the fire and of the toolbar.
  */
 
 export const WIDE = { width: 1280, height: 800 };

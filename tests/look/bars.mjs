@@ -12,8 +12,8 @@ const percent = (/** @type {number} */ share) => `${(100 * share).toFixed(1)} %`
  * @property {(found: any) => any} figure
  * @property {(figure: any) => boolean} holds
  * @property {(figure: any) => string} show
- * @property {boolean} brief  Whether a few seconds say it.
- * @property {string[]} [needs]  Without which of a scene's traits it says nothing.
+ * @property {boolean} brief  Whether a few seconds suffice.
+ * @property {string[]} [needs]  The traits of a scene without which it does not apply.
  */
 
 /**
@@ -33,7 +33,7 @@ export function traits({ display_mode, palette, backdrop, background, wind }) {
 }
 
 /** The values that these follow from. */
-export const TELLING = ['display_mode', 'palette', 'backdrop', 'background', 'wind'];
+export const TRAIT_PARAMETERS = ['display_mode', 'palette', 'backdrop', 'background', 'wind'];
 
 /** @type {Bar[]} */
 export const BARS = [

@@ -135,7 +135,7 @@ test('a wave that runs over a large area fails', () => {
   assert.ok(!seen((time, x) => grey(0.5 + 0.4 * Math.sin(2 * Math.PI * (5 * time - x / WIDTH)))).passes);
 });
 
-/** A number between 0 and 1 of every place, that says nothing of its neighbours'. */
+/** A number between 0 and 1 of every pixel, independent of its neighbours'. */
 const chance = (/** @type {number} */ x, /** @type {number} */ y, /** @type {number} */ which) => {
   const bits = Math.imul(x + WIDTH * y + 1 + WIDTH * HEIGHT * which, 0x9e3779b1);
   return (Math.imul(bits ^ (bits >>> 15), 0x85ebca6b) >>> 8) / 2 ** 24;

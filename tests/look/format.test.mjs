@@ -36,10 +36,10 @@ for (const [name, wish] of scenes) {
   test(`eight bits show ${name} up to rounding`, async () => {
     const [floats, bytes] = await both({ ...wish, values: { detail: 0 } });
     const { colour, worst, structure } = compare(floats, bytes);
-    const said = `mean ${colour.toFixed(2)}, 99 % below ${worst.toFixed(2)}, structure ${structure.toFixed(4)}`;
-    console.log(`   ${name}: ${said}`);
+    const comparison = `mean ${colour.toFixed(2)}, 99 % below ${worst.toFixed(2)}, structure ${structure.toFixed(4)}`;
+    console.log(`   ${name}: ${comparison}`);
     if (colour > ROUNDED.colour || worst > ROUNDED.worst || structure < ROUNDED.structure) {
-      assert.fail(`${said}: see ${show(`${name}-rgba8`, bytes, floats).join(', ')}`);
+      assert.fail(`${comparison}: see ${show(`${name}-rgba8`, bytes, floats).join(', ')}`);
     }
   });
 

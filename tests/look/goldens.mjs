@@ -77,21 +77,21 @@ export function golden(name) {
 }
 
 /**
- * What is wrong with a picture, in words; nothing where it is the kept one.
+ * The differences of a picture from the golden one; an empty text within the tolerance.
  * @param {Picture} actual @param {Picture} expected
  */
-export function complaint(actual, expected) {
+export function mismatch(actual, expected) {
   const { colour, shift, structure } = compare(actual, expected);
-  const said = [];
-  if (!(colour <= TOLERANCE.colour)) said.push(`its colours differ by ${colour.toFixed(2)}`);
-  if (!(shift <= TOLERANCE.shift)) said.push(`all of them are shifted by ${shift.toFixed(2)}`);
-  if (!(structure >= TOLERANCE.structure)) said.push(`its structure agrees by ${structure.toFixed(4)}`);
-  return said.join(', ');
+  const differences = [];
+  if (!(colour <= TOLERANCE.colour)) differences.push(`its colours differ by ${colour.toFixed(2)}`);
+  if (!(shift <= TOLERANCE.shift)) differences.push(`all of them are shifted by ${shift.toFixed(2)}`);
+  if (!(structure >= TOLERANCE.structure)) differences.push(`its structure agrees by ${structure.toFixed(4)}`);
+  return differences.join(', ');
 }
 
 /**
- * Writes what was drawn, what was expected and the difference between them, and says
- * where.
+ * Writes what was drawn, what was expected and the difference between them; returns
+ * the paths.
  * @param {string} name @param {Picture} actual @param {Picture} expected
  */
 export function show(name, actual, expected) {

@@ -7,7 +7,7 @@ import { readdirSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { compare } from './compare.mjs';
-import { complaint, drawn, golden, show, TOLERANCE, wishes } from './goldens.mjs';
+import { mismatch, drawn, golden, show, TOLERANCE, wishes } from './goldens.mjs';
 import { hueTurned, toneMappedByChannel } from './mistakes.mjs';
 import { coarse, sheet } from './sheet.mjs';
 import { GOLDENS, Painter } from './painter.mjs';
@@ -20,8 +20,8 @@ after(() => painter?.close());
 for (const [name, wish] of Object.entries(wishes())) {
   test(`${name} looks as it did`, async () => {
     const [actual, expected] = [await drawn(painter, wish), golden(name)];
-    const said = complaint(actual, expected);
-    if (said !== '') assert.fail(`${said}: see ${show(name, actual, expected).join(', ')}`);
+    const differences = mismatch(actual, expected);
+    if (differences !== '') assert.fail(`${differences}: see ${show(name, actual, expected).join(', ')}`);
   });
 }
 
@@ -68,7 +68,7 @@ for (const kept of ['default', 'classic']) {
       return Math.floor((seed / 2 ** 32) * 3) - 1;
     };
     const rgba = right.rgba.map((value) => Math.min(Math.max(value + (value > 0 ? step() : 0), 0), 255));
-    assert.equal(complaint(sheet({ ...right, rgba }), coarse(sheet(right))), '');
+    assert.equal(mismatch(sheet({ ...right, rgba }), coarse(sheet(right))), '');
   });
 }
 

@@ -5,7 +5,7 @@
  * `cargo measure look` runs this; `HEARTH_SECONDS` sets the duration.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
-import { BARS, TELLING, traits } from './bars.mjs';
+import { BARS, TRAIT_PARAMETERS, traits } from './bars.mjs';
 import { Painter, named } from './painter.mjs';
 
 const SECONDS = Number(process.env.HEARTH_SECONDS ?? 60);
@@ -31,7 +31,7 @@ try {
   const scenes = await painter.ask('presets');
   for (const lit of named(scenes, begins, 'scene')) {
     const values = {};
-    for (const id of TELLING) values[id] = await painter.ask('value', { lit }, id);
+    for (const id of TRAIT_PARAMETERS) values[id] = await painter.ask('value', { lit }, id);
     const has = traits(values);
     await painter.ask('watch', { lit, burnt: BURNT });
     // In parts: a browser's driver waits for an answer only so long.

@@ -168,7 +168,7 @@ test('a free solid that burns through is read as its object and a part', async (
   assert.deepEqual(sim.freeSolids(), [whole]);
 });
 
-test('a spray puts a fire out; values out of range and the classic model are refused in words', async () => {
+test('a spray puts a fire out; values out of range and the classic model are refused with a message', async () => {
   const [combustion, classic] = await fires();
   combustion.set({ edges: 'open', floor: 'solid', ember_rate: 0 });
   combustion.step(200);

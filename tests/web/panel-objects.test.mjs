@@ -87,7 +87,7 @@ test('a copy has the values of the object in another place', () => {
   assert.ok(Math.hypot(x - log.x, y - log.y) > radius(log));
 });
 
-test('a slider of a place spans the frame, and a name says what is seen', () => {
+test('a slider of a coordinate spans the frame, and a name lists what is visible', () => {
   const fire = fireOf(PRESETS[0]);
   const x = entriesOf('solid').find(({ name }) => name === 'x');
   const domain = (value) => {

@@ -91,17 +91,17 @@ test('a press puts out what burns', async () => {
 
 test('what cannot burn is reported', async () => {
   const tools = await toolsOf([{ ...wood, material: 'stone' }]);
-  const said = async (tool, place) => {
+  const message = async (tool, place) => {
     await tools.drag(tool, [place]);
     return tools.shown.messages.at(-1);
   };
-  assert.match(await said('ignite', [0.4, 1]), /^Nothing there has fuel/);
-  assert.match(await said('extinguish', [0.4, 1]), /^Nothing there has fuel/);
-  assert.match(await said('ignite', [0.3, 0.6]), /^A solid of stone has no fuel/);
+  assert.match(await message('ignite', [0.4, 1]), /^Nothing there has fuel/);
+  assert.match(await message('extinguish', [0.4, 1]), /^Nothing there has fuel/);
+  assert.match(await message('ignite', [0.3, 0.6]), /^A solid of stone has no fuel/);
   assert.equal(tools.fire.objects[1].fuel, 'none');
   tools.fire.params.model = 'classic';
-  assert.match(await said('ignite', [0.3, 0.6]), /^The classic model has no fuels/);
-  assert.match(await said('water', [0.3, 0.6]), /^The classic model has no water/);
+  assert.match(await message('ignite', [0.3, 0.6]), /^The classic model has no fuels/);
+  assert.match(await message('water', [0.3, 0.6]), /^The classic model has no water/);
   assert.deepEqual(tools.fire.calls, []);
   assert.equal(tools.history.canUndo, false);
 });

@@ -139,7 +139,7 @@ function* numbers(seed) {
   }
 }
 
-/** One thing that a hand might do. */
+/** An act of a user. */
 function deed(steps, fire, random) {
   const pick = (list) => list[Math.floor(random.next().value * list.length)];
   const id = pick(['width', 'viscosity', 'wind', 'max_particles']);
@@ -155,7 +155,7 @@ function deed(steps, fire, random) {
   ])();
 }
 
-/** One thing that a hand might do to objects, or to a value between. */
+/** An act of a user on objects, or on a value between two such acts. */
 function deedWithObjects(steps, fire, random) {
   const pick = (list) => list[Math.floor(random.next().value * list.length)];
   const value = Math.round(random.next().value * 20);
@@ -216,7 +216,7 @@ describe('the way back', () => {
       assert.equal(await steps.redo(), false);
     });
 
-    test(`leads back to the first fire, however fast the hand was (${act.name}, ${seed})`, async () => {
+    test(`leads back to the first fire, however fast the acts follow (${act.name}, ${seed})`, async () => {
       const { fire, steps } = made();
       const random = numbers(seed);
       const first = await seen(fire);

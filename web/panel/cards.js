@@ -1,5 +1,5 @@
 /**
- * Cards over the panel: text to copy by hand, a field for settings, the shortcuts, the scenes
+ * Cards over the panel: text to copy manually, a field for settings, the shortcuts, the scenes
  * (scenes.js). They are elements of the page: text on a canvas can be neither selected, pasted nor read
  * by screen readers.
  *

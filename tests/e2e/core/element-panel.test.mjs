@@ -102,7 +102,7 @@ describe('its place', () => {
   });
 });
 
-describe('under hand and keys', () => {
+describe('under pointer and keys', () => {
   test('sliders are dragged, values typed, buttons pressed', async () => {
     const { tab, panel } = await openFire(400, 500);
     await panel.dragSlider('buoyancy', 0.2, 0.8);

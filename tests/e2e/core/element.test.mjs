@@ -57,10 +57,10 @@ test('calls to a removed fire take effect when it is inserted again', async () =
   assert.deepEqual(seen, { early: false, viscosity: 0.02 });
 });
 
-/** Whatever a worker says arrives half a second later, in the same order. */
+/** Delays all messages of a worker by half a second, in their order. */
 const beforeWorker = () => {
   const post = globalThis.postMessage.bind(globalThis);
-  globalThis.postMessage = (/** @type {any} */ ...said) => void setTimeout(() => post(...said), 500);
+  globalThis.postMessage = (/** @type {any} */ ...message) => void setTimeout(() => post(...message), 500);
 };
 
 test('a fire that is removed twice in a row keeps values that were set before', async () => {
@@ -87,7 +87,7 @@ test('a fire that is destroyed while it reconnects is destroyed with its predece
   await tab.ready();
   const answered = await tab.fire(async (fire) => {
     let answered = false;
-    // It is answered before the fire that it was said to is freed.
+    // Its answer comes before the worker frees that fire.
     fire.set('viscosity', 0.02).then(() => (answered = true));
     fire.remove();
     await undefined;

@@ -38,11 +38,11 @@ describe('a fire in an iframe', () => {
     const tab = await fixture.burning({ viscosty: '1', exposure: '99', seed: '7', src: '/secret', wings: '2' });
     const { value: params } = await call(tab, 'params');
     assert.deepEqual([params.seed, params.exposure], [7, entry.exposure.default]);
-    const said = tab.problems.join('\n');
-    for (const words of ['viscosty.*viscosity', 'exposure.*99', 'src']) assert.match(said, new RegExp(words));
+    const warnings = tab.problems.join('\n');
+    for (const words of ['viscosty.*viscosity', 'exposure.*99', 'src']) assert.match(warnings, new RegExp(words));
     // A name that is no fire's, as a link's tracking adds, is no warning.
-    assert.doesNotMatch(said, /wings/);
-    assert.ok(tab.problems.every((problem) => problem.startsWith('console.warn')), said);
+    assert.doesNotMatch(warnings, /wings/);
+    assert.ok(tab.problems.every((problem) => problem.startsWith('console.warn')), warnings);
   });
 
   test('burns alone in a window too, accepts every attribute but those that fetch a file, and runs no other script or style', async () => {
@@ -82,8 +82,8 @@ describe('a fire in an iframe', () => {
     ['one that names no colour scheme', '', '', {}],
     ['a dark one in a light iframe', 'dark', 'light', {}],
     ['one of both schemes in a light iframe', 'light dark', 'light', {}],
-    ['a dark one if the address says so', 'dark', '', { 'color-scheme': 'dark' }],
-    ['one of both schemes if the address says so', 'light dark', '', { 'color-scheme': 'auto' }],
+    ['a dark one if its address asks for it', 'dark', '', { 'color-scheme': 'dark' }],
+    ['one of both schemes if its address asks for them', 'light dark', '', { 'color-scheme': 'auto' }],
   ]) {
     test(`is transparent in ${about}, with either preference`, async () => {
       const style = `body { background: rgb(0, 96, 160) }
@@ -244,10 +244,10 @@ describe('the client of the embedding page', () => {
       await fire.set('exposure', 2);
     }, fixture.address({ allow: fixture.pageOrigin }));
     await tab.until('an event of the next page comes', () => /** @type {any} */ (window).changes.includes(2));
-    const said = tab.problems.filter((problem) => /no event “sauce”.*stats/.test(problem));
+    const rejected = tab.problems.filter((problem) => /no event “sauce”.*stats/.test(problem));
     // The page that is left may abort a download.
-    const other = tab.problems.filter((problem) => !said.includes(problem) && !problem.includes('ERR_ABORTED'));
-    assert.deepEqual([said.length, other], [2, []]);
+    const other = tab.problems.filter((problem) => !rejected.includes(problem) && !problem.includes('ERR_ABORTED'));
+    assert.deepEqual([rejected.length, other], [2, []]);
   });
 
   test('receives an event as long as it has a listener', async () => {

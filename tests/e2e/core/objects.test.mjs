@@ -21,7 +21,7 @@ function places(tab) {
   return tab.fire((fire) => Object.fromEntries(fire.objects.map(({ id, x }) => [id, x])));
 }
 
-/** What is said where `act` is refused. */
+/** The error of a refused `act`. */
 function refusal(tab, act, given) {
   return tab.fire(async (fire, [source, given]) => {
     try {
@@ -89,10 +89,10 @@ test('an invalid object is rejected with its mistake, and nothing changes', asyn
     [(fire) => fire.set({ objects: Array(65).fill({ kind: 'source' }) }), 'objects.length', /at most 64/],
   ];
   for (const [act, id, words] of wrong) {
-    const said = await refusal(tab, act);
-    assert.equal(said?.name, 'RangeError', String(act));
-    assert.equal(said.id, id);
-    assert.match(said.message, words);
+    const error = await refusal(tab, act);
+    assert.equal(error?.name, 'RangeError', String(act));
+    assert.equal(error.id, id);
+    assert.match(error.message, words);
   }
   assert.deepEqual(await places(tab), { 1: 0 });
   const { min, max, value } = await refusal(tab, (fire) => fire.changeObject(1, { power: 700 }));
@@ -145,11 +145,11 @@ test('names and objects that are off go with settings and addresses', async () =
   await page.ready();
   assert.deepEqual((await page.fire((fire) => fire.exportConfig())).objects, objects);
   assert.equal(await page.fire((fire) => fire.params.source_enabled), false);
-  const said = await refusal(page, (fire, name) => fire.changeObject(1, { name }), 'a'.repeat(65));
-  assert.match(said.message, /name = "a+…" is refused: it must be a line of at most 64 characters/);
+  const error = await refusal(page, (fire, name) => fire.changeObject(1, { name }), 'a'.repeat(65));
+  assert.match(error.message, /name = "a+…" is refused: it must be a line of at most 64 characters/);
 });
 
-test('a child has a name and is off as its attributes say', async () => {
+test('attributes of a child set its name and switch it off', async () => {
   const tab = await browser.show(`<hearth-fire paused>
     <hearth-source name="Wick" enabled="false"></hearth-source><hearth-solid name="Wax"></hearth-solid>
   </hearth-fire>`);

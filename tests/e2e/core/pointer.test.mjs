@@ -31,7 +31,7 @@ const listens = async (tab) => {
   await tab.evaluate(() => import(/** @type {any} */ ('/web/element/pointer/pointer.js')).then(() => undefined));
 };
 
-/** How many embers fly, as the fire says when that changes. */
+/** The number of embers, which the fire reports when it changes. */
 const embers = (tab, count) => tab.until(
   `${count} embers`,
   (wanted) => /** @type {any} */ (document.querySelector('hearth-fire')).stats?.embers === wanted,

@@ -18,7 +18,7 @@ const FIRE = '<hearth-fire id="fire"></hearth-fire>';
 
 const uncaught = (tab) => tab.problems.filter((problem) => problem.startsWith('uncaught'));
 
-/** Waits until the fire has said that its context is back, and asserts that it never said worse. */
+/** Waits until the fire reports that its context is back, and asserts that it reports nothing worse. */
 async function assertComesBack(tab) {
   await tab.until('the context is back', () => /** @type {any} */ (window).back > 0);
   const kinds = (await events(tab, 'error')).map(({ kind }) => kind);
@@ -172,7 +172,7 @@ test('with reduced motion a fire is paused again when it is inserted again, and 
     return found.hidden ? null : { label: found.ariaLabel, x: x + width / 2, y: y + height / 2 };
   });
   assert.match((await button()).label, /play/i);
-  assert.equal(await tab.fire((fire) => fire.hasAttribute('paused')), false, 'the page has not said so');
+  assert.equal(await tab.fire((fire) => fire.hasAttribute('paused')), false, 'the page has not paused it');
   await tab.fire(async (fire) => {
     fire.remove();
     for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);

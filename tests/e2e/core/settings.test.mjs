@@ -28,7 +28,7 @@ function state(tab) {
   }));
 }
 
-/** What is said of settings that the fire refuses; fails where it takes them. */
+/** The error of settings that the fire refuses; fails if it accepts them. */
 function refusal(tab, config) {
   return tab.fire(async (fire, text) => {
     // A function can only be made here.
@@ -110,10 +110,10 @@ test('settings that are wrong anywhere are refused whole, by name', async () => 
     [undefined, 'config'],
     [{ values: { exposure: Number.NaN } }, 'exposure'],
   ]) {
-    const said = await refusal(tab, config);
+    const error = await refusal(tab, config);
     const about = JSON.stringify(config)?.slice(0, 60);
-    assert.equal(said?.name, 'RangeError', `${about} is refused`);
-    assert.ok(said.message.includes(named), `${about}: ${said.message}`);
+    assert.equal(error?.name, 'RangeError', `${about} is refused`);
+    assert.ok(error.message.includes(named), `${about}: ${error.message}`);
   }
   assert.deepEqual(await state(tab), before);
   const errors = await events(tab, 'error');
@@ -125,7 +125,7 @@ test('settings that are wrong anywhere are refused whole, by name', async () => 
 test('values that throw when they are read are refused, and no others', async () => {
   const tab = await browser.show('<hearth-fire paused></hearth-fire>');
   await tab.ready();
-  const said = await tab.fire(async (fire) => {
+  const outcome = await tab.fire(async (fire) => {
     const thrower = { get exposure() { throw new Error('no'); } };
     const proxy = new Proxy({}, { ownKeys() { throw new Error('no'); } });
     const given = [
@@ -145,8 +145,8 @@ test('values that throw when they are read are refused, and no others', async ()
     return { names, params: fire.params };
   });
   // An empty object sets nothing, which is no error.
-  assert.deepEqual(said.names, said.names.map((_, at) => (at === 6 ? 'taken' : 'RangeError')));
-  assert.deepEqual(said.params, DEFAULTS);
+  assert.deepEqual(outcome.names, outcome.names.map((_, at) => (at === 6 ? 'taken' : 'RangeError')));
+  assert.deepEqual(outcome.params, DEFAULTS);
 });
 
 test('a fire starts from a settings file, and attributes override it', async () => {

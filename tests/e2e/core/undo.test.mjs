@@ -20,7 +20,7 @@ async function openPage(query = 'model=classic') {
   return { tab, panel: await new Panel(tab).mounted() };
 }
 
-/** All values and settings, once the panel knows of nothing under way. */
+/** All values and settings, once the panel has nothing under way. */
 const look = (tab) => tab.fire(async (fire) => ({ config: await fire.exportConfig(), params: fire.params }));
 
 /** Waits until a button can be pressed, or cannot, by its accessible control. */
@@ -39,7 +39,7 @@ const differs = (panel, from) => panel.until(
   JSON.stringify(from.params),
 );
 
-/** What a hand may do, each of it one step. @type {[string, (panel: Panel, tab: any) => Promise<void>][]} */
+/** Acts of a user, each one step. @type {[string, (panel: Panel, tab: any) => Promise<void>][]} */
 const DEEDS = [
   ['a drag of a slider', (panel) => panel.dragSlider('buoyancy', 0.2, 0.8)],
   ['a drag of the number of particles', (panel) => panel.dragSlider('max_particles', 0.5, 0.2)],

@@ -17,12 +17,12 @@ try {
   const tab = await browser.open(`bench.html${query}`, { width: 1000, height: 1000, pixels: Infinity });
   await tab.page.click('#measure');
   const status = () => tab.evaluate(() => document.getElementById('status')?.textContent ?? '');
-  let said = '';
+  let printed = '';
   for (;;) {
     await sleep(LOOK_MS);
     const now = await status();
-    if (now !== said) console.log(`  ${now}`);
-    said = now;
+    if (now !== printed) console.log(`  ${now}`);
+    printed = now;
     if (now.startsWith('Done.')) break;
     if (now.startsWith('Not measured')) throw new Error(now);
   }

@@ -33,14 +33,14 @@ if (!file || unknown.length > 0) {
 const rows = ['| fault | number | burns again | reason shown | silent |', '|---|---:|---:|---:|---:|'];
 for (const [section, { find, what }] of Object.entries(SECTIONS)) {
   if (names.length > 0 && !names.includes(section)) continue;
-  const counts = { burns: 0, told: 0, silent: 0 };
+  const counts = { burns: 0, reported: 0, silent: 0 };
   for await (const { fault, outcome, detail } of find()) {
     counts[outcome] += 1;
     if (outcome === 'silent') process.exitCode = 1;
     console.log(`${section}: ${fault}: ${outcome}${detail ? ` (${detail})` : ''}`);
   }
-  const { burns, told, silent } = counts;
-  rows.push(`| ${what} | ${burns + told + silent} | ${burns} | ${told} | ${silent} |`);
+  const { burns, reported, silent } = counts;
+  rows.push(`| ${what} | ${burns + reported + silent} | ${burns} | ${reported} | ${silent} |`);
   console.log(rows.at(-1));
 }
 writeFileSync(file, `${rows.join('\n')}\n`);

@@ -21,8 +21,8 @@ export async function display() {
     throw new Error(`Xvfb ended with ${code} before it had a screen`);
   });
   failed.catch(() => {});
-  const said = once(/** @type {any} */ (server.stdio[3]), 'data');
-  const [number] = await Promise.race([said, failed]);
+  const answered = once(/** @type {any} */ (server.stdio[3]), 'data');
+  const [number] = await Promise.race([answered, failed]);
   return { name: `:${String(number).trim()}`, close };
 }
 

@@ -60,7 +60,7 @@ export function rememberContexts() {
     objects: () => objects,
     /** Bytes of all wasm's memory. */
     memory: () => memories.reduce((sum, reference) => sum + (reference.deref()?.buffer.byteLength ?? 0), 0),
-    /** Loses the contexts that are alive, for so long; says how many. */
+    /** Loses the live contexts, for so long; returns their number. */
     lose(milliseconds) {
       const lost = living();
       for (const context of lost) {
@@ -89,7 +89,7 @@ export function drawNothing() {
 
 /**
  * Runs in a worker after `rememberContexts`: answers the page's driver, on a line of
- * its own so that the worker's messages stay the page's, and hands over its complaints.
+ * its own so that the worker's messages stay the page's, and forwards its errors.
  * @param {string} line
  */
 export function answerPage(line) {

@@ -144,8 +144,8 @@ export class WebKitTab extends Tab {
   async #run(source, args) {
     const { text, failure, problems } = JSON.parse(await this.session.run(
       `const done = arguments[arguments.length - 1];
-      const answer = (said) => done(JSON.stringify({
-        ...said, problems: (window.complaints ?? []).splice(0),
+      const answer = (response) => done(JSON.stringify({
+        ...response, problems: (window.complaints ?? []).splice(0),
       }));
       Promise.resolve()
         .then(() => ${source}(...JSON.parse(arguments[0])))

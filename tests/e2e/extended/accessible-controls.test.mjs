@@ -154,7 +154,7 @@ test('a lost context is reported until it is restored', async () => {
     document.querySelector('.hearth-controls [role="status"]')?.textContent ?? '',
   ));
   await tab.frames(10);
-  assert.ok((await rows()).y > top + 5, 'the panel says so above its rows');
+  assert.ok((await rows()).y > top + 5, 'a message is above the rows');
   await tab.evaluate(() => /** @type {any} */ (window).giveBack());
   await tab.until('the accessible control has no reason', () => (
     document.querySelector('.hearth-controls [role="status"]')?.textContent === ''

@@ -17,8 +17,8 @@ before(async () => {
 });
 after(() => browser?.close());
 
-/** Waits until the page says one of these words. @param {import('../driver.mjs').Tab} tab @param {string[]} starts */
-const says = (tab, ...starts) => tab.until(`the page says “${starts[0]}”`, (words) => (
+/** Waits until the status begins with one of these words. @param {import('../driver.mjs').Tab} tab @param {string[]} starts */
+const statusBegins = (tab, ...starts) => tab.until(`the status “${starts[0]}”`, (words) => (
   words.some((start) => document.getElementById('status')?.textContent?.startsWith(start))
 ), starts);
 
@@ -26,7 +26,7 @@ const says = (tab, ...starts) => tab.until(`the page says “${starts[0]}”`, (
 async function measured(tab, ...rows) {
   const all = [...rows.map((row) => `Measuring ${row}`), 'Done.'];
   await tab.page.click('#measure');
-  for (const at of all.keys()) await says(tab, ...all.slice(at));
+  for (const at of all.keys()) await statusBegins(tab, ...all.slice(at));
 }
 
 /** The text of each cell of a table, the names of the columns first. @param {import('../driver.mjs').Tab} tab @param {string} id @returns {Promise<string[][]>} */
@@ -122,7 +122,7 @@ test('a measurement can be cancelled while its fire burns', async () => {
     }).observe(stage, { childList: true });
   });
   await tab.page.click('#measure');
-  await says(tab, 'Cancelled');
+  await statusBegins(tab, 'Cancelled');
   assert.equal(await tab.evaluate(() => document.querySelectorAll('hearth-fire, iframe').length), 0);
   assert.equal((await cells(tab, 'speeds')).length, 1, 'a part of a row is not shown');
   assert.deepEqual(tab.problems, []);
@@ -137,17 +137,17 @@ test('a row during which the tab was hidden is measured again', async () => {
       hidden = value;
       document.dispatchEvent(new Event('visibilitychange'));
     };
-    const said = /** @type {any} */ (window).said = [];
+    const statuses = /** @type {any} */ (window).statuses = [];
     new MutationObserver(() => {
-      said.push(status.textContent);
-      if (said.length === 1) hide(true);
+      statuses.push(status.textContent);
+      if (statuses.length === 1) hide(true);
       if (/^The tab is hidden/.test(status.textContent)) hide(false);
     }).observe(status, { childList: true });
   });
   const row = '300 particles, classic (row 1 of 1)';
   await measured(tab, `${row}, again: the tab was hidden`);
-  const said = await tab.evaluate(() => /** @type {any} */ (window).said.map((/** @type {string} */ words) => words.slice(0, 22)));
-  assert.deepEqual(said, ['Measuring 300 particle', 'The tab is hidden: bro', 'Measuring 300 particle', 'Done.']);
+  const statuses = await tab.evaluate(() => /** @type {any} */ (window).statuses.map((/** @type {string} */ words) => words.slice(0, 22)));
+  assert.deepEqual(statuses, ['Measuring 300 particle', 'The tab is hidden: bro', 'Measuring 300 particle', 'Done.']);
   assert.equal((await cells(tab, 'speeds')).length, 2);
   assert.deepEqual(tab.problems, []);
 });

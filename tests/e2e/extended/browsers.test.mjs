@@ -132,13 +132,13 @@ for (const kind of BROWSERS) {
         <hearth-fire model="classic"></hearth-fire>
         <hearth-fire model="classic" emission-rate="400" seed="7"></hearth-fire>`);
       await tab.burnt(1.2);
-      const said = await tab.evaluate(() => [...document.querySelectorAll('hearth-fire')].map(
+      const reported = await tab.evaluate(() => [...document.querySelectorAll('hearth-fire')].map(
         (fire) => {
           const { params, stats } = /** @type {any} */ (fire);
           return { rate: params.emission_rate, seed: params.seed, particles: stats.particles };
         },
       ));
-      const [large, small] = said;
+      const [large, small] = reported;
       assert.deepEqual([large.rate, large.seed], [DEFAULTS.emission_rate, DEFAULTS.seed]);
       assert.deepEqual([small.rate, small.seed], [400, 7]);
       assert.ok(small.particles < large.particles * 0.7, `${small.particles} of ${large.particles}`);
@@ -316,7 +316,7 @@ for (const kind of BROWSERS) {
       await assertSilent(tab);
     });
 
-    test('without the engine the poster stays, and an error says why', async () => {
+    test('without the engine the poster stays, and an error has the reason', async () => {
       for (const instead of [{ status: 404 }, { keep: 5000 }, { type: 'text/html', body: '<p>' }]) {
         const tab = await browser.open(
           recording('<hearth-fire><p slot="poster">A poster</p></hearth-fire>'),

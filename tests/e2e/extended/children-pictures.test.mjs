@@ -227,8 +227,8 @@ test('where pixels may not be read the box counts, with one warning', async () =
     await restyle(tab, { marginLeft: '9px' });
     await restyle(tab, { width: '70px' });
     await tab.frames(12);
-    const told = tab.problems.filter((problem) => !/data:image|net::/.test(problem));
-    assert.deepEqual(told, [`console.warn: <hearth-fire>: <hearth-solid id="lid">: of = #it counts as a box: ${why}.`]);
+    const warnings = tab.problems.filter((problem) => !/data:image|net::/.test(problem));
+    assert.deepEqual(warnings, [`console.warn: <hearth-fire>: <hearth-solid id="lid">: of = #it counts as a box: ${why}.`]);
     await tab.burnt(0.05);
   }
   await other.close();
@@ -291,9 +291,9 @@ test('a mask for which there is no room is refused once, and the box counts', as
     return solids.length === 6 && solids.filter(({ shape }) => shape === 'mask').length === 4;
   });
   await tab.frames(20);
-  const told = tab.problems.filter((problem) => /all masks of a scene have at most 262144 pixels/.test(problem));
-  assert.deepEqual([told.length, tab.problems.length], [2, 2], tab.problems.join('\n'));
-  assert.match(told[0], /<hearth-solid>: mask = \d+ is refused/);
+  const warnings = tab.problems.filter((problem) => /all masks of a scene have at most 262144 pixels/.test(problem));
+  assert.deepEqual([warnings.length, tab.problems.length], [2, 2], tab.problems.join('\n'));
+  assert.match(warnings[0], /<hearth-solid>: mask = \d+ is refused/);
 });
 
 test('without the code for masks the box counts, with a warning', async () => {

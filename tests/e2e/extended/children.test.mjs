@@ -53,7 +53,7 @@ const owned = (tab) => tab.fire((fire) => [...fire.children].map(({ objectId }) 
 )));
 
 /** The words of the warnings about children. */
-const told = (tab) => tab.problems.filter((words) => /hearth-(source|solid)/.test(words));
+const warnings = (tab) => tab.problems.filter((words) => /hearth-(source|solid)/.test(words));
 
 test('a child is an object with the properties that its attributes state', async () => {
   const tab = await opened(`
@@ -243,7 +243,7 @@ test('an error names the element, the attribute, the value and the range, and th
   assert.deepEqual(words.map(({ id, value, min, max }) => [id, value, min, max]).sort(), [
     ['material', 'straw', undefined, undefined], ['of', 'headline', undefined, undefined], ['power', '700', 0, 600], ['width', '0', 0.002, 10],
   ]);
-  const all = told(tab).join('\n');
+  const all = warnings(tab).join('\n');
   assert.match(all, /<hearth-solid id="lid">: width = "0" is refused: it must be a number from 0.002 to 10 m/);
   assert.match(all, /<hearth-source>: power = "700" is refused: it must be a number from 0 to 600 kW\/m/);
   assert.match(all, /<hearth-solid id="lid">: material = "straw" is refused: it must be one of stone, wood/);
@@ -257,23 +257,23 @@ test('outlines and flags are attributes, and a text that is too long is refused'
   await acts(tab, (fire) => fire.firstElementChild.removeAttribute('front'));
   await acts(tab, (fire) => fire.firstElementChild.setAttribute('points', '0,0 '.repeat(30_000)));
   assert.deepEqual(await shape(), ['polygon', '0,0.1 0.1,-0.1 -0.1,-0.1', false]);
-  assert.match(told(tab).join(), /<hearth-solid>: points = "a text of more than 66000 letters" is refused/);
+  assert.match(warnings(tab).join(), /<hearth-solid>: points = "a text of more than 66000 letters" is refused/);
 });
 
 test('an unknown attribute causes one warning with the name that may be meant', async () => {
   const tab = await opened('<hearth-solid materal="wood" class="a" data-x="1"></hearth-solid><hearth-solid materal="wood"></hearth-solid>');
   await acts(tab, (fire) => fire.firstElementChild.setAttribute('birth_temperature', '1'));
-  await tab.until('both are reported', (count) => count >= 2, told(tab).length + 2);
-  assert.equal(told(tab).length, 2, told(tab).join('\n'));
-  assert.match(told(tab)[0], /<hearth-solid>: it has no attribute materal; did you mean material\?/);
+  await tab.until('both are reported', (count) => count >= 2, warnings(tab).length + 2);
+  assert.equal(warnings(tab).length, 2, warnings(tab).join('\n'));
+  assert.match(warnings(tab)[0], /<hearth-solid>: it has no attribute materal; did you mean material\?/);
 });
 
-test('children beyond 64 are refused in words, and have their place when there is room', async () => {
+test('children beyond 64 are refused with a message, and get their index when there is room', async () => {
   const tab = await opened('<hearth-solid></hearth-solid>'.repeat(65));
   const ids = () => tab.fire((fire) => [...fire.children].map(({ objectId }) => objectId));
   assert.deepEqual((await ids()).map((id) => id === null), [...Array(64).fill(false), true]);
-  assert.equal(told(tab).length, 1);
-  assert.match(told(tab)[0], /<hearth-solid>: objects.length = 65 is refused: it must be at most 64 of each kind/);
+  assert.equal(warnings(tab).length, 1);
+  assert.match(warnings(tab)[0], /<hearth-solid>: objects.length = 65 is refused: it must be at most 64 of each kind/);
   await acts(tab, (fire) => fire.firstElementChild.remove());
   assert.ok((await ids()).every((id) => id > 0));
 });
@@ -353,7 +353,7 @@ test('`solid` names a solid of the same fire, whose id the source follows', asyn
   const refers = async () => (await owned(tab)).filter((object) => object?.kind === 'source').map(({ shape, solid }) => [shape, solid]);
   const idOf = (/** @type {string} */ id) => tab.fire((fire, wanted) => fire.querySelector(`#${wanted}`).objectId, id);
   assert.deepEqual(await refers(), [['solid', await idOf('log')]]);
-  assert.deepEqual(told(tab), []);
+  assert.deepEqual(warnings(tab), []);
   assert.deepEqual(await tab.fire((fire) => [fire.params.source_shape, fire.params.source_solid]), ['solid', await idOf('log')]);
   // Another solid takes the name.
   await acts(tab, (fire) => {
@@ -368,7 +368,7 @@ test('`solid` names a solid of the same fire, whose id the source follows', asyn
   const id = await idOf('log');
   await acts(tab, (fire, solid) => fire.querySelector('hearth-source').setAttribute('solid', solid), id);
   assert.deepEqual(await refers(), [['solid', id]]);
-  assert.deepEqual(told(tab), []);
+  assert.deepEqual(warnings(tab), []);
 });
 
 test('`hangs-from` names the solid that a free one hangs from', async () => {
@@ -380,8 +380,8 @@ test('`hangs-from` names the solid that a free one hangs from', async () => {
   const hangs = async () => (await owned(tab)).filter((object) => object?.motion === 'free').map(({ hangs_from }) => hangs_from);
   const hook = await tab.fire((fire) => fire.querySelector('#hook').objectId);
   assert.deepEqual(await hangs(), [hook, 0]);
-  assert.equal(told(tab).length, 1);
-  assert.match(told(tab)[0], /<hearth-solid>: hangs-from = #none has no effect now/);
+  assert.equal(warnings(tab).length, 1);
+  assert.match(warnings(tab)[0], /<hearth-solid>: hangs-from = #none has no effect now/);
   await tab.burnt(0.5);
   const [ball] = await tab.fire((fire) => fire.freeSolids());
   assert.ok(Math.abs(ball.y - 0.6) < 0.01, `it hangs at ${ball.y} m`);
@@ -392,8 +392,8 @@ test('a source on a solid that does not exist is a line, with one warning, until
   const solid = () => tab.fire((fire) => fire.params.source_solid);
   assert.equal(await solid(), 0);
   await acts(tab, (fire) => fire.setAttribute('fuel-power', '100'));
-  assert.equal(told(tab).length, 1);
-  assert.match(told(tab)[0], /<hearth-source>: solid = #log has no effect now/);
+  assert.equal(warnings(tab).length, 1);
+  assert.match(warnings(tab)[0], /<hearth-source>: solid = #log has no effect now/);
   await acts(tab, (fire) => (fire.querySelector('hearth-solid').id = 'log'));
   assert.equal(await solid(), await tab.fire((fire) => fire.querySelector('hearth-solid').objectId));
   // A call counts until the solid is another.
@@ -402,5 +402,5 @@ test('a source on a solid that does not exist is a line, with one warning, until
   assert.equal(await solid(), 77);
   await acts(tab, (fire) => fire.querySelector('hearth-solid').remove());
   assert.equal(await solid(), 0);
-  assert.equal(told(tab).length, 1);
+  assert.equal(warnings(tab).length, 1);
 });

@@ -14,7 +14,7 @@ const { PARAMETERS, PRESETS, DEFAULTS: PAGE, defaultsOf } = await table();
 const DEFAULTS = defaultsOf('classic');
 const entry = entriesOf(PARAMETERS, 'classic');
 
-/** How far the hand may miss a place on a slider, as a fraction of its length. */
+/** Tolerance of a position on a slider, as a fraction of its length. */
 const AIM = 0.06;
 
 /** @type {Browser} */
@@ -232,7 +232,7 @@ for (const model of ['combustion', 'classic']) {
 
 test('the panel follows a model that the page sets', async () => {
   const { tab, panel } = await openPage('classic', true);
-  // As many particles as the classic model had: no event tells that they stay.
+  // As many particles as the classic model had: no event reports that they stay.
   await tab.fire((fire) => fire.set({ model: 'combustion', max_particles: 1000 }));
   const own = PARAMETERS.filter(({ models }) => !models.includes('classic')).map(({ id }) => id);
   await panel.until('a row of the other model', (_, ids) => (

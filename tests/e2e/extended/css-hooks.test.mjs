@@ -88,7 +88,7 @@ for (const [about, before] of /** @type {[string, () => void][]} */ ([
   });
 }
 
-/** What the first fire tells. */
+/** The light and the glow of the first fire. */
 function reported(tab) {
   return tab.fire((fire) => {
     const style = getComputedStyle(fire);

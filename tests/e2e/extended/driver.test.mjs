@@ -11,8 +11,8 @@ import { serve } from '../server.mjs';
 
 const HERE = new URL('..', import.meta.url);
 
-/** What another process says of the driver, in an environment of its own. */
-async function said(script, env) {
+/** The output of a script in a process with its own environment. */
+async function output(script, env) {
   const node = promisify(execFile)(process.execPath, ['--input-type=module', '-e', script], {
     cwd: HERE,
     env: { ...process.env, ...env },
@@ -27,13 +27,13 @@ for (const [kind, variable, words] of [
 ]) {
   test(`without ${kind} the driver fails and names the package to install`, async () => {
     const start = `import { Browser } from './driver.mjs'; await Browser.start('${kind}');`;
-    assert.match(await said(start, { [variable]: '', PATH: '' }), words);
+    assert.match(await output(start, { [variable]: '', PATH: '' }), words);
   });
 }
 
 test('HEARTH_BROWSERS selects browsers, and a misspelt name is reported', async () => {
   const list = "import { BROWSERS } from './driver.mjs'; console.log(BROWSERS.join());";
-  const asked = (names) => said(list, { HEARTH_BROWSERS: names });
+  const asked = (names) => output(list, { HEARTH_BROWSERS: names });
   assert.equal((await asked('')).trim(), 'chromium,firefox,webkit');
   assert.equal((await asked('webkit, chromium')).trim(), 'webkit,chromium');
   assert.match(await asked('webkit,opera'), /"opera"; there are: chromium, firefox, webkit/);

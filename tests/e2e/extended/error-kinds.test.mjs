@@ -17,7 +17,7 @@ after(() => browser?.close());
 const WASM = 'hearth-engine_bg.wasm';
 const BODY = recording('<hearth-fire><p slot="poster" id="poster">A poster</p></hearth-fire>');
 
-/** Asserts that there is no fire, that it was said why, and that nothing else broke. */
+/** Asserts that there is no fire, that an error has the reason, and that nothing else fails. */
 async function assertSaid(tab, kind, named) {
   const rejected = await tab.fire((fire) => fire.ready.then(() => null, (error) => error.kind));
   assert.equal(rejected, kind);

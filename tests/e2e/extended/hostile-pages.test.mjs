@@ -65,7 +65,7 @@ test('under the policy that the documents state, the fire burns in a worker', as
   assert.deepEqual((await violations(tab)).filter((violation) => !violation.startsWith('img-src')), []);
 });
 
-test('each rule of that policy is needed, as the documents say', async () => {
+test('each rule of the documented policy is needed', async () => {
   const scripts = "script-src 'self' 'wasm-unsafe-eval'";
   const failed = await under(`default-src 'none'; ${scripts}; worker-src 'self'`);
   assert.equal(await failed.fire((fire) => fire.ready.then(() => '', ({ kind }) => kind)), 'load');
@@ -152,18 +152,18 @@ for (const place of ['worker', 'main']) {
       HearthFire.engine = '${place}';
     </script>`)), { before: freezeAll });
     await assertBurnsIn(tab, place);
-    const said = await tab.fire(async (fire) => {
+    const outcome = await tab.fire(async (fire) => {
       await fire.to({ wind: 0.3 }, { duration: 20 });
       const refused = await fire.set('wind', 'x').catch(({ name }) => name);
       return [refused, (await fire.toBlob()).size > 100, fire.wind];
     });
-    assert.equal(said[0], 'RangeError');
-    assert.equal(said[1], true);
+    assert.equal(outcome[0], 'RangeError');
+    assert.equal(outcome[1], true);
     assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
   });
 }
 
-test('where every intrinsic is frozen, a fire that cannot burn says so', async () => {
+test('where every intrinsic is frozen, a fire that cannot burn rejects with an EngineError', async () => {
   site.replace({ 'hearth-engine_bg.wasm': { status: 404, body: '' } });
   const tab = await browser.open(site.publish(PAGE), { before: freezeAll });
   assert.deepEqual(await tab.fire((fire) => fire.ready.then(() => '', ({ name, kind }) => [name, kind])), ['EngineError', 'load']);
@@ -189,11 +189,11 @@ test('of several copies of the module the first stays, and the others export its
   assert.equal(found.warnings[0].split(found.version).length, 3, `it names both versions: ${found.warnings[0]}`);
 });
 
-test('an element of that name by another author stays, and the console says so', async () => {
+test('an element of that name by another author stays, with a warning in the console', async () => {
   const tab = await browser.open(site.publish(PAGE.replace('</title>', `</title>
     <script>customElements.define('hearth-fire', class extends HTMLElement {});</script>`)));
   await tab.frames(2);
-  await tab.until('it is said', () => customElements.get('hearth-fire') !== undefined);
+  await tab.until('the element is defined', () => customElements.get('hearth-fire') !== undefined);
   assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
   assert.ok(tab.problems.some((problem) => /defined already/.test(problem)), `${tab.problems}`);
 });

@@ -105,7 +105,7 @@ test('300,000 sets in one task end with the last value, and every promise settle
   assert.ok(changes.length <= 1001, `${changes.length} changes`);
 });
 
-test('while the context is lost, `toBlob` rejects and says why; then it works again', async () => {
+test('while the context is lost, `toBlob` rejects with the reason; then it works again', async () => {
   const tab = await browser.show(recording(FIRE));
   await tab.burnt(0.2);
   await assertBurns(tab);
@@ -114,11 +114,11 @@ test('while the context is lost, `toBlob` rejects and says why; then it works ag
     fire.back = new Promise((resolve) => fire.addEventListener('restored', resolve, { once: true }));
   });
   await tab.loseContext(2000);
-  const said = await tab.fire(async (fire) => {
+  const message = await tab.fire(async (fire) => {
     await fire.lost;
     return fire.toBlob().then(() => 'a picture', ({ message }) => message);
   });
-  assert.match(said, /graphics context is lost/);
+  assert.match(message, /graphics context is lost/);
   const size = await tab.fire(async (fire) => {
     await fire.back;
     return (await fire.toBlob()).size;

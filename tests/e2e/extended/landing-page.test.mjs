@@ -78,7 +78,7 @@ describe('the strip of scenes', () => {
       PRESETS.map(({ name, label }) => [name, label]).sort(),
     );
     await tab.page.click('[data-starts="candle"]');
-    await tab.until('the address says so', () => location.search === '?scene=candle');
+    await tab.until('the address names the scene', () => location.search === '?scene=candle');
     assert.deepEqual(await marked(tab), ['candle']);
     await tab.page.click('[data-starts="default"]');
     await tab.until('the default is named', () => location.search === '?scene=default');
@@ -87,7 +87,7 @@ describe('the strip of scenes', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('shows a word whole on a phone, unless the address says how it fits', async () => {
+  test('shows a word whole on a phone, unless the address names another fit', async () => {
     /** The sides of the picture [m]. @param {import('../driver.mjs').Tab} tab */
     const seen = (tab) => tab.fire((fire) => [0, fire.clientWidth].map((x) => fire.toMetres(x, 0).x));
     const tab = await browser.open('index.html?scene=burning-word', PHONE);
@@ -234,7 +234,7 @@ describe('the panel', () => {
 });
 
 describe('the hint', () => {
-  /** Runs in the page before anything of it: keeps all that the hint says. */
+  /** Runs in the page before anything of it: keeps all texts of the hint. */
   const keep = () => {
     const page = /** @type {any} */ (window);
     page.hinted = [];
@@ -339,5 +339,5 @@ test('the picture that links show looks like the page', async () => {
   const seen = JSON.stringify(differences);
   // Another moment of the scene differs by 5 to 7 of 255.
   assert.ok(differences.same < 9, seen);
-  assert.ok(differences.brighter > 9 && differences.other > 9, `the test tells another scene: ${seen}`);
+  assert.ok(differences.brighter > 9 && differences.other > 9, `the test distinguishes another scene: ${seen}`);
 });

@@ -97,7 +97,7 @@ for (const place of ['worker', 'main']) {
       const ours = [...bytes].filter(([name]) => !boxed.test(name)).sort(([, a], [, b]) => b - a);
       const sum = ours.reduce((all, [, bytes]) => all + bytes, 0);
       const list = JSON.stringify(ours.slice(0, 8));
-      // A message of what it says of itself has some forty fields.
+      // A message with its statistics has some forty fields.
       const most = 6000 * (reported + 1) + PICTURE[place] * pictures;
       assert.ok(sum < most, `${sum} bytes in ${pictures} pictures and ${reported} messages: ${list}`);
       // A view or a list of arguments for a call of WebGL would be fifty bytes a frame.

@@ -164,9 +164,9 @@ describe('messages from anybody else', () => {
     const allow = [...others, ...wrong].join(',');
     const tab = await fixture.open({ allow });
     await assertDeaf(tab);
-    const said = tab.problems.filter((problem) => problem.includes('is ignored; the URL parameter “allow”'));
-    assert.equal(said.length, 1);
-    assert.match(said[0], new RegExp(fixture.pageOrigin));
+    const warnings = tab.problems.filter((problem) => problem.includes('is ignored; the URL parameter “allow”'));
+    assert.equal(warnings.length, 1);
+    assert.match(warnings[0], new RegExp(fixture.pageOrigin));
     const unclear = tab.problems.filter((problem) => problem.includes('“allow” must list exact origins'));
     assert.equal(unclear.length, wrong.length);
     for (const [at, origin] of wrong.entries()) assert.ok(unclear[at].includes(`“${origin}”`), unclear[at]);

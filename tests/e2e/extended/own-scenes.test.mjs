@@ -119,7 +119,7 @@ const blows = (tab, wind) => tab.until(`a wind of ${wind}`, (wanted) => (
   Math.abs(/** @type {any} */ (document.querySelector('hearth-fire')).params.wind - wanted) < 0.01
 ), wind);
 
-test('a file of settings that is dropped anywhere on the page is opened, and any other file is refused in words', async () => {
+test('a file of settings that is dropped anywhere on the page is opened, and any other file is refused with a message', async () => {
   const tab = await browser.open('index.html?scene=candle&paused', { width: 1000, height: 700 });
   await tab.ready();
   await new Panel(tab).mounted();

@@ -16,7 +16,7 @@ before(async () => {
 });
 after(() => browser?.close());
 
-/** A page whose fires run where it says. */
+/** A page that states where its fires run. */
 const at = (/** @type {string} */ place, /** @type {string} */ body) => `${body}<script type="module">
   import { HearthFire } from '/web/hearth-fire.js';
   HearthFire.engine = '${place}';

@@ -238,7 +238,7 @@ describe('its place', () => {
     const [basics, ...others] = new Set(used);
     assert.deepEqual(groups, [basics, 'Objects', ...others]);
     const loud = await tab.page.$$eval('.hearth-controls :is(output, [aria-live], [role=status])', (all) => all.length);
-    assert.equal(loud, 1, 'only the line that says what went wrong speaks by itself');
+    assert.equal(loud, 1, 'only the line of the error is a live region');
     const client = await tab.page.createCDPSession();
     await client.send('Emulation.setEmulatedMedia', { features: [{ name: 'forced-colors', value: 'active' }] });
     await tab.until('the accessible controls are shown', () => (

@@ -182,21 +182,21 @@ describe('buttons act on the fire at the selected object', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('or say why they cannot', async () => {
+  test('or show the reason why they cannot', async () => {
     const { tab, panel } = await scenePage('default');
-    const says = (words) => panel.until(`the words ${words}`, (root, wanted) => (
+    const statusBegins = (words) => panel.until(`the words ${words}`, (root, wanted) => (
       root.querySelector('.hearth-controls [role="status"]').textContent.startsWith(wanted)
     ), words);
     await tab.page.select(actionOf('select-object'), '1');
     await press(panel, tab, 'extinguish');
-    await says('A source has no fuel');
+    await statusBegins('A source has no fuel');
     await tab.fire((fire) => fire.addObject({ kind: 'solid', material: 'stone' }));
     await tab.page.select(actionOf('select-object'), String((await objects(tab)).at(-1).id));
     await press(panel, tab, 'ignite');
-    await says('A solid of stone has no fuel');
+    await statusBegins('A solid of stone has no fuel');
     await tab.fire((fire) => fire.set('model', 'classic'));
     await press(panel, tab, 'water');
-    await says('The classic model has no water');
+    await statusBegins('The classic model has no water');
     assert.deepEqual(tab.problems, []);
   });
 });
@@ -290,7 +290,7 @@ test('a search finds a property and shows its row', async () => {
   await until(tab, 'rounder', (all) => all[4].corner > 0.1);
 });
 
-test('the sixty-fourth solid is the last, and a text says why', async () => {
+test('the sixty-fourth solid is the last, and a text gives the reason', async () => {
   const { tab, panel } = await scenePage('default');
   await tab.fire((fire) => fire.set({
     objects: [{ kind: 'source' }, ...Array.from({ length: 64 }, (_, at) => ({ kind: 'solid', x: at / 8 - 4, width: 0.1 }))],

@@ -1,4 +1,4 @@
-/** The page of equations as printed: ten fires, and numbers that tell each pair apart as its text says. */
+/** The page of equations as printed: ten fires, and numbers that distinguish each pair as its text states. */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { violations } from '../axe.mjs';
@@ -24,7 +24,7 @@ before(async () => {
 });
 after(() => browser?.close());
 
-test('every equation as printed has a pair of fires that differ in it alone, and a number that tells', async () => {
+test('every equation as printed has a pair of fires that differ in it alone, and a number that distinguishes them', async () => {
   const tab = await browser.open('printed.html', PHONE);
   for (const flag of Object.keys(RATIOS)) {
     await tab.until(`the numbers of ${flag}`, (id) => (

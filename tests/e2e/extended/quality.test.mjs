@@ -24,7 +24,7 @@ after(() => browser?.close());
 
 const small = { width: 260, height: 260 };
 
-/** Waits until the fire has about so many particles, and says this quality. */
+/** Waits until the fire has about so many particles, and reports this quality. */
 function settles(tab, quality, particles = PARTICLES[quality]) {
   return tab.until(`${quality}, ${particles} particles`, (name, count) => {
     const { stats } = /** @type {any} */ (document.querySelector('hearth-fire'));
@@ -211,7 +211,7 @@ test('the panel and its accessible controls set the quality, and show a quality 
   assert.equal(await shown(), 'low');
   await tab.page.select(control, 'medium');
   await settles(tab, 'medium');
-  // Unfolded, the header says what takes how long, and pushes down what is below it.
+  // Unfolded, the header lists the times of the stages and shifts the rows below it.
   const before = await panel.part('quality');
   await tab.click(along(await panel.part('action:times'), 0.3));
   await tab.frames(6);

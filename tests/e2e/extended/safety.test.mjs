@@ -113,7 +113,7 @@ test('a worker of another version is not used, and both versions are named', asy
   assert.match(tab.problems[0], /worker\.js has version 9\.8\.7, the element has version \d+\.\d+\.\d+/);
 });
 
-test('a fire without memory for its particles refuses them in words, and all fires burn on', async () => {
+test('a fire without memory for its particles refuses them with a message, and all fires burn on', async () => {
   const body = confined(await readFile(ENGINE), 18 * 2 ** 20);
   const tab = await browser.open('<hearth-fire></hearth-fire><hearth-fire id="other"></hearth-fire>', {
     files: { 'hearth-engine_bg.wasm': { body } },
@@ -131,7 +131,7 @@ test('a fire without memory for its particles refuses them in words, and all fir
   assert.deepEqual(times, [6000, 6000]);
 });
 
-test('a fire for which there is no memory at all says so, and the others burn on', async () => {
+test('a fire for which there is no memory at all reports it, and the others burn on', async () => {
   const body = confined(await readFile(ENGINE), 18 * 2 ** 20);
   const many = { body: '{"values": {"max_particles": 100000}}', type: 'application/json' };
   const tab = await browser.open('<hearth-fire></hearth-fire>', {

@@ -20,7 +20,7 @@ before(async () => {
 });
 after(() => browser?.close());
 
-/** What the bar says, to the ear and to the eye; null where there is none. */
+/** The accessible name and the text of the bar; null where there is none. */
 const bar = (tab, selector = 'hearth-fire') => tab.on(selector, (fire) => {
   const found = fire.shadowRoot.querySelector('[part="scale"]');
   if (!found?.checkVisibility()) return null;
@@ -37,7 +37,7 @@ const bar = (tab, selector = 'hearth-fire') => tab.on(selector, (fire) => {
 });
 
 /** Waits until the bar's label is so. */
-const labelled = (tab, pattern) => tab.until(`the bar says ${pattern}`, (wanted) => {
+const labelled = (tab, pattern) => tab.until(`the bar's label matches ${pattern}`, (wanted) => {
   const found = document.querySelector('hearth-fire')?.shadowRoot?.querySelector('[part="scale"]');
   return found?.checkVisibility() && new RegExp(wanted).test(found.getAttribute('aria-label') ?? '');
 }, pattern.source);
@@ -121,7 +121,7 @@ describe('the bar', () => {
     });
     assert.ok(kelvin > 100, `${kelvin} K could be a speed`);
     const drawn = reported.findIndex((scale) => scale !== null);
-    assert.ok(drawn > 0, `nothing is said until the speed is drawn, and then it is: ${JSON.stringify(reported)}`);
+    assert.ok(drawn > 0, `the speed is reported only once it is drawn: ${JSON.stringify(reported)}`);
     for (const scale of reported.slice(drawn)) assert.ok(scale?.[1] < 100, `${scale} m/s`);
   });
 
@@ -208,17 +208,17 @@ describe('the bar', () => {
     const tab = await browser.open('<hearth-fire display-mode="density"></hearth-fire>', {
       without: 'element/view/scale.js',
       before: () => {
-        const said = (/** @type {any} */ (window).said = []);
+        const errors = (/** @type {any} */ (window).errors = []);
         addEventListener('error', () => {}, true);
         document.addEventListener('DOMContentLoaded', () => document.querySelector('hearth-fire')?.addEventListener(
-          'error', ({ detail }) => said.push(detail.kind),
+          'error', ({ detail }) => errors.push(detail.kind),
         ));
       },
     });
     // The bar is asked for once the quantity has a range, and its code comes on request as well.
-    await tab.until('the failure is reported', () => /** @type {any} */ (window).said.length);
+    await tab.until('the failure is reported', () => /** @type {any} */ (window).errors.length);
     const before = await tab.fire((fire) => fire.stats.time);
     await tab.burnt(before + 1);
-    assert.deepEqual(await tab.evaluate(() => /** @type {any} */ (window).said), ['load']);
+    assert.deepEqual(await tab.evaluate(() => /** @type {any} */ (window).errors), ['load']);
   });
 });

@@ -149,7 +149,7 @@ describe('the scenes', () => {
       fire.importConfig = () => Promise.reject(new Error('no such fire'));
     });
     await tab.page.click(`[data-scene="${PRESETS[1].name}"]`);
-    await panel.until('it is said', (root) => root.querySelector('.hearth-controls [role=status]').textContent === 'no such fire');
+    await panel.until('the status shows the error', (root) => root.querySelector('.hearth-controls [role=status]').textContent === 'no such fire');
     assert.deepEqual(await marked(panel), ['default']);
   });
 

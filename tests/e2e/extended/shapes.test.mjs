@@ -1,5 +1,5 @@
 /**
- * Polygons, strokes and masks: drawn, sent and stored with the settings, refused in words.
+ * Polygons, strokes and masks: drawn, sent and stored with the settings, refused with a message.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -35,7 +35,7 @@ function opacities(tab, places) {
   }, places);
 }
 
-/** What is said where a function of the page's masks is refused. */
+/** The error of a refused function of the page's masks. */
 function refusal(tab, act) {
   return tab.fire(async (fire, source) => {
     try {
@@ -105,7 +105,7 @@ test('a word is a mask that is drawn, and gas stays out', async () => {
   assert.deepEqual(around.filter((place) => at(place) === 15), []);
 });
 
-test('outlines and masks of another form are refused in words', async () => {
+test('outlines and masks of another form are refused with a message', async () => {
   const tab = await browser.show(FIRE);
   await tab.ready();
   const points = /^RangeError: objects\[1\]\.points = .* is refused: it must be 2 to 256 pairs of numbers from -10 to 10 m/s;

@@ -152,10 +152,10 @@ describe('the panel', () => {
       [`{"hearth": 2, "values": {"seed": "${'9'.repeat(70_000)}"}}`, /64/],
     ]) {
       await pasteSettings(tab, panel, text);
-      const said = await tab.until(`${text.slice(0, 60)} is refused`, () => (
+      const reason = await tab.until(`${text.slice(0, 60)} is refused`, () => (
         document.querySelector('.hearth-card [role="alert"]')?.textContent
       ));
-      assert.match(said, /** @type {RegExp} */ (words));
+      assert.match(reason, /** @type {RegExp} */ (words));
       assert.equal(await tab.page.$eval(field, (input) => /** @type {any} */ (input).value.length), text.length);
       assert.deepEqual(await paramsOf(tab), params);
       await tab.key('Escape');

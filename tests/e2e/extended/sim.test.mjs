@@ -210,7 +210,7 @@ test('the documentation names every member of the library, each in an example an
     assert.match(SAMPLES.join('\n'), new RegExp(`\\b${name}\\b`));
     assert.match(types, new RegExp(`\\b${name}\\b\\??[(:<]`));
   }
-  // Node and browsers that know of `using` end a simulation with it; so do the types.
+  // Node and browsers that support `using` end a simulation with it; so do the types.
   assert.match(DOC, /`using sim = /);
   assert.match(types, /^ {2}\[Symbol\.dispose\]\(\): void;$/m);
 });

@@ -60,7 +60,7 @@ test('a file that does not arrive within its limit is reported', async () => {
     before: hurry,
   });
   await tab.ready();
-  await tab.until('it is said', () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'));
+  await tab.until('an error event', () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'));
   const [{ kind, message }] = await events(tab, 'error');
   assert.equal(kind, 'load');
   assert.match(message, /src = "never\.json".*did not arrive within 10 s/);
@@ -124,10 +124,10 @@ test('wasm that never comes is reported within its limit, and the next attempt b
     files: { [WASM]: { silent: true } },
     before: hurry,
   });
-  const said = await tab.fire((fire) => fire.ready.then(() => null, ({ kind, message }) => [kind, message]));
-  assert.equal(said[0], 'load');
-  assert.match(said[1], /could not be loaded: no answer within 60 s/);
-  assert.equal((await events(tab, 'error'))[0].message, said[1]);
+  const failure = await tab.fire((fire) => fire.ready.then(() => null, ({ kind, message }) => [kind, message]));
+  assert.equal(failure[0], 'load');
+  assert.match(failure[1], /could not be loaded: no answer within 60 s/);
+  assert.equal((await events(tab, 'error'))[0].message, failure[1]);
   browser.server.replace({});
   await tab.fire((fire) => {
     fire.remove();
@@ -162,10 +162,10 @@ test('code that never comes rejects the call that needs it', async () => {
     /** @type {any} */ (window).isHurried = true;
   });
   for (const call of [['to', { wind: 1 }], ['toBlob']]) {
-    const said = await tab.fire((fire, name, ...values) => (
+    const outcome = await tab.fire((fire, name, ...values) => (
       fire[name](...values).then(() => '', ({ message }) => message)
     ), ...call);
-    assert.match(said, /no answer within 30 s/);
+    assert.match(outcome, /no answer within 30 s/);
   }
   const errors = await events(tab, 'error');
   assert.deepEqual(errors.map(({ kind }) => kind), ['load', 'load']);

@@ -43,7 +43,7 @@ async function glowAt(tab) {
   return columns.reduce((sum, column, at) => sum + column * (at + 0.5), 0) / (48 * all);
 }
 
-/** Number of embers, as the fire says after a step. */
+/** Number of embers that the fire reports after a step. */
 const embers = async (tab) => {
   await tab.fire((fire) => fire.step(1));
   await tab.frames(3);

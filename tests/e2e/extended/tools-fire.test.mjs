@@ -19,7 +19,7 @@ const PAUSED = 'scene=default&paused&quality=low';
 /** Adds an object; its id. */
 const add = (tab, object) => tab.fire((fire, fields) => fire.addObject(fields), object);
 
-/** What the fire says of its fuels after so many steps. */
+/** The state of the fuels that the fire reports after so many steps. */
 async function fuelAfter(tab, steps) {
   await tab.fire((fire, count) => fire.step(count), steps);
   await tab.frames(3);
@@ -39,7 +39,7 @@ async function sprayed(tab, act) {
   return tab.evaluate(() => window.sprayed);
 }
 
-/** Sprays enough water from there; what the fire says of its fuels then. */
+/** Sprays enough water from there; returns the state of the fuels that the fire then reports. */
 async function putOut(tab, x, y) {
   await tab.fire(async (fire, [across, up]) => {
     for (let call = 0; call < 60; call += 1) {

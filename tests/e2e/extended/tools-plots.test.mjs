@@ -19,7 +19,7 @@ const PAUSED = 'scene=default&paused&quality=low';
 /** Of a paused fire, which has no frames. */
 const CHARTS = ['Flame height', 'Power', 'Luminosity', 'Luminosity spectrum', 'Temperature', 'Velocity'];
 
-/** The charts in words, by their titles; hidden ones are left out. */
+/** The descriptions of the charts, by their titles; hidden ones are left out. */
 const charts = (tab) => tab.evaluate(() => Object.fromEntries([...document.querySelectorAll('.hearth-plots .chart')]
   .filter((element) => element.checkVisibility())
   .map((element) => (element.getAttribute('aria-label') ?? '').split(/: (.*)/s))));
@@ -93,8 +93,8 @@ for (const size of PHONES) {
     await tab.page.waitForSelector('.hearth-plots');
     await tool(tab, 'stir');
     const [message, card] = await tab.until('a message', () => {
-      const said = document.querySelector('.hearth-status');
-      return said?.textContent && [said, document.querySelector('.hearth-plots')].map((element) => {
+      const status = document.querySelector('.hearth-status');
+      return status?.textContent && [status, document.querySelector('.hearth-plots')].map((element) => {
         const { left, right, top, bottom } = /** @type {Element} */ (element).getBoundingClientRect();
         return { left, right, top, bottom };
       });

@@ -17,7 +17,7 @@ after(() => browser?.close());
 const FIRE = '<hearth-fire paused quality="low" style="width: 40px; height: 50px"></hearth-fire>';
 
 /**
- * A fire whose page's animations stand at the share of their time that `clock(share)` says.
+ * A fire whose page's animations stand at the share of their time that `clock(share)` sets.
  * @param {string} [html]
  */
 async function open(html = FIRE) {

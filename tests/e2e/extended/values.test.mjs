@@ -163,8 +163,8 @@ test('an invalid colour is rejected by name, and the last one stays', async () =
   await tab.ready();
   const nonsense = ['reddish', 'inherit', 'initial', '#12', 'rgb(', 'red; color: blue', 'var(--none', 'var(--none)', 'linear-gradient(red, blue)', '', 'none'];
   for (const value of nonsense) {
-    const said = await tab.fire((fire, text) => fire.set('background', text).then(() => 'taken', (error) => [error.name, error.id, error.value]), value);
-    assert.deepEqual(said, ['RangeError', 'background', value]);
+    const outcome = await tab.fire((fire, text) => fire.set('background', text).then(() => 'taken', (error) => [error.name, error.id, error.value]), value);
+    assert.deepEqual(outcome, ['RangeError', 'background', value]);
   }
   assert.equal(await tab.fire((fire) => fire.background), '#008080');
   const reported = await events(tab, 'error');

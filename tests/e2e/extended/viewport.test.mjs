@@ -39,7 +39,7 @@ test('the height of the world fits the picture, its origin is the lower middle',
   }
 });
 
-test('they follow the height of the world, and say nothing without a picture', async () => {
+test('they follow the height of the world, and have no value without a picture', async () => {
   const tab = await browser.show('<hearth-fire paused></hearth-fire>');
   await tab.ready();
   await tab.fire((fire) => fire.set('domain_height', 3));

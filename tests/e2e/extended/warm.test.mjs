@@ -233,7 +233,7 @@ test('a small fire has few particles and reports it, unless their number is set'
   await has(400, 'size');
 });
 
-/** When the fire of the scene was kept [s]: its bytes say it. */
+/** Time at which the fire of the scene was saved, from its bytes [s]. */
 function keptTime(tab) {
   return tab.evaluate(async () => {
     const response = await fetch('/web/prewarmed/fireside.fire');

@@ -2,7 +2,7 @@
  * Colours as eyes and screens have them, of 8-bit sRGB.
  */
 
-/** Light that a screen in a room reflects. Without it blacks that nobody can tell
+/** Light that a screen in a room reflects. Without it blacks that nobody can distinguish
     apart would differ by more than two oranges. */
 const VEIL = 0.005;
 

@@ -1,6 +1,6 @@
 /**
- * A fire as the page shows it at 1024 × 768, picture by picture, and what its pixels
- * say: runs in the painter's page, for pictures are too many to be sent anywhere.
+ * A fire as the page shows it at 1024 × 768, picture by picture, and the figures
+ * of its pixels. Runs in the painter's page: the pictures are too many to be sent.
  */
 import { Flashes } from './flashes.mjs';
 import { okLab, relativeLuminance } from './colour.mjs';

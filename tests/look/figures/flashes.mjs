@@ -11,9 +11,9 @@
  * So a flash of a field is one of more than a quarter of it that changes together, there
  * and back, whichever places they are the next time. Places that flicker each in its own
  * time are no flash of their sum: how much of a field flickers too often, at whatever
- * time, is told beside it, and the criterion does not ask for that.
+ * time, is listed beside it, and the criterion does not ask for that.
  *
- * It is asked of a film, picture by picture, in a browser and in Node alike.
+ * A film is measured picture by picture, in a browser and in Node alike.
  */
 
 import { LINEAR } from './colour.mjs';
@@ -22,8 +22,8 @@ import { LINEAR } from './colour.mjs';
 const FIELD = [341, 256];
 /** More than such a share of it is not small. */
 export const SMALL = 0.25;
-/** The shares that are asked whether so much flashes too often: that tells how near to
-    the criterion a film comes. */
+/** The shares that are asked whether so much flashes too often: the distance of a
+    film from the criterion. */
 const SHARES = Array.from({ length: 40 }, (_, at) => (at + 1) / 40);
 /** Changes in a second beyond which there are more than three pairs of them. */
 const MOST = 6;

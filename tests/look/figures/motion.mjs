@@ -3,7 +3,7 @@
  *
  * Blocks are compared less their own means. Flames flicker: where one that only fades
  * towards its tip grows darker as a whole, what was dark is found further down, and gas
- * that rises would seem to fall. Of a block that brightens or darkens, its structure says
+ * that rises would seem to fall. Of a block that brightens or darkens, its structure shows
  * where it went.
  */
 
@@ -44,7 +44,7 @@ export function rising(before, now, width, height, luminous) {
         }
       }
       const stayed = risen === 0 && across === 0;
-      // One that has changed more than it has moved says nothing, nor one at the end of
+      // One that has changed more than it has moved shows nothing, nor does one at the end of
       // where it was looked for.
       if (!stayed && least > BETTER * stays) continue;
       if (Math.abs(across) === ACROSS || risen === UP || risen === -DOWN) continue;

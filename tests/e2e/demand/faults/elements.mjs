@@ -27,13 +27,13 @@ export async function* elements() {
           if (index % 8 === 0) document.body.append(fire);
           return index % 4 !== 0 || index % 8 === 0;
         });
-        const said = await Promise.all(stay.map((fire) => fire.ready.then(() => '', (/** @type {Error} */ { message }) => message)));
+        const failures = await Promise.all(stay.map((fire) => fire.ready.then(() => '', (/** @type {Error} */ { message }) => message)));
         for (const fire of fires) fire.remove();
-        return said.filter(Boolean);
+        return failures.filter(Boolean);
       }, GROUP, made);
       const fault = `elements ${made + 1} to ${made + GROUP}`;
       const finding = await outcome(tab, fault);
-      yield wrong.length === 0 ? finding : { ...finding, outcome: 'told', detail: wrong.join('; ') };
+      yield wrong.length === 0 ? finding : { ...finding, outcome: 'reported', detail: wrong.join('; ') };
     }
     const { contexts, workers } = await tab.living();
     const rest = contexts === 1 && workers === 1;

@@ -6,7 +6,7 @@ import { FIRE, outcome } from './outcome.mjs';
 const FAULTS = {
   'is missing': { status: 404, type: 'text/plain', body: 'not found' },
   'is refused by the server': { status: 500, type: 'text/plain', body: 'an error' },
-  'meets a broken connection': { drop: true },
+  'loses its connection': { drop: true },
   'is cut': { keep: 100 },
   'is a page of a proxy': { type: 'text/html', body: '<!doctype html><p>Sign in' },
   'is empty': { body: '' },

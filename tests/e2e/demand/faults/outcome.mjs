@@ -4,7 +4,7 @@
 /**
  * @typedef {object} Finding
  * @property {string} fault
- * @property {'burns' | 'told' | 'silent'} outcome  The fire burns, its visitor reads why not or sees
+ * @property {'burns' | 'reported' | 'silent'} outcome  The fire burns, its visitor reads why not or sees
  *   its poster, or neither.
  * @property {string} [detail]
  */
@@ -65,11 +65,11 @@ export async function outcome(tab, fault) {
     burnt += Math.max(seen.time - last, 0);
     last = seen.time;
     if (seen.shown && burnt > BURNT_S && await glows(tab)) return { fault, outcome: 'burns' };
-    if (seen.failed && seen.words && seen.poster) return { fault, outcome: 'told', detail: seen.words };
+    if (seen.failed && seen.words && seen.poster) return { fault, outcome: 'reported', detail: seen.words };
     // Without its script the element shows its poster, and only the browser can report why.
     const decided = tab.problems.length > 0 || Date.now() > start + SCRIPT_MS;
     if (!seen.defined && seen.poster && decided) {
-      return { fault, outcome: 'told', detail: `the poster; ${tab.problems[0] ?? 'no script'}` };
+      return { fault, outcome: 'reported', detail: `the poster; ${tab.problems[0] ?? 'no script'}` };
     }
     if (Date.now() > start + LIMIT_MS) {
       return { fault, outcome: 'silent', detail: `${JSON.stringify(seen)}; ${tab.problems.slice(-3).join('; ')}` };

@@ -25,7 +25,7 @@ const PAUSE = 400;
 const TOOLS = ['box', 'circle', 'line', 'brush', 'source', 'select', 'erase', 'ignite'];
 
 /** Pauses differ, so that interactions occur in every phase of a frame. @param {number} turn */
-const rest = (turn) => sleep(PAUSE + 37 * (turn % 5));
+const pause = (turn) => sleep(PAUSE + 37 * (turn % 5));
 
 /** Runs in the page: keeps the longest event of each interaction (Event Timing). */
 function watchInteractions() {
@@ -78,7 +78,7 @@ export async function interactions(browser) {
   await tab.evaluate(watchInteractions);
   for (let turn = 0; turn < INTERACTIONS; turn += 1) {
     await tab.page.click(`[data-tool="${TOOLS[turn % TOOLS.length]}"]`);
-    await rest(turn);
+    await pause(turn);
   }
   const times = await tab.evaluate(() => [.../** @type {any} */ (window).longest.values()]);
   // An interaction below the threshold has no entry.
@@ -105,7 +105,7 @@ export async function strokes(browser) {
     await tab.page.mouse.down();
     await tab.page.mouse.move(x + 40, y + 8, { steps: 6 });
     await tab.page.mouse.up();
-    await rest(turn);
+    await pause(turn);
   }
   const added = await worker.evaluate(() => /** @type {any} */ (self).added);
   const { released, reported } = await tab.evaluate(() => {

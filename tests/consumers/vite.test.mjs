@@ -78,12 +78,12 @@ test('a panel without a known folder requests no file from it', async () => {
   const tab = await open(new URL('panel.html', server.resolvedUrls.local[0]).href, { width: 640, height: 480 });
   await burnsWell(tab);
   await opensScenes(tab);
-  const [pictures, frame] = await tab.fire(({ shadowRoot }) => [
+  const [pictures, iframe] = await tab.fire(({ shadowRoot }) => [
     shadowRoot.querySelectorAll('[data-scene] img[src]').length,
     shadowRoot.querySelector('[data-action="copy:iframe"]').hidden,
   ]);
   assert.equal(pictures, 0);
-  assert.equal(frame, true, 'there is no page to put into a frame');
+  assert.equal(iframe, true, 'there is no page to put into an iframe');
   assert.deepEqual(tab.problems, []);
 });
 

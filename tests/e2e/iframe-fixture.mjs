@@ -80,8 +80,8 @@ function keepMessages(/** @type {string} */ fireOrigin) {
   page.received = [];
   addEventListener('message', ({ data, origin }) => page.received.push({ ...data, origin }));
   page.posts = (message) => {
-    const frame = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
-    frame.contentWindow?.postMessage(message, fireOrigin);
+    const iframe = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
+    iframe.contentWindow?.postMessage(message, fireOrigin);
   };
   page.answer = async (id, timeout = 30000) => {
     const ends = performance.now() + timeout;

@@ -159,9 +159,9 @@ test('a free solid that burns through is read as its object and a part', async (
   const objects = structuredClone(sim.objects);
   sim.ignite(0, 0.8, 0.07);
   while (sim.freeSolids().length < 2 && sim.time < 3) sim.step();
-  const [rest, part] = sim.freeSolids();
-  assert.deepEqual([rest.id, rest.object, part.object], [id, id, id]);
-  assert.ok(part.id > 1e6 && part.mass < 0.5 * whole.mass && rest.mass < 0.5 * whole.mass);
+  const [original, fragment] = sim.freeSolids();
+  assert.deepEqual([original.id, original.object, fragment.object], [id, id, id]);
+  assert.ok(fragment.id > 1e6 && fragment.mass < 0.5 * whole.mass && original.mass < 0.5 * whole.mass);
   assert.equal(sim.fuels().length, 1);
   assert.deepEqual(sim.objects, objects);
   sim.reset();

@@ -20,11 +20,11 @@ test('each fit scales the domain to the picture, and the alignment places it', (
   ])) {
     for (const x of [0, 0.5, 1]) {
       for (const y of [0, 0.5, 1]) {
-        const place = viewportOf({ fit, x, y, zoom: 1, panX: 0.3, panY: 0.9 }, 1, 2, 300, 200);
-        assert.equal(place.scale, scale, fit);
+        const viewport = viewportOf({ fit, x, y, zoom: 1, panX: 0.3, panY: 0.9 }, 1, 2, 300, 200);
+        assert.equal(viewport.scale, scale, fit);
         // The domain's own point at these shares is the picture's.
-        assert.equal(place.left + (x - 0.5) * scale, 300 * x, `${fit} ${x}`);
-        assert.equal(place.bottom + 2 * scale * y, 200 * y, `${fit} ${y}`);
+        assert.equal(viewport.left + (x - 0.5) * scale, 300 * x, `${fit} ${x}`);
+        assert.equal(viewport.bottom + 2 * scale * y, 200 * y, `${fit} ${y}`);
       }
     }
   }

@@ -121,7 +121,7 @@ function visible(signal) {
 }
 
 /**
- * Counts the memory of a fire in a frame of its own.
+ * Counts the memory of a fire in an iframe of its own.
  * @param {import('./rows.js').Model} model
  * @param {number} count
  * @param {(number | undefined)[]} sizes
@@ -129,18 +129,18 @@ function visible(signal) {
  * @returns {Promise<{wasm: number, gpu: number, pictureMs: number}[]>}
  */
 async function memory(model, count, sizes, pause) {
-  const frame = document.createElement('iframe');
-  frame.title = 'The fire whose memory is counted';
-  frame.src = new URL('./memory.html', import.meta.url).href;
-  const loaded = new Promise((resolve) => frame.addEventListener('load', resolve, { once: true }));
-  stage.append(frame);
+  const iframe = document.createElement('iframe');
+  iframe.title = 'The fire whose memory is counted';
+  iframe.src = new URL('./memory.html', import.meta.url).href;
+  const loaded = new Promise((resolve) => iframe.addEventListener('load', resolve, { once: true }));
+  stage.append(iframe);
   try {
     await loaded;
-    const { measure: ask } = /** @type {any} */ (frame.contentWindow);
-    if (!ask) throw new Error('the frame that counts memory did not load');
+    const { measure: ask } = /** @type {any} */ (iframe.contentWindow);
+    if (!ask) throw new Error('the iframe that counts memory did not load');
     return await ask(model, count, sizes, pause);
   } finally {
-    frame.remove();
+    iframe.remove();
   }
 }
 

@@ -1,5 +1,5 @@
 /**
- * The page in the frame: counts the memory of WebAssembly, and the textures, buffers and canvases that WebGL2 is
+ * The page in the iframe: counts the memory of WebAssembly, and the textures, buffers and canvases that WebGL2 is
  * asked for. The engine runs on this page's thread, because a page cannot look into a worker.
  */
 

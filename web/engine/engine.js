@@ -11,7 +11,7 @@
  * @typedef {ImageBitmap | HTMLCanvasElement} Drawn a picture: a bitmap to keep, or a canvas to
  *   copy at once
  * @typedef {{onMessage: (message: Message) => void, onPicture: (picture: Drawn) => void}} Listener
- * @typedef {'auto' | 'worker' | 'main'} Place
+ * @typedef {'auto' | 'worker' | 'main'} Thread
  * @typedef {string | URL | BufferSource | Promise<BufferSource>} Source URL or bytes of wasm
  * @typedef {{part: string, module?: WebAssembly.Module, why?: string}} Part a part of the wasm, or why it is missing
  */
@@ -94,9 +94,9 @@ class EnginePort {
   /** Ends the wait for a lost context. @type {(() => void) | undefined} */
   #contextless;
 
-  /** @param {'worker' | 'main'} place where the engine runs */
-  constructor(place) {
-    this.place = place;
+  /** @param {'worker' | 'main'} thread on which the engine runs */
+  constructor(thread) {
+    this.thread = thread;
     this.#startIdleTimer();
   }
 
@@ -126,7 +126,7 @@ class EnginePort {
 
   /** Counts a picture of a fire as shown. @param {number} fire */
   shown(fire) {
-    if (this.place === 'worker') this.send(fire);
+    if (this.thread === 'worker') this.send(fire);
   }
 
   /** Requests an answer of a worker, which shows that it runs; 0 is the number of no fire. */
@@ -211,11 +211,11 @@ let named = '';
  * Connects to the page's engine. The first call loads it; after a failure the next call tries
  * again.
  * @param {Source} [source] the wasm, if it is not next to its script
- * @param {Place} [place]
+ * @param {Thread} [thread]
  * @returns {Promise<EnginePort>}
  */
-export function connect(source, place = 'auto') {
-  opened ??= load(source, place).then((port) => {
+export function connect(source, thread = 'auto') {
+  opened ??= load(source, thread).then((port) => {
     current = port;
     return port;
   });
@@ -238,8 +238,8 @@ function loadPart(part) {
   return keptParts[part];
 }
 
-/** @type {(source: Source | undefined, place: Place) => Promise<EnginePort>} */
-async function load(source, place) {
+/** @type {(source: Source | undefined, thread: Thread) => Promise<EnginePort>} */
+async function load(source, thread) {
   const missing = missingFeature();
   if (missing) throw new EngineError('unsupported', missing);
   // The worker's script and the wasm load in parallel.
@@ -252,9 +252,9 @@ async function load(source, place) {
   }
   const compiled = kept;
   compiled.catch(() => (kept = undefined));
-  const port = (place !== 'main' && await inWorker(compiled)) || undefined;
+  const port = (thread !== 'main' && await inWorker(compiled)) || undefined;
   const { module, warning } = await compiled;
-  if (!port && place === 'worker') {
+  if (!port && thread === 'worker') {
     throw new EngineError('unsupported', 'The fire cannot be drawn in a worker of this browser.');
   }
   const connected = port ?? await onMainThread(module);

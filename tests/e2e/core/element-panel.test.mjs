@@ -54,7 +54,7 @@ const pressFold = async (tab, panel) => {
   await tab.click({ x: x + button.x + 20, y: y + button.y + 20 });
 };
 
-describe('its place', () => {
+describe('its position', () => {
   for (const [width, height] of [[400, 500], [360, 640], [320, 400]]) {
     test(`in ${width} × ${height} is a sheet below the fire`, async () => {
       const { tab, panel } = await openFire(width, height);

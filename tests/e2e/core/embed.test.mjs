@@ -1,5 +1,5 @@
 /**
- * A fire in an iframe: its address sets it, it fills its frame, it is transparent, and a
+ * A fire in an iframe: its address sets it, it fills its iframe, it is transparent, and a
  * client connects the embedding page to it.
  */
 import assert from 'node:assert/strict';
@@ -17,7 +17,7 @@ before(async () => {
 after(() => fixture?.close());
 
 describe('a fire in an iframe', () => {
-  test('is the one of its address, and fills its frame', async () => {
+  test('is the one of its address, and fills its iframe', async () => {
     const query = { scene: 'seed', viscosity: '0.02', quality: 'low', 'max_particles': '300', paused: '', alt: 'Embers' };
     const tab = await fixture.burning(query);
     const { value: params } = await call(tab, 'params');
@@ -78,7 +78,7 @@ describe('a fire in an iframe', () => {
 
   // Where page, iframe and fire are of different colour schemes, the browser would
   // give the fire an opaque ground.
-  for (const [about, page, frame, query] of [
+  for (const [about, page, iframe, query] of [
     ['one that names no colour scheme', '', '', {}],
     ['a dark one in a light iframe', 'dark', 'light', {}],
     ['one of both schemes in a light iframe', 'light dark', 'light', {}],
@@ -87,7 +87,7 @@ describe('a fire in an iframe', () => {
   ]) {
     test(`is transparent in ${about}, with either preference`, async () => {
       const style = `body { background: rgb(0, 96, 160) }
-        ${page && `:root { color-scheme: ${page} }`} ${frame && `iframe { color-scheme: ${frame} }`}`;
+        ${page && `:root { color-scheme: ${page} }`} ${iframe && `iframe { color-scheme: ${iframe} }`}`;
       const tab = await fixture.open({ allow: fixture.pageOrigin, paused: '', ...query }, { style, draws: true });
       await received(tab, 'ready');
       for (const wanted of ['light', 'dark']) {
@@ -95,12 +95,12 @@ describe('a fire in an iframe', () => {
         await tab.frames(4);
         const upper = (await tab.picture(await tab.rectangle('iframe'))).part(0, 0, 1, 0.5);
         const shown = upper.share((r, g, b) => r < 6 && Math.abs(g - 96) < 6 && Math.abs(b - 160) < 6);
-        assert.ok(shown > 0.99, `${shown} of the frame shows the page with the preference ${wanted}`);
+        assert.ok(shown > 0.99, `${shown} of the iframe shows the page with the preference ${wanted}`);
       }
     });
   }
 
-  test('reports why it cannot burn, in its frame and to the embedding page', async () => {
+  test('reports why it cannot burn, in its iframe and to the embedding page', async () => {
     fixture.fireServer.replace({ 'hearth-engine_bg.wasm': { status: 404, body: 'gone' } });
     try {
       const tab = await fixture.open({ allow: fixture.pageOrigin });
@@ -289,7 +289,7 @@ describe('the client of the embedding page', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('connects to a fire that has burnt for long, and to the next one in its frame', async () => {
+  test('connects to a fire that has burnt for long, and to the next one in its iframe', async () => {
     const tab = await fixture.burning({}, { more: '<p>' });
     const numbers = await tab.evaluate(async (address) => {
       const load = (/** @type {string} */ url) => import(url);

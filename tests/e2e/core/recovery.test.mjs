@@ -253,8 +253,8 @@ test('no pointer event causes an error', async () => {
   await tab.burnt(0.2);
   await tab.fire((fire) => {
     for (let at = 0; at < 40; at += 1) {
-      const place = { clientX: at % 2 ? 1e6 : -1e6, clientY: 10 * at, pointerId: 1 };
-      fire.dispatchEvent(new PointerEvent('pointermove', place));
+      const position = { clientX: at % 2 ? 1e6 : -1e6, clientY: 10 * at, pointerId: 1 };
+      fire.dispatchEvent(new PointerEvent('pointermove', position));
     }
   });
   await tab.burnt(0.5);

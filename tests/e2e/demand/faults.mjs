@@ -16,7 +16,7 @@ import { patience } from './faults/patience.mjs';
 
 /** @type {{[section: string]: {find: () => AsyncGenerator<import('./faults/outcome.mjs').Finding>, what: string}}} */
 const SECTIONS = {
-  losses: { find: losses, what: 'lost contexts: 100 in each place of each browser' },
+  losses: { find: losses, what: 'lost contexts: 100 on each thread of each browser' },
   gpu: { find: gpu, what: 'crashes of the process for graphics (Chromium)' },
   elements: { find: elements, what: 'groups of 20 elements that come and go (Chromium)' },
   network: { find: network, what: 'files that fail, each in seven ways (Chromium)' },

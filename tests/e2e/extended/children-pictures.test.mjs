@@ -210,17 +210,17 @@ test('a text without a letter, and a picture without an opaque pixel, make no so
 test('where pixels may not be read the box counts, with one warning', async () => {
   const other = await serve();
   other.replace({ '/disc.svg': { type: 'image/svg+xml', body: svg('<circle cx="25" cy="25" r="25"/>') } });
-  const place = 'style="position: absolute; left: 40px; top: 30px; width: 60px; height: 40px"';
+  const style = 'style="position: absolute; left: 40px; top: 30px; width: 60px; height: 40px"';
   for (const [target, why, attribute = ''] of [
-    [`<img id="it" ${place} src="${other.origin}/disc.svg">`, 'the page may not read its pixels'],
-    [`<img id="it" ${place} src="data:image/png,nothing">`, 'it has no pixels'],
-    [`<img id="it" ${place}>`, 'it has no pixels'],
-    [`<canvas id="it" ${place} width="0" height="10"></canvas>`, 'it has no pixels'],
-    [`<canvas id="it" ${place} width="16384" height="16384"></canvas>`, 'it has more than 67108864 pixels'],
-    [`<svg id="it" ${place}>${'<g/>'.repeat(1000)}</svg>`, 'it has more than 1000 elements'],
-    [`<div id="it" ${place}>${'letters '.repeat(12_500)}</div>`, 'its text has more than 1000 letters', 'of-text'],
-    [`<div id="it" ${place.replace('left', 'writing-mode: vertical-rl; left')}>Fire</div>`, 'its lines are vertical', 'of-text'],
-    [`<div style="transform: rotate(20deg)"><div id="it" ${place}>Fire</div></div>`, 'it is turned or mirrored', 'of-text'],
+    [`<img id="it" ${style} src="${other.origin}/disc.svg">`, 'the page may not read its pixels'],
+    [`<img id="it" ${style} src="data:image/png,nothing">`, 'it has no pixels'],
+    [`<img id="it" ${style}>`, 'it has no pixels'],
+    [`<canvas id="it" ${style} width="0" height="10"></canvas>`, 'it has no pixels'],
+    [`<canvas id="it" ${style} width="16384" height="16384"></canvas>`, 'it has more than 67108864 pixels'],
+    [`<svg id="it" ${style}>${'<g/>'.repeat(1000)}</svg>`, 'it has more than 1000 elements'],
+    [`<div id="it" ${style}>${'letters '.repeat(12_500)}</div>`, 'its text has more than 1000 letters', 'of-text'],
+    [`<div id="it" ${style.replace('left', 'writing-mode: vertical-rl; left')}>Fire</div>`, 'its lines are vertical', 'of-text'],
+    [`<div style="transform: rotate(20deg)"><div id="it" ${style}>Fire</div></div>`, 'it is turned or mirrored', 'of-text'],
   ]) {
     const tab = await opened(target, `<hearth-solid id="lid" of="#it" ${attribute}></hearth-solid>`);
     await boxed(tab, why);

@@ -123,17 +123,17 @@ test('the types are those of the element', () => {
   for (const name of own) assert.ok(new RegExp(`\\b${name}[(:<]`).test(types), name);
 });
 
-/** How many examples run beside each other, in frames of one page. */
+/** How many examples run beside each other, in iframes of one page. */
 const FRAMES = 9;
 
-/** Runs examples in frames of a page, and presses their buttons; gives the page. */
+/** Runs examples in iframes of a page, and presses their buttons; gives the page. */
 async function run(examples) {
-  const frames = examples.map(({ html }) => `<iframe allow="fullscreen" src="${browser.server.publish(html)}"></iframe>`);
+  const iframes = examples.map(({ html }) => `<iframe allow="fullscreen" src="${browser.server.publish(html)}"></iframe>`);
   const page = `<!doctype html><link rel="icon" href="data:,">
-    <style>body { margin: 0 } iframe { width: 33%; height: 300px; border: 0; float: left }</style>${frames.join('')}`;
+    <style>body { margin: 0 } iframe { width: 33%; height: 300px; border: 0; float: left }</style>${iframes.join('')}`;
   const tab = await browser.open(page, { width: 1200, height: 900 });
-  await tab.until('the fires of all frames are ready', async (burning) => {
-    const documents = [...document.querySelectorAll('iframe')].map((frame) => /** @type {Document} */ (frame.contentDocument));
+  await tab.until('the fires of all iframes are ready', async (burning) => {
+    const documents = [...document.querySelectorAll('iframe')].map((iframe) => /** @type {Document} */ (iframe.contentDocument));
     for (const [at, outer] of documents.entries()) {
       const inside = outer.querySelector('iframe')?.contentDocument;
       const within = [outer, ...(inside ? [inside] : [])];
@@ -147,10 +147,10 @@ async function run(examples) {
     return true;
   }, examples.map(({ html }) => /<hearth-fire|<iframe|'hearth-fire'/.test(html)));
   await tab.frames(10);
-  for (const frame of tab.page.mainFrame().childFrames()) {
-    const buttons = await frame.evaluate(() => document.querySelectorAll('button').length);
+  for (const iframe of tab.page.mainFrame().childFrames()) {
+    const buttons = await iframe.evaluate(() => document.querySelectorAll('button').length);
     for (let button = 0; button < buttons; button += 1) {
-      await frame.evaluate((number) => document.querySelectorAll('button')[number].click(), button);
+      await iframe.evaluate((number) => document.querySelectorAll('button')[number].click(), button);
       await tab.frames(2);
     }
   }

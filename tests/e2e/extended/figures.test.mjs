@@ -19,17 +19,17 @@ after(() => browser?.close());
 /** @typedef {import('../driver.mjs').Tab} Tab */
 
 /** A fire's figure, by its section and its place. @param {string} id @param {number} at */
-const place = (id, at) => `[aria-labelledby="${id}"] .fires > figure:nth-child(${at + 1})`;
+const figureAt = (id, at) => `[aria-labelledby="${id}"] .fires > figure:nth-child(${at + 1})`;
 
 /** Scrolls a figure into sight, and waits for its numbers. @param {Tab} tab @param {string} id @param {number} at @returns {Promise<{[name: string]: number}>} */
 async function numbers(tab, id, at) {
-  await tab.on(place(id, at), (figure) => figure.scrollIntoView({ block: 'center' }));
+  await tab.on(figureAt(id, at), (figure) => figure.scrollIntoView({ block: 'center' }));
   return tab.until(`the numbers of ${id}, ${at}`, (figure) => {
     const cells = [...document.querySelectorAll(`${figure} dd`)].map((cell) => [
       /** @type {HTMLElement} */ (cell).dataset.number, Number.parseFloat(cell.textContent ?? ''),
     ]);
     return cells.length > 0 && cells.every(([, number]) => Number.isFinite(number)) && Object.fromEntries(cells);
-  }, place(id, at));
+  }, figureAt(id, at));
 }
 
 /** @param {Tab} tab @param {string} id @param {number} count */
@@ -75,7 +75,7 @@ describe('the figures on a phone', () => {
 
   test('figure 2 names every stage and pass that its fires report, each with its time', async () => {
     for (const at of [0, 1]) {
-      await tab.on(place('figure-2', at), (figure) => figure.scrollIntoView());
+      await tab.on(figureAt('figure-2', at), (figure) => figure.scrollIntoView());
       const { names, rows } = await tab.until('the loop', (figure) => {
         const fire = /** @type {any} */ (document.querySelector(`${figure} hearth-fire`));
         const items = /** @type {HTMLElement[]} */ ([...document.querySelectorAll(`${figure} li`)]);
@@ -85,7 +85,7 @@ describe('the figures on a phone', () => {
           names: [...Object.keys(stages), ...Object.keys(passes)],
           rows: items.map((item) => [item.dataset.name, [...item.childNodes].map((node) => node.textContent?.trim() ?? '')]),
         };
-      }, place('figure-2', at));
+      }, figureAt('figure-2', at));
       assert.deepEqual(rows.map(([name]) => name), names);
       for (const [name, [code, text, time]] of rows) {
         assert.equal(code, name);
@@ -121,7 +121,7 @@ describe('the figures on a phone', () => {
   });
 
   test('a slider moves the middle fire and its numbers by keys', async () => {
-    const figure = place('buoyancy', 1);
+    const figure = figureAt('buoyancy', 1);
     await tab.page.focus(`${figure} input`);
     await tab.press('End');
     assert.deepEqual(await tab.on(figure, (element) => [
@@ -134,16 +134,16 @@ describe('the figures on a phone', () => {
 
   test('figure 8 burns one fire at a time and shows its pictures a second', async () => {
     for (const [at, count] of [300, 600].entries()) {
-      await tab.on(`${place('figure-8', at)} button`, (button) => button.click());
+      await tab.on(`${figureAt('figure-8', at)} button`, (button) => button.click());
       const shown = await numbers(tab, 'figure-8', at);
       // On a busy machine it begins with less than one in two seconds.
       await tab.until('pictures a second', (figure) => (
         Number.parseFloat(document.querySelector(`${figure} [data-number="fps"]`)?.textContent ?? '') > 0
-      ), place('figure-8', at));
+      ), figureAt('figure-8', at));
       assert.ok(Math.abs(shown.particles - count) <= 0.05 * count, `${shown.particles}`);
       assert.equal(await tab.evaluate(() => document.querySelectorAll('#counts hearth-fire').length), 1);
     }
-    await tab.on(`${place('figure-8', 1)} figcaption button`, (button) => button.click());
+    await tab.on(`${figureAt('figure-8', 1)} figcaption button`, (button) => button.click());
     assert.equal(await tab.evaluate(() => document.querySelectorAll('#counts hearth-fire').length), 0);
     assert.equal(await tab.evaluate(() => document.activeElement?.textContent), 'Burn 600 particles');
   });

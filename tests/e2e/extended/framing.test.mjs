@@ -46,8 +46,8 @@ test('the floor and the height above it have the same places on the stage in pag
     });
   }
   const [first, ...others] = Object.entries(places);
-  for (const [size, place] of others) {
-    assert.ok(place.every((share, at) => Math.abs(share - first[1][at]) < 0.005), `${size}: ${place}; ${first[0]}: ${first[1]}`);
+  for (const [size, shares] of others) {
+    assert.ok(shares.every((share, at) => Math.abs(share - first[1][at]) < 0.005), `${size}: ${shares}; ${first[0]}: ${first[1]}`);
   }
   assert.ok(Math.abs(first[1][3] - 0.5) < 0.005 && first[1][5] === 1, `${first[1]}`);
 });

@@ -49,10 +49,10 @@ function under(policy, page = site.publish(PAGE, { 'content-security-policy': po
   return browser.open(page, { before: recordViolations });
 }
 
-/** The fire burns there, and nothing complains. @param {import('../driver.mjs').Tab} tab @param {string} place */
-async function assertBurnsIn(tab, place) {
+/** The fire burns there, and nothing complains. @param {import('../driver.mjs').Tab} tab @param {string} thread */
+async function assertBurnsIn(tab, thread) {
   await tab.burnt(0.3);
-  assert.equal(await tab.fire((fire) => fire.stats.engine), place);
+  assert.equal(await tab.fire((fire) => fire.stats.engine), thread);
   await assertBurns(tab);
 }
 
@@ -145,13 +145,13 @@ function freezeAll() {
   }
 }
 
-for (const place of ['worker', 'main']) {
-  test(`where every intrinsic is frozen, a fire burns with its engine in: ${place}`, async () => {
+for (const thread of ['worker', 'main']) {
+  test(`where every intrinsic is frozen, a fire burns with its engine in: ${thread}`, async () => {
     const tab = await browser.open(site.publish(PAGE.replace('</title>', `</title><script type="module">
       import { HearthFire } from '/web/hearth-fire.js';
-      HearthFire.engine = '${place}';
+      HearthFire.engine = '${thread}';
     </script>`)), { before: freezeAll });
-    await assertBurnsIn(tab, place);
+    await assertBurnsIn(tab, thread);
     const outcome = await tab.fire(async (fire) => {
       await fire.to({ wind: 0.3 }, { duration: 20 });
       const refused = await fire.set('wind', 'x').catch(({ name }) => name);

@@ -279,7 +279,7 @@ test('links and scenes fade without input, and return with it', async () => {
   await tab.until('they step back', () => (
     getComputedStyle(/** @type {Element} */ (document.getElementById('scenes'))).opacity === '0'
   ));
-  assert.equal(await tab.on('#scenes', (place) => getComputedStyle(place).pointerEvents), 'none');
+  assert.equal(await tab.on('#scenes', (scenes) => getComputedStyle(scenes).pointerEvents), 'none');
   await tab.page.focus(`[data-starts="${LANDING}"]`);
   await tab.until('they come back', () => (
     getComputedStyle(/** @type {Element} */ (document.getElementById('scenes'))).opacity === '1'

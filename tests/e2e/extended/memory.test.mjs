@@ -40,9 +40,9 @@ for (const [, name, body] of code.matchAll(/[{,]([a-z]+):function\([^)]*\)\{(.*?
  * Bytes that each function of the site allocated on the engine's thread, the rubbish
  * too, and how many pictures and messages came meanwhile.
  */
-async function allocated(tab, place, pictures) {
+async function allocated(tab, thread, pictures) {
   const [worker] = tab.page.workers();
-  const session = place === 'worker' ? worker.client : await tab.page.createCDPSession();
+  const session = thread === 'worker' ? worker.client : await tab.page.createCDPSession();
   await session.send('HeapProfiler.enable');
   await session.send('HeapProfiler.startSampling', {
     samplingInterval: 64,
@@ -78,19 +78,19 @@ async function allocated(tab, place, pictures) {
   return { bytes, ...counted };
 }
 
-for (const place of ['worker', 'main']) {
+for (const thread of ['worker', 'main']) {
   for (const model of ['combustion', 'classic']) {
-    test(`frames of a burning ${model} fire make no objects on the engine’s thread, ${place}`, async () => {
+    test(`frames of a burning ${model} fire make no objects on the engine’s thread, ${thread}`, async () => {
       const tab = await browser.open(
         `<hearth-fire model="${model}" quality="low" max-pixels="10000"></hearth-fire><script type="module">
           import { HearthFire } from '/web/hearth-fire.js';
-          HearthFire.engine = '${place}';
+          HearthFire.engine = '${thread}';
         </script>`,
         { width: 260, height: 260 },
       );
       await tab.burnt(1);
       await tab.plays((await tab.fire((fire) => fire.stats.time)) + 0.3);
-      const { bytes, pictures, reported } = await allocated(tab, place, 100);
+      const { bytes, pictures, reported } = await allocated(tab, thread, 100);
       // A time is a fraction, which V8 puts on the heap where it passes between the
       // browser, JavaScript and wasm.
       const boxed = /performance\.now|^js-to-wasm/;
@@ -98,7 +98,7 @@ for (const place of ['worker', 'main']) {
       const sum = ours.reduce((all, [, bytes]) => all + bytes, 0);
       const list = JSON.stringify(ours.slice(0, 8));
       // A message with its statistics has some forty fields.
-      const most = 6000 * (reported + 1) + PICTURE[place] * pictures;
+      const most = 6000 * (reported + 1) + PICTURE[thread] * pictures;
       assert.ok(sum < most, `${sum} bytes in ${pictures} pictures and ${reported} messages: ${list}`);
       // A view or a list of arguments for a call of WebGL would be fifty bytes a frame.
       const roles = [...ROLES.values()];

@@ -124,22 +124,22 @@ test('a file of settings that is dropped anywhere on the page is opened, and any
   await tab.ready();
   await new Panel(tab).mounted();
   let wind = 0.1;
-  for (const place of ['hearth-fire', '#panel', '.hearth-panel canvas', '#head', 'body']) {
+  for (const selector of ['hearth-fire', '#panel', '.hearth-panel canvas', '#head', 'body']) {
     for (const [name, type] of [['mine.json', 'application/json'], ['MINE.JSON', ''], ['mine', 'application/json;charset=utf-8']]) {
       wind += 0.1;
-      assert.deepEqual(await drop(tab, place, { name, type, text: settings(wind) }), [true, true], place);
+      assert.deepEqual(await drop(tab, selector, { name, type, text: settings(wind) }), [true, true], selector);
       await blows(tab, wind);
     }
   }
   const config = await tab.fire((fire) => fire.exportConfig());
-  for (const [place, file, words] of [
+  for (const [selector, file, words] of [
     ['body', { name: 'notes.txt', type: 'text/plain', text: settings(0) }, /“notes.txt” is no file of settings/],
     ['.hearth-panel canvas', { name: 'fire.png', type: 'image/png', text: '' }, /“fire.png” is no file of settings/],
     ['#panel', { name: 'mine.json', type: '', text: '{"hearth": ' }, /not JSON/],
     ['#panel', { name: 'mine.json', type: '', text: '{"hearth": 2, "values": {"wind": 99}}' }, /wind/],
     ['#panel', { name: 'mine.json', type: '', text: ' '.repeat(500_000) }, /500 KB/],
   ]) {
-    assert.deepEqual(await drop(tab, place, file), [true, true], file.name);
+    assert.deepEqual(await drop(tab, selector, file), [true, true], file.name);
     await messaged(tab, words);
     assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), config);
   }

@@ -17,9 +17,9 @@ before(async () => {
 after(() => browser?.close());
 
 /** A page that states where its fires run. */
-const at = (/** @type {string} */ place, /** @type {string} */ body) => `${body}<script type="module">
+const at = (/** @type {string} */ thread, /** @type {string} */ body) => `${body}<script type="module">
   import { HearthFire } from '/web/hearth-fire.js';
-  HearthFire.engine = '${place}';
+  HearthFire.engine = '${thread}';
 </script>`;
 
 /** Whether the engine's files were asked for. */
@@ -27,13 +27,13 @@ const loaded = (tab) => tab.evaluate(() => (
   performance.getEntriesByType('resource').some(({ name }) => name.endsWith('hearth-engine_bg.wasm'))
 ));
 
-for (const place of ['worker', 'main']) {
-  test(`with the engine in: ${place}, a fire burns, pauses, survives a lost context and is destroyed`, async () => {
-    const tab = await browser.open(at(place, '<hearth-fire></hearth-fire>'), { draws: true });
+for (const thread of ['worker', 'main']) {
+  test(`with the engine in: ${thread}, a fire burns, pauses, survives a lost context and is destroyed`, async () => {
+    const tab = await browser.open(at(thread, '<hearth-fire></hearth-fire>'), { draws: true });
     await tab.burnt(1);
-    assert.equal(await tab.fire((fire) => fire.stats.engine), place);
+    assert.equal(await tab.fire((fire) => fire.stats.engine), thread);
     const { contexts, workers } = await tab.living();
-    assert.deepEqual({ contexts, workers }, { contexts: 1, workers: place === 'worker' ? 1 : 0 });
+    assert.deepEqual({ contexts, workers }, { contexts: 1, workers: thread === 'worker' ? 1 : 0 });
     await assertBurns(tab);
     await tab.fire((fire) => fire.pause());
     await assertStands(tab);

@@ -27,7 +27,7 @@ async function openPage(query, options) {
 }
 
 /** A page that puts the panel into `#host`, which stands in `body`. @param {string} body @param {string} [parts] */
-async function place(body, parts = '') {
+async function openPanel(body, parts = '') {
   const tab = await browser.open(`<hearth-fire id="fire" preset="campfire"></hearth-fire>${body}
     <script type="module">
       import { mountPanel } from '/web/panel.js';
@@ -163,9 +163,9 @@ describe('keys', () => {
   });
 });
 
-describe('its place', () => {
+describe('its position', () => {
   test('a dialog around it stays open when Escape is pressed in it', async () => {
-    const { tab, panel } = await place(`<dialog id="dialog" style="padding: 0; border: 0">
+    const { tab, panel } = await openPanel(`<dialog id="dialog" style="padding: 0; border: 0">
       <div id="host" style="width: 340px; height: 600px"></div></dialog>
       <script>document.getElementById('dialog').showModal()</script>`);
     await panel.mounted();
@@ -179,7 +179,7 @@ describe('its place', () => {
   });
 
   test('a scaled panel reacts where it is drawn', async () => {
-    const { tab, panel } = await place(`<div id="host"
+    const { tab, panel } = await openPanel(`<div id="host"
       style="width: 340px; height: 800px; transform: scale(0.6); transform-origin: 0 0"></div>`);
     await panel.mounted();
     const rectangle = await panel.reveal('fuel_power');
@@ -211,7 +211,7 @@ describe('its place', () => {
   });
 
   test('with few controls it shows these, in their order, and nothing besides', async () => {
-    const { tab, panel } = await place(
+    const { tab, panel } = await openPanel(
       '<div id="host" style="width: 340px; height: 300px"></div>',
       ", only: ['wind', 'palette', 'fuel-power', 'nonsense']",
     );

@@ -189,23 +189,23 @@ describe('on a phone', () => {
       await tab.ready();
       const panel = await new Panel(tab, { inside }).mounted();
       await panel.openScenes();
-      const place = (name) => panel.in((root, wanted) => {
+      const rowBox = (name) => panel.in((root, wanted) => {
         const { x, y, width, height } = root.querySelector(`[data-scene="${wanted}"]`).getBoundingClientRect();
         return { x: x + width / 2, y: y + height / 2, top: y, bottom: y + height };
       }, name);
-      const { top, bottom } = await place('default');
+      const { top, bottom } = await rowBox('default');
       assert.ok(top >= 0.55 * PHONE.height && bottom <= PHONE.height, 'the fire stays in sight');
       const cut = await panel.in((root) => [...root.querySelectorAll('[data-scene] > span')].filter((name) => (
         name.scrollHeight > name.clientHeight + 1 || name.scrollWidth > name.clientWidth + 1
       )).map((name) => name.textContent));
       assert.deepEqual(cut, [], 'names are read to their ends');
       for (const name of [PRESETS[1].name, PRESETS[5].name]) {
-        for (let pushes = 0; (await place(name)).x > PHONE.width - 20 && pushes < 20; pushes += 1) {
-          const { y } = await place('default');
+        for (let pushes = 0; (await rowBox(name)).x > PHONE.width - 20 && pushes < 20; pushes += 1) {
+          const { y } = await rowBox('default');
           await tab.touchDrag({ x: 300, y }, { x: 60, y });
           await tab.frames(20);
         }
-        const { x, y } = await place(name);
+        const { x, y } = await rowBox(name);
         await (await tab.finger({ x, y })).end();
         await isScene(tab, name);
       }

@@ -183,8 +183,8 @@ describe('the panel', () => {
     assert.deepEqual(JSON.parse(shown.text), config);
     assert.equal(shown.selected, shown.text.length);
     const over = await tab.rectangle('.hearth-card');
-    const place = await tab.rectangle('#panel');
-    assert.ok(over.x >= place.x && over.width <= place.width, 'the card lies over the panel');
+    const below = await tab.rectangle('#panel');
+    assert.ok(over.x >= below.x && over.width <= below.width, 'the card lies over the panel');
     await tab.key('Escape');
     assert.equal(await tab.page.$('.hearth-card'), null);
   });

@@ -158,10 +158,10 @@ test('where less motion is wanted nothing fades, and the still is a warm fire', 
 });
 
 test('a playing fire continues from a warm one, also on the page’s thread', async () => {
-  for (const place of ['worker', 'main']) {
+  for (const thread of ['worker', 'main']) {
     const tab = await open(`<script type="module">
       import { HearthFire } from '/web/hearth-fire.js';
-      HearthFire.engine = '${place}';
+      HearthFire.engine = '${thread}';
     </script><hearth-fire warm="1"></hearth-fire>`);
     await tab.ready();
     await tab.burnt(1.2);

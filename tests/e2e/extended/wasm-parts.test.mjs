@@ -25,15 +25,15 @@ const fetched = (tab, file) => tab.evaluate((end) => (
 /** The fire's model, and how often the page fetched the part for it. @param {import('../driver.mjs').Tab} tab */
 const state = async (tab) => ({ model: await tab.fire((fire) => fire.params.model), fetched: await fetched(tab, CLASSIC) });
 
-/** A page whose engine runs at `place`. @param {string} place @param {string} body */
-const page = (place, body) => recording(body).replace('<script>', `<script type="module">
+/** A page whose engine runs on `thread`. @param {string} thread @param {string} body */
+const page = (thread, body) => recording(body).replace('<script>', `<script type="module">
     import { HearthFire } from '/web/hearth-fire.js';
-    HearthFire.engine = '${place}';
+    HearthFire.engine = '${thread}';
   </script><script>`);
 
-for (const place of ['worker', 'main']) {
-  test(`the first classic fire fetches the part, and calls keep their order (${place})`, async () => {
-    const tab = await browser.open(page(place, '<hearth-fire></hearth-fire><hearth-fire></hearth-fire>'));
+for (const thread of ['worker', 'main']) {
+  test(`the first classic fire fetches the part, and calls keep their order (${thread})`, async () => {
+    const tab = await browser.open(page(thread, '<hearth-fire></hearth-fire><hearth-fire></hearth-fire>'));
     await tab.burnt(0.3);
     assert.deepEqual(await state(tab), { model: 'combustion', fetched: 0 });
     const radius = await tab.fire(async (fire) => {
@@ -44,7 +44,7 @@ for (const place of ['worker', 'main']) {
     });
     assert.equal(radius, 0.07);
     assert.deepEqual(await state(tab), { model: 'classic', fetched: 1 });
-    assert.equal(await tab.fire((fire) => fire.stats.engine), place);
+    assert.equal(await tab.fire((fire) => fire.stats.engine), thread);
     await tab.evaluate(async () => {
       const [, other] = /** @type {any} */ (document.querySelectorAll('hearth-fire'));
       await other.set('model', 'classic');

@@ -89,9 +89,9 @@ export class EngineConnection {
     return document.hidden || (this.#known && !(this.#visible && width && height));
   }
 
-  /** Where the engine runs; empty before it does. */
-  get engineLocation() {
-    return this.#port?.place ?? '';
+  /** The thread of the engine; empty before it runs. */
+  get engineThread() {
+    return this.#port?.thread ?? '';
   }
 
   /**
@@ -135,7 +135,7 @@ export class EngineConnection {
         this.pictured = true;
         this.#on.frame(frame);
         // The engine draws no more frames than the page shows.
-        if (port.place === 'worker') requestAnimationFrame(this.#shown);
+        if (port.thread === 'worker') requestAnimationFrame(this.#shown);
       },
     });
     this.#port = port;

@@ -316,7 +316,7 @@ export class FireSession {
       if (request !== undefined) this.#requests.settle(request, error);
     } else if (type === 'stats') {
       const { stats } = message;
-      state.stats = { ...stats, engine: connection.engineLocation };
+      state.stats = { ...stats, engine: connection.engineThread };
       this.#policies.measure(state.params.display_mode, stats.scale);
       this.code.setLight(stats.scale ? 0 : stats.power, state.params);
       reports.emit('stats', { ...state.stats });

@@ -1,4 +1,4 @@
-/** WebGL2 functions that fail, from the first call on or once in the middle, in each place. */
+/** WebGL2 functions that fail, from the first call on or once in the middle, on each thread. */
 import { Browser } from '../../driver.mjs';
 import { onPageThread } from '../../clock.mjs';
 import { FIRE, outcome } from './outcome.mjs';

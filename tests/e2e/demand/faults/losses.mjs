@@ -1,4 +1,4 @@
-/** A hundred lost contexts in each place that a browser has. */
+/** A hundred lost contexts on each thread that can run the engine. */
 import { BROWSERS, Browser } from '../../driver.mjs';
 import { onPageThread } from '../../clock.mjs';
 import { FIRE, outcome, retry, sleep } from './outcome.mjs';
@@ -8,20 +8,20 @@ import { FIRE, outcome, retry, sleep } from './outcome.mjs';
 const LOSSES = 100;
 
 /** @type {{[browser: string]: string[]}} */
-const PLACES = { chromium: ['worker', 'main'], firefox: ['worker', 'main'], webkit: ['main'] };
+const THREADS = { chromium: ['worker', 'main'], firefox: ['worker', 'main'], webkit: ['main'] };
 
 /** @returns {AsyncGenerator<Finding>} */
 export async function* losses() {
   for (const kind of BROWSERS) {
-    for (const place of PLACES[kind]) {
+    for (const thread of THREADS[kind]) {
       const browser = await Browser.start(kind);
       try {
-        const tab = await browser.open(place === 'main' ? onPageThread(FIRE) : FIRE);
+        const tab = await browser.open(thread === 'main' ? onPageThread(FIRE) : FIRE);
         for (let loss = 1; loss <= LOSSES; loss += 1) {
-          const fault = `${kind}, ${place}, loss ${loss}`;
+          const fault = `${kind}, ${thread}, loss ${loss}`;
           await tab.burnt((await tab.fire((fire) => fire.stats?.time ?? 0)) + 0.05);
           const found = await tab.fire((fire) => fire.stats.engine);
-          if (found !== place) throw new Error(`the engine of ${kind} runs in the place ${found}, not ${place}`);
+          if (found !== thread) throw new Error(`the engine of ${kind} runs on the thread ${found}, not ${thread}`);
           // A loss strikes anywhere in a frame; every tenth one lasts longer than a picture is awaited.
           await sleep((loss * 7) % 40);
           await tab.loseContext(loss % 10 === 0 ? 7000 : (loss * 13) % 300);

@@ -31,13 +31,13 @@ function hurry() {
 export async function* network() {
   const browser = await Browser.launch();
   try {
-    for (const [place, body] of Object.entries(bodies())) {
+    for (const [name, body] of Object.entries(bodies())) {
       const files = { 'settings.json': { body: FILE, type: 'application/json' } };
       for (const file of await requested(browser, body, files)) {
         for (const [how, instead] of Object.entries(FAULTS)) {
           // A page whose script never arrives is never loaded, and seen all the same.
           const tab = await browser.open(body, { files: { [file]: instead, ...files }, before: hurry }).catch(() => browser.tab);
-          yield await outcome(tab, `${place}: ${file} ${how}`);
+          yield await outcome(tab, `${name}: ${file} ${how}`);
         }
       }
     }
@@ -46,7 +46,7 @@ export async function* network() {
   }
 }
 
-/** Bodies whose files differ. @returns {{[place: string]: string}} */
+/** Bodies whose files differ. @returns {{[name: string]: string}} */
 function bodies() {
   const main = `<script type="module">
     import { HearthFire } from '/web/hearth-fire.js';

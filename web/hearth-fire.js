@@ -40,9 +40,11 @@ import { VERSION } from './generated/version.js';
  * @fires {HearthObjectsDetail} objects-change  An object was added, changed or removed.
  * @fires {HearthQualityDetail} quality-change  The quality has changed, to fit the speed of the device or on request.
  * @fires {HearthStats} stats  Measurements of the fire, about four times a second.
- * @fires {HearthErrorDetail} error  A value is refused, a file could not be loaded, the fire has stopped, or the browser cannot show it.
+ * @fires {HearthErrorDetail} error  A value is refused, a file could not be loaded, the fire has stopped, or the
+ *   browser cannot show it.
  * @fires {null} restored  The fire is back after its graphics context was lost or its engine has stopped.
- * @slot poster  Content that is shown until the fire burns, and in browsers that cannot show it. The attribute `poster` applies if the slot is empty.
+ * @slot poster  Content that is shown until the fire burns, and in browsers that cannot show it. The attribute `poster`
+ *   applies if the slot is empty.
  * @csspart canvas  The canvas.
  * @csspart message  The message that explains why there is no fire.
  * @csspart retry  The button in that message that tries again.
@@ -338,10 +340,10 @@ class HearthFire extends FireAttributes {
 
   /**
    * Resolves to the current frame as a file of type `image/png`, which keeps transparency, `image/jpeg` or
-   * `image/webp`. Waits for the first frame. An object `{type, quality, width, background}` draws the frame for the file:
-   * `width` from 16 to 8192 pixels, with the element's shape and at most 16,777,216 pixels in all; `background` is a CSS
-   * colour, `transparent` (fire and solids alone) or `scene` (as the element shows it). A refused width rejects with a
-   * `RangeError`.
+   * `image/webp`. Waits for the first frame. An object `{type, quality, width, background}` draws the frame for the
+   * file: `width` from 16 to 8192 pixels, with the element's shape and at most 16,777,216 pixels in all; `background`
+   * is a CSS colour, `transparent` (fire and solids alone) or `scene` (as the element shows it). A refused width
+   * rejects with a `RangeError`.
    * @param {string | HearthPicture} [type]
    * @param {number} [quality] of JPEG and WebP, from 0 to 1
    * @returns {Promise<Blob>}

@@ -1,8 +1,9 @@
 /**
- * Measures what an engine takes of the page's own thread: the work of each frame, without the time inside of WebGL calls,
- * alone and beside a program that keeps a processor busy.
+ * Measures what an engine takes of the page's own thread: the work of each frame, without the time inside of WebGL
+ * calls, alone and beside a program that keeps a processor busy.
  *
- * `node benches/browser/thread.mjs` measures the built site; `node benches/browser/thread.mjs alone` leaves the busy program out.
+ * `node benches/browser/thread.mjs` measures the built site; `node benches/browser/thread.mjs alone` leaves the busy
+ * program out.
  */
 import { spawn } from 'node:child_process';
 import { setTimeout as sleep } from 'node:timers/promises';

@@ -9,8 +9,9 @@
  * states; `HearthReflected` in `web/element/types.d.ts` states the properties that only live in
  * an attribute; `web/parameters.js` and `web/parameters.d.ts` state the parameters. An accessor with
  * `@attribute` reflects the attribute of its name with hyphens. A member with `@posted` answers messages of
- * the page around an iframe. `@example` and `@see` are for the reference. `HearthSourceElement` and `HearthSolidElement` in
- * `web/element/types.d.ts` state the children, and the objects of `web/parameters.d.ts` their attributes.
+ * the page around an iframe. `@example` and `@see` are for the reference. `HearthSourceElement` and
+ * `HearthSolidElement` in `web/element/types.d.ts` state the children, and the objects of
+ * `web/parameters.d.ts` their attributes.
  */
 import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -283,7 +284,10 @@ function marks(name) {
   return [`<!-- ${name}: begin -->\n`, `<!-- ${name}: end -->`];
 }
 
-/** Writes what is between two marks of a file if it is out of date. @type {(file: string, marks: string[], text: string) => Promise<void>} */
+/**
+ * Writes what is between two marks of a file if it is out of date.
+ * @type {(file: string, marks: string[], text: string) => Promise<void>}
+ */
 async function refreshPart(file, [begin, end], text) {
   const present = (await readFile(path.join(ROOT, file), 'utf8')).replaceAll('\r\n', '\n');
   const [from, to] = [present.indexOf(begin) + begin.length, present.indexOf(end)];

@@ -1,6 +1,6 @@
 /**
- * The mark of a stored picture: a comment of the JPEG that names the scene and its values, by which a test knows a picture
- * that is older than its scene.
+ * The mark of a stored picture: a comment of the JPEG that names the scene and its values, by which a test knows a
+ * picture that is older than its scene.
  */
 import { createHash } from 'node:crypto';
 import { readFile } from 'node:fs/promises';

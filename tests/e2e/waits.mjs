@@ -20,7 +20,8 @@ export function objectsUntil(tab, what, holds) {
 /**
  * Waits until the object of the fire's first child, or null without one, is as `holds` requires; returns it
  * with its box in pixels of the fire, or 'none'.
- * @param {Tab} tab @param {string} what @param {Function | string} holds runs in the page @param {any[]} args of `holds`
+ * @param {Tab} tab @param {string} what @param {Function | string} holds runs in the page
+ * @param {any[]} args of `holds`
  */
 export function childUntil(tab, what, holds, ...args) {
   return tab.until(what, new Function('...args', `

@@ -1,6 +1,6 @@
 /**
- * The plots without a page: the spectrum of a known signal peaks at its frequency, the record keeps what was measured, and
- * its CSV has units and the same numbers; the text of the probe's values.
+ * The plots without a page: the spectrum of a known signal peaks at its frequency, the record keeps what was measured,
+ * and its CSV has units and the same numbers; the text of the probe's values.
  */
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
@@ -10,7 +10,10 @@ import { valuesOf } from '../../web/plots/readout.js';
 import { Record } from '../../web/plots/record.js';
 import { peakOf, spectrumOf } from '../../web/plots/spectrum.js';
 
-/** A signal at times that are not evenly spaced, as frames are. @type {(seconds: number, of: (time: number) => number) => {time: number, value: number}[]} */
+/**
+ * A signal at times that are not evenly spaced, as frames are.
+ * @type {(seconds: number, of: (time: number) => number) => {time: number, value: number}[]}
+ */
 function sampled(seconds, of) {
   const samples = [];
   for (let at = 0, time = 100; time < 100 + seconds; at += 1, time += 0.012 + 0.01 * ((at * 7) % 11) / 11) samples.push({ time, value: of(time) });

@@ -88,11 +88,16 @@ export interface HearthProbe {
 export interface HearthMeasures {
   /** Age of the fire [s]. */
   time: number;
-  /** Power of the combustion in the last step [kW/m]; absent in the classic model. `stats.power` is its moving average. */
+  /**
+   * Power of the combustion in the last step [kW/m]; absent in the classic model. `stats.power` is its moving average.
+   */
   power?: number;
   /** From the lowest to the highest gas that is hotter than 900 K [m]. */
   flameHeight: number;
-  /** Light of that gas: its area [m²] if it had 1500 K and a full share's soot or, in the classic model, all of its life. */
+  /**
+   * Light of that gas: its area [m²] if it had 1500 K and a full share's soot or, in the classic model, all of its
+   * life.
+   */
   luminosity: number;
   /** At the place. */
   place: HearthProbe;

@@ -12,7 +12,10 @@ import { loadedParts } from '../parts.js';
  * @typedef {new (post: Function, canvas: any, context: Context, show: Function, onPage: boolean) => any} EngineClass
  */
 
-/** The parts of the wasm: what needs each, a parameter or the objects, and what it computes. @type {{[part: string]: [id: string, subject: string]}} */
+/**
+ * The parts of the wasm: what needs each, a parameter or the objects, and what it computes.
+ * @type {{[part: string]: [id: string, subject: string]}}
+ */
 const PARTS = {
   classic: ['model', 'the classic model'],
   bodies: ['objects', 'fuels, water and free solids'],

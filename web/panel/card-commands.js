@@ -36,8 +36,8 @@ export class CardCommands {
    * @param {{page?: string | URL, script?: string | URL, embed?: string | URL}} options.addresses  For the texts of
    *   copies.
    * @param {(config: HearthConfig | string) => Promise<void>} options.replace  Shows the fire of settings: one step.
-   * @param {<T>(act: () => T | Promise<T>) => Promise<T | undefined>} options.attempt  Runs what the fire or the browser
-   *   may refuse; a refusal becomes a message.
+   * @param {<T>(act: () => T | Promise<T>) => Promise<T | undefined>} options.attempt  Runs what the fire or the
+   *   browser may refuse; a refusal becomes a message.
    * @param {(done: string, message: string) => void} options.notify  Reports success: the button, and a message.
    */
   constructor({ fire, host, addresses, replace, attempt, notify }) {

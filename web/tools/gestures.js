@@ -53,7 +53,10 @@ const SHORT_PX = 4;
 const CLICK_PX = 2;
 const SNAP_PX = 6;
 
-/** The objects that are on and have a position of their own, which a source on a solid lacks. @param {Owned[]} objects */
+/**
+ * The objects that are on and have a position of their own, which a source on a solid lacks.
+ * @param {Owned[]} objects
+ */
 export function placed(objects) {
   return objects.filter(({ kind, shape, solid, enabled }) => enabled !== false && (
     kind !== 'source' || shape !== 'solid' || !objects.some((other) => isBody(other) && other.id === solid)

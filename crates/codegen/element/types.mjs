@@ -155,7 +155,10 @@ export function listeners(type) {
   }).join('');
 }
 
-/** An attribute of JSX; a number may be written as text, as HTML does. @param {import('../element.mjs').Parameter} parameter */
+/**
+ * An attribute of JSX; a number may be written as text, as HTML does.
+ * @param {import('../element.mjs').Parameter} parameter
+ */
 function asText({ kind, type }) {
   if (kind === 'number' || kind === 'integer') return NUMBER;
   return kind === 'seed' ? `${NUMBER} | 'auto'` : type;
@@ -176,7 +179,10 @@ export function quoted(name) {
   return name.includes('-') ? `'${name}'` : name;
 }
 
-/** The import of those names of a file that a text has. @type {(names: string[], file: string, text: string) => string} */
+/**
+ * The import of those names of a file that a text has.
+ * @type {(names: string[], file: string, text: string) => string}
+ */
 export function imports(names, file, text) {
   const used = names.filter((name) => new RegExp(`\\b${name}\\b`).test(text));
   return `import type {\n${used.map((name) => `  ${name},\n`).join('')}} from '${file}';`;

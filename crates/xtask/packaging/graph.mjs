@@ -66,7 +66,10 @@ export async function typesReached(folder, files) {
 /** What scripts import, by folder and file: esbuild reports it for all that it bundles. */
 const known = new Map();
 
-/** What a script imports from the package. @type {(folder: string, file: string) => Promise<{to: string, dynamic: boolean}[]>} */
+/**
+ * What a script imports from the package.
+ * @type {(folder: string, file: string) => Promise<{to: string, dynamic: boolean}[]>}
+ */
 async function imports(folder, file) {
   const root = path.resolve(folder);
   if (!known.has(path.join(root, file))) {
@@ -89,7 +92,10 @@ async function imports(folder, file) {
   return known.get(path.join(root, file));
 }
 
-/** The files beside this one that its text names. @type {(folder: string, file: string, pattern: RegExp) => Promise<string[]>} */
+/**
+ * The files beside this one that its text names.
+ * @type {(folder: string, file: string, pattern: RegExp) => Promise<string[]>}
+ */
 async function named(folder, file, pattern) {
   const text = await readFile(path.join(folder, file), 'utf8');
   return [...text.matchAll(pattern)].map(([, , name]) => path.posix.join(path.posix.dirname(file), name));

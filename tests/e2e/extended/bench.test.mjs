@@ -17,24 +17,38 @@ before(async () => {
 });
 after(() => browser?.close());
 
-/** Waits until the status begins with one of these words. @param {import('../driver.mjs').Tab} tab @param {string[]} starts */
+/**
+ * Waits until the status begins with one of these words.
+ * @param {import('../driver.mjs').Tab} tab @param {string[]} starts
+ */
 const statusBegins = (tab, ...starts) => tab.until(`the status “${starts[0]}”`, (words) => (
   words.some((start) => document.getElementById('status')?.textContent?.startsWith(start))
 ), starts);
 
-/** Presses the button, and waits for each row and for the end. @param {import('../driver.mjs').Tab} tab @param {string[]} rows */
+/**
+ * Presses the button, and waits for each row and for the end.
+ * @param {import('../driver.mjs').Tab} tab @param {string[]} rows
+ */
 async function measured(tab, ...rows) {
   const all = [...rows.map((row) => `Measuring ${row}`), 'Done.'];
   await tab.page.click('#measure');
   for (const at of all.keys()) await statusBegins(tab, ...all.slice(at));
 }
 
-/** The text of each cell of a table, the names of the columns first. @param {import('../driver.mjs').Tab} tab @param {string} id @returns {Promise<string[][]>} */
+/**
+ * The text of each cell of a table, the names of the columns first.
+ * @param {import('../driver.mjs').Tab} tab @param {string} id
+ * @returns {Promise<string[][]>}
+ */
 const cells = (tab, id) => tab.evaluate((table) => (
   [...document.querySelectorAll(`#${table} tr`)].map((row) => [...row.children].map((cell) => cell.textContent ?? ''))
 ), id);
 
-/** The field with the copied text, after a press of a button. @param {import('../driver.mjs').Tab} tab @param {string} what @returns {Promise<string>} */
+/**
+ * The field with the copied text, after a press of a button.
+ * @param {import('../driver.mjs').Tab} tab @param {string} what
+ * @returns {Promise<string>}
+ */
 async function copied(tab, what) {
   await tab.page.click(`[data-copies="${what}"]`);
   await tab.until('the words about the copy', () => document.getElementById('copied')?.textContent);

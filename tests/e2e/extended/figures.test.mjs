@@ -21,7 +21,11 @@ after(() => browser?.close());
 /** A fire's figure, by its section and its place. @param {string} id @param {number} at */
 const figureAt = (id, at) => `[aria-labelledby="${id}"] .fires > figure:nth-child(${at + 1})`;
 
-/** Scrolls a figure into sight, and waits for its numbers. @param {Tab} tab @param {string} id @param {number} at @returns {Promise<{[name: string]: number}>} */
+/**
+ * Scrolls a figure into sight, and waits for its numbers.
+ * @param {Tab} tab @param {string} id @param {number} at
+ * @returns {Promise<{[name: string]: number}>}
+ */
 async function numbers(tab, id, at) {
   await tab.on(figureAt(id, at), (figure) => figure.scrollIntoView({ block: 'center' }));
   return tab.until(`the numbers of ${id}, ${at}`, (figure) => {

@@ -74,8 +74,8 @@ for (const engine of ['worker', 'main']) {
     }
     const more = last.bytes / first.bytes - 1;
     assert.ok(more < 0.05, `${(100 * more).toFixed(1)} % more than ${first.bytes} bytes are held`);
-    // Memory of wasm never shrinks, and grows with the most fires at one time, which are more on a busy machine. What is
-    // left behind grows in every round: a fire has a megabyte.
+    // Memory of wasm never shrinks, and grows with the most fires at one time, which are more on a busy machine. What
+    // is left behind grows in every round: a fire has a megabyte.
     const growth = memory.slice(1).map((bytes, round) => bytes - memory[round]);
     assert.ok(Math.min(...growth) < 8e6, `wasm holds ${growth.join(', ')} bytes more after each 200 fires`);
     assert.deepEqual(tab.problems, []);

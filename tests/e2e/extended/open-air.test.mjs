@@ -16,7 +16,10 @@ after(() => browser?.close());
 
 const FIRE = '<hearth-fire edges="open" quality="low" style="width: 240px; height: 240px"></hearth-fire>';
 
-/** No gas is at the limit of the speed, and the air around the fire is simulated. @param {import('../driver.mjs').Tab} tab */
+/**
+ * No gas is at the limit of the speed, and the air around the fire is simulated.
+ * @param {import('../driver.mjs').Tab} tab
+ */
 async function assertCalm(tab) {
   const { atSpeedLimit, asleep, particles } = await tab.fire((fire) => fire.stats);
   assert.equal(atSpeedLimit, 0);

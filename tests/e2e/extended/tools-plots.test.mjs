@@ -43,7 +43,10 @@ async function openPlots(tab) {
   await tab.page.waitForSelector('.hearth-plots');
 }
 
-/** Presses the button for CSV until it has the present time: the name of the file, and its columns of numbers by their names. */
+/**
+ * Presses the button for CSV until it has the present time: the name of the file, and its columns of numbers by their
+ * names.
+ */
 async function csv(tab) {
   const both = async () => ({ file: await saved(tab), time: await tab.fire((fire) => fire.stats.time) });
   const present = (/** @type {any} */ { file, time }) => Math.abs(file.columns['time [s]'].at(-1) - time) < 1e-3;

@@ -86,7 +86,8 @@ test('a stored burning scene is shown at once, in every quality', async () => {
     const { time, particles, limit } = await tab.fire((fire) => fire.stats);
     // Exactly where it is kept: no step was made, and none is needed.
     assert.equal((time * 1000).toFixed(3), (await keptTime(tab) * 1000).toFixed(3));
-    // A scene may have a number of its own: its cap is twice what fills the frame. Open air fills somewhat less or more.
+    // A scene may have a number of its own: its cap is twice what fills the frame. Open air fills somewhat less or
+    // more.
     const own = await tab.fire((fire) => fire.params.max_particles / 2);
     const number = limit ? { low: 1200, high: 6700 }[quality] : own;
     assert.ok(Math.abs(particles / number - 1) < 0.45, `${particles} of ${number}`);

@@ -16,7 +16,8 @@ const CALLS = 40;
  * Runs in the page: makes so many random calls and returns what is wrong.
  * @param {number} seed
  * @param {number} calls
- * @param {{id: string, property: string, attribute: string, min?: number, max?: number, choices?: string[]}[]} parameters
+ * @param {{id: string, property: string, attribute: string, min?: number, max?: number, choices?: string[]}[]}
+ *   parameters
  */
 async function callAtRandom(seed, calls, parameters) {
   const fire = /** @type {any} */ (document.querySelector('hearth-fire'));

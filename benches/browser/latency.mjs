@@ -42,7 +42,7 @@ function watchInteractions() {
 
 /** Runs in the page: notes when the pointer is released, and when the page gets the event of another solid. */
 function watchPage() {
-  /** @type {number[]} */
+  /** @type {[number[], number[]]} */
   const [released, reported] = [[], []];
   Object.assign(window, { released, reported });
   addEventListener('pointerup', ({ timeStamp }) => released.push(performance.timeOrigin + timeStamp), true);

@@ -18,7 +18,7 @@ export function browser() {
     started = await Browser.launch(fileURLToPath(new URL('plain', import.meta.url)));
   });
   after(() => started?.close());
-  return { open: (...wishes) => started.open(...wishes) };
+  return { open: (...args) => started.open(...args) };
 }
 
 /**

@@ -47,7 +47,7 @@ test('a fire in strict mode burns, accepts properties and sends events', async (
   await tab.until('React has made the fire', () => document.querySelector('hearth-fire') !== null);
   await burnsWell(tab);
   const observed = () => tab.evaluate(() => /** @type {any} */ (window).page.observed);
-  const wish = (/** @type {object} */ wishes) => tab.evaluate((wanted) => /** @type {any} */ (window).page.wish(wanted), wishes);
+  const setState = (/** @type {object} */ state) => tab.evaluate((wanted) => /** @type {any} */ (window).page.setState(wanted), state);
   const value = (/** @type {string} */ id, /** @type {number} */ wanted) => tab.until(
     `${id} is ${wanted}`,
     (which, right) => /** @type {any} */ (document.querySelector('hearth-fire'))?.params[which] === right,
@@ -62,22 +62,22 @@ test('a fire in strict mode burns, accepts properties and sends events', async (
   assert(first.stats.particles > 0);
   assert.equal(await tab.fire((fire) => fire.params.model), 'classic');
 
-  await wish({ there: true, width: 0.5, viscosity: 0.03 });
+  await setState({ there: true, width: 0.5, viscosity: 0.03 });
   await value('source_width', 0.5);
   await value('viscosity', 0.03);
   assert((await observed()).changes.includes('source_width=0.5'));
 
   // A property that React no longer sets returns to its default.
-  await wish({ there: true });
+  await setState({ there: true });
   await value('source_width', await byDefault('source_width'));
   await value('viscosity', await byDefault('viscosity'));
 
-  await wish({ there: true, paused: true });
+  await setState({ there: true, paused: true });
   await tab.until('it stands still', () => /** @type {any} */ (document.querySelector('hearth-fire')).paused);
 
-  await wish({ there: false });
+  await setState({ there: false });
   await tab.until('it is gone', () => document.querySelector('hearth-fire') === null);
-  await wish({ there: true, width: 0.2 });
+  await setState({ there: true, width: 0.2 });
   await tab.until('another burns', () => /** @type {any} */ (window).page.observed.ready === 2);
   await value('source_width', 0.2);
   assert.deepEqual((await observed()).errors, []);

@@ -83,10 +83,10 @@ function cut(from, to) {
 test('a wall is lit alike in pictures of any shape', async () => {
   const height = 240;
   // A narrow flame, and the wall at so many heights on either side of it.
-  const wish = { kept: 'torch', values: { backdrop: 'bricks', heat_haze: 0 }, height };
+  const request = { kept: 'torch', values: { backdrop: 'bricks', heat_haze: 0 }, height };
   const lit = async (/** @type {number} */ aspect) => {
     const width = Math.round(aspect * height);
-    const { rgba } = await painter.still({ ...wish, width });
+    const { rgba } = await painter.still({ ...request, width });
     let [sum, count] = [0, 0];
     for (let y = 0.2 * height; y < 0.6 * height; y += 1) {
       for (let x = 0.12 * height; x < 0.28 * height; x += 1) {

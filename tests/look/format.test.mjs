@@ -6,7 +6,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { compare } from './compare.mjs';
-import { show, wishes } from './goldens.mjs';
+import { show, requests } from './goldens.mjs';
 import { sheet } from './sheet.mjs';
 import { Painter } from './painter.mjs';
 
@@ -30,11 +30,11 @@ before(async () => { painter = await Painter.open(); });
 after(() => painter?.close());
 
 /** Every scene whose fire is made of fields: what is kept of it. */
-const scenes = Object.entries(wishes()).filter(([name, wish]) => wish.kept === name && wish.mode === 'fire');
+const scenes = Object.entries(requests()).filter(([name, request]) => request.kept === name && request.mode === 'fire');
 
-for (const [name, wish] of scenes) {
+for (const [name, request] of scenes) {
   test(`eight bits show ${name} up to rounding`, async () => {
-    const [floats, bytes] = await both({ ...wish, values: { detail: 0 } });
+    const [floats, bytes] = await both({ ...request, values: { detail: 0 } });
     const { colour, worst, structure } = compare(floats, bytes);
     const comparison = `mean ${colour.toFixed(2)}, 99 % below ${worst.toFixed(2)}, structure ${structure.toFixed(4)}`;
     console.log(`   ${name}: ${comparison}`);
@@ -44,17 +44,17 @@ for (const [name, wish] of scenes) {
   });
 
   test(`eight bits show ${name} in the same colours`, async () => {
-    const [floats, bytes] = await both(wish);
+    const [floats, bytes] = await both(request);
     const { shift } = compare(floats, bytes);
     console.log(`   ${name}: shift ${shift.toFixed(2)}`);
     if (shift > SHIFT) assert.fail(`${shift}: see ${show(`${name}-rgba8`, bytes, floats).join(', ')}`);
   });
 }
 
-/** A fire in half floats, and in eight bits. @param {import('./painter.mjs').Wish} wish */
-async function both(wish) {
-  const floats = await painter.still({ ...wish, format: 'rgba16f' });
-  return [floats, await painter.still({ ...wish, without: NONE })].map(sheet);
+/** A fire in half floats, and in eight bits. @param {import('./painter.mjs').PictureRequest} request */
+async function both(request) {
+  const floats = await painter.still({ ...request, format: 'rgba16f' });
+  return [floats, await painter.still({ ...request, without: NONE })].map(sheet);
 }
 
 test('a device draws into the best that it has', async () => {
@@ -62,9 +62,9 @@ test('a device draws into the best that it has', async () => {
   assert.deepEqual(formats, ['rgba16f', 'rgba16f', 'rgba8']);
 });
 
-for (const [name, wish] of scenes.filter(([name]) => ['default', 'classic'].includes(name))) {
+for (const [name, request] of scenes.filter(([name]) => ['default', 'classic'].includes(name))) {
   test(`half floats give ${name} the same bits whichever extension gives them`, async () => {
-    const [all, half] = await Promise.all([[], HALF].map((without) => painter.still({ ...wish, without })));
+    const [all, half] = await Promise.all([[], HALF].map((without) => painter.still({ ...request, without })));
     assert.equal(Buffer.compare(all.rgba, half.rgba), 0);
   });
 }

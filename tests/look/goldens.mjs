@@ -8,7 +8,7 @@ import { compare } from './compare.mjs';
 import { encode, sheet } from './sheet.mjs';
 import { GOLDENS } from './painter.mjs';
 
-/** @typedef {import('./painter.mjs').Wish} Wish */
+/** @typedef {import('./painter.mjs').PictureRequest} PictureRequest */
 /** @typedef {import('./painter.mjs').Painter} Painter */
 
 /** Pixels of a picture as it is drawn, and of one that is all edges, which take most of
@@ -22,7 +22,7 @@ const DISCS = ['particles', 'neighbours'];
  */
 export const TOLERANCE = { colour: 1, shift: 0.4, structure: 0.985 };
 
-/** Settings that no snapshot has: @type {{[name: string]: Wish}} */
+/** Settings that no snapshot has: @type {{[name: string]: PictureRequest}} */
 const VARIANTS = {
   'default-gas': { kept: 'default', values: { palette: 'gas' } },
   'default-copper': { kept: 'default', values: { palette: 'copper' } },
@@ -42,8 +42,8 @@ function modes(name) {
   return [...file.slice(0, file.indexOf('\nend\n')).matchAll(/^rows (\S+)/gm)].map(([, mode]) => mode);
 }
 
-/** Every picture that is kept, by its name. @returns {{[name: string]: Wish}} */
-export function wishes() {
+/** Every picture that is kept, by its name. @returns {{[name: string]: PictureRequest}} */
+export function requests() {
   const snapshots = readdirSync(path.join(GOLDENS, 'snapshots')).map((file) => path.parse(file).name);
   const all = {};
   for (const kept of snapshots.sort()) {
@@ -56,15 +56,15 @@ export function wishes() {
   return { ...all, ...VARIANTS };
 }
 
-/** A picture as wide as its fire, and not much wider. @param {Painter} painter @param {Wish} wish */
-export async function drawn(painter, wish) {
+/** A picture as wide as its fire, and not much wider. @param {Painter} painter @param {PictureRequest} request */
+export async function drawn(painter, request) {
   const [width, height] = await Promise.all(['domain_width', 'domain_height'].map(
-    (id) => painter.ask('value', wish, id),
+    (id) => painter.ask('value', request, id),
   ));
   const share = Math.min(Math.max((1.15 * Number(width)) / Number(height), 0.4), 1.5);
-  const pixels = DISCS.includes(wish.mode ?? '') ? PIXELS.discs : PIXELS.most;
+  const pixels = DISCS.includes(request.mode ?? '') ? PIXELS.discs : PIXELS.most;
   const size = [share, 1].map((side) => 2 * Math.round((side * Math.sqrt(pixels / share)) / 2));
-  return sheet(await painter.still({ ...wish, width: size[0], height: size[1] }));
+  return sheet(await painter.still({ ...request, width: size[0], height: size[1] }));
 }
 
 /** @param {string} name */

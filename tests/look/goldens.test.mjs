@@ -7,7 +7,7 @@ import { readdirSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { compare } from './compare.mjs';
-import { mismatch, drawn, golden, show, TOLERANCE, wishes } from './goldens.mjs';
+import { mismatch, drawn, golden, show, TOLERANCE, requests } from './goldens.mjs';
 import { hueTurned, toneMappedByChannel } from './mistakes.mjs';
 import { coarse, sheet } from './sheet.mjs';
 import { GOLDENS, Painter } from './painter.mjs';
@@ -17,9 +17,9 @@ let painter;
 before(async () => { painter = await Painter.open(); });
 after(() => painter?.close());
 
-for (const [name, wish] of Object.entries(wishes())) {
+for (const [name, request] of Object.entries(requests())) {
   test(`${name} looks as it did`, async () => {
-    const [actual, expected] = [await drawn(painter, wish), golden(name)];
+    const [actual, expected] = [await drawn(painter, request), golden(name)];
     const differences = mismatch(actual, expected);
     if (differences !== '') assert.fail(`${differences}: see ${show(name, actual, expected).join(', ')}`);
   });
@@ -27,7 +27,7 @@ for (const [name, wish] of Object.entries(wishes())) {
 
 test('every kept picture is one that is drawn', () => {
   const kept = readdirSync(GOLDENS).filter((file) => file.endsWith('.png'));
-  assert.deepEqual(kept.map((file) => path.parse(file).name).sort(), Object.keys(wishes()).sort());
+  assert.deepEqual(kept.map((file) => path.parse(file).name).sort(), Object.keys(requests()).sort());
 });
 
 /** Settings that make a picture as a mistake in the drawing would. */

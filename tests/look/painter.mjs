@@ -17,7 +17,7 @@ const PAINTER = process.env.HEARTH_PAINTER;
 /** @typedef {{width: number, height: number, rgba: Uint8Array}} Pixels  Premultiplied sRGB. */
 /**
  * What a test requests.
- * @typedef {object} Wish
+ * @typedef {object} PictureRequest
  * @property {string} [kept]  A snapshot.
  * @property {string} [mode]  Its display mode.
  * @property {string} [lit]  Or a preset to light.
@@ -52,12 +52,12 @@ export class Painter {
 
   /**
    * A fire that stands still.
-   * @param {Wish} wish
+   * @param {PictureRequest} request
    * @returns {Promise<Pixels>}
    */
-  async still(wish) {
-    const { width = 320, height = 400 } = wish;
-    return unpacked(await this.ask('still', { ...wish, width, height }), width, height);
+  async still(request) {
+    const { width = 320, height = 400 } = request;
+    return unpacked(await this.ask('still', { ...request, width, height }), width, height);
   }
 
   /**

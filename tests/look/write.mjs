@@ -4,7 +4,7 @@
  */
 import { readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { drawn, file, wishes } from './goldens.mjs';
+import { drawn, file, requests } from './goldens.mjs';
 import { coarse, encode } from './sheet.mjs';
 import { GOLDENS, Painter, named } from './painter.mjs';
 
@@ -12,7 +12,7 @@ import { GOLDENS, Painter, named } from './painter.mjs';
 const [LARGEST, ALL] = [47_000, 1_550_000];
 
 const begins = process.argv.slice(2);
-const all = wishes();
+const all = requests();
 const wanted = named(Object.keys(all), begins, 'picture');
 const painter = await Painter.open();
 try {

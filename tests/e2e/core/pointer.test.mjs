@@ -173,7 +173,7 @@ test('a drag of a campfire moves its logs and stones with it, and nothing else',
     fire.addEventListener('stats', ({ detail }) => resolve(detail), { once: true });
   }));
   assert.ok(removed < 0.01 * particles, `${removed} of ${particles} particles are removed`);
-  assert.deepEqual(await tab.complaints(), []);
+  assert.deepEqual(await tab.problemsAfterFrame(), []);
 });
 
 test('a drag on a source that is on a solid moves the solid', async () => {

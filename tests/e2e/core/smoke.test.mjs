@@ -18,7 +18,7 @@ before(async () => {
 });
 after(() => browser?.close());
 
-test('the site loads, burns and shows its panel without a complaint', async () => {
+test('the site loads, burns and shows its panel without a problem', async () => {
   const tab = await browser.open(PAGE, { width: 1000, height: 600 });
   await tab.ready();
   await tab.burnt(1.5);

@@ -172,24 +172,24 @@ export function followWorkers(origin) {
 
 /**
  * Runs in a page whose browser reports no problems to its driver: keeps them in
- * `window.complaints`.
+ * `window.keptProblems`.
  */
-export function keepComplaints() {
-  const complaints = (/** @type {any} */ (window).complaints = []);
+export function keepProblems() {
+  const problems = (/** @type {any} */ (window).keptProblems = []);
   for (const type of ['error', 'warn', 'assert']) {
     const original = console[type];
     console[type] = (...words) => {
-      if (type !== 'assert' || !words[0]) complaints.push(`console.${type}: ${words.join(' ')}`);
+      if (type !== 'assert' || !words[0]) problems.push(`console.${type}: ${words.join(' ')}`);
       original.apply(console, words);
     };
   }
   addEventListener('error', (event) => {
     const { target } = /** @type {any} */ (event);
     // Elements have error events of their own, which are the page's to hear.
-    if (event instanceof ErrorEvent) complaints.push(`uncaught: ${event.message}`);
-    else if (target.src ?? target.href) complaints.push(`request failed: ${target.src ?? target.href}`);
+    if (event instanceof ErrorEvent) problems.push(`uncaught: ${event.message}`);
+    else if (target.src ?? target.href) problems.push(`request failed: ${target.src ?? target.href}`);
   }, true);
   addEventListener('unhandledrejection', (event) => {
-    complaints.push(`uncaught: ${event.reason}`);
+    problems.push(`uncaught: ${event.reason}`);
   });
 }

@@ -158,7 +158,7 @@ export class Tab {
   }
 
   /** The problems of the page after one more frame. */
-  async complaints() {
+  async problemsAfterFrame() {
     await this.frames(1);
     return this.problems;
   }

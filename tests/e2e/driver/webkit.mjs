@@ -10,7 +10,7 @@ import path from 'node:path';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { Picture } from '../picture.mjs';
 import { display } from './display.mjs';
-import { keepComplaints } from './page-scripts.mjs';
+import { keepProblems } from './page-scripts.mjs';
 import { program } from './programs.mjs';
 import { PATIENCE, Tab } from './tab.mjs';
 import { Session } from './webdriver.mjs';
@@ -99,7 +99,7 @@ export class WebKitTab extends Tab {
     if (ratio !== 1) throw new Error(`WebKit draws one pixel a CSS pixel here, not ${ratio}`);
     if (touch) throw new Error('WebKit has no touch here');
     if (reducedMotion && !reduced) throw new Error('WebKit takes reduced motion at start');
-    this.server.prepend({ pages: [`(${keepComplaints})();`, ...before], workers: beforeWorker });
+    this.server.prepend({ pages: [`(${keepProblems})();`, ...before], workers: beforeWorker });
     this.server.refused = (problem) => this.problems.push(problem);
     // The window is larger than the page by its toolbar, whose size the page reports.
     const inner = () => this.session.run('arguments[0]([innerWidth, innerHeight])', []);
@@ -145,7 +145,7 @@ export class WebKitTab extends Tab {
     const { text, failure, problems } = JSON.parse(await this.session.run(
       `const done = arguments[arguments.length - 1];
       const answer = (response) => done(JSON.stringify({
-        ...response, problems: (window.complaints ?? []).splice(0),
+        ...response, problems: (window.keptProblems ?? []).splice(0),
       }));
       Promise.resolve()
         .then(() => ${source}(...JSON.parse(arguments[0])))

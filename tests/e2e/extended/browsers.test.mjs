@@ -23,14 +23,14 @@ function age(tab) {
   }));
 }
 
-/** Nothing was complained about. */
+/** Asserts that the page has no problems. */
 async function assertSilent(tab) {
-  assert.deepEqual(await tab.complaints(), []);
+  assert.deepEqual(await tab.problemsAfterFrame(), []);
 }
 
-/** No script's failure went unheard, whatever else was complained about. */
+/** Asserts that no error of a script is uncaught, whatever other problems the page has. */
 async function assertCaught(tab) {
-  const problems = await tab.complaints();
+  const problems = await tab.problemsAfterFrame();
   assert.deepEqual(problems.filter((problem) => /uncaught|in a worker/.test(problem)), []);
 }
 

@@ -59,5 +59,5 @@ test('the statistics report the range of the colours of every display mode', asy
       for (const end of scale) assert.ok(String(end).length <= 7, `${mode}: ${end}`);
     }
   }
-  assert.deepEqual(await tab.complaints(), []);
+  assert.deepEqual(await tab.problemsAfterFrame(), []);
 });

@@ -45,7 +45,7 @@ test('a dialog that a page opens is a problem of the page and does not stop it',
     const tab = await browser.open('<button onclick="setTimeout(() => alert(\'Hello\'))">Greet</button>');
     await tab.evaluate(() => document.querySelector('button')?.click());
     await tab.frames(3);
-    assert.deepEqual(await tab.complaints(), ['dialog: Hello']);
+    assert.deepEqual(await tab.problemsAfterFrame(), ['dialog: Hello']);
   } finally {
     await browser.close();
   }

@@ -164,7 +164,7 @@ for (let from = 0; from < EXAMPLES.length; from += FRAMES) {
   test(`examples ${from + 1} to ${from + some.length} run: ${names}`, async () => {
     const tab = await run(some);
     const refused = some.some(({ heading }) => heading === '## When something is wrong');
-    const problems = (await tab.complaints()).filter((problem) => !refused || !/viscosity = 99/.test(problem));
+    const problems = (await tab.problemsAfterFrame()).filter((problem) => !refused || !/viscosity = 99/.test(problem));
     assert.deepEqual(problems, []);
   });
 }

@@ -32,7 +32,7 @@ async function assertSaid(tab, kind, named) {
   assert.deepEqual(seen, { words: errors[0].message, poster: true });
   // What is asked of it now is refused and not forgotten.
   assert.equal(await tab.fire((fire) => fire.set('exposure', 1).then(() => 'set', () => 'refused')), 'refused');
-  const uncaught = (await tab.complaints()).filter((problem) => problem.startsWith('uncaught'));
+  const uncaught = (await tab.problemsAfterFrame()).filter((problem) => problem.startsWith('uncaught'));
   assert.deepEqual(uncaught, []);
 }
 

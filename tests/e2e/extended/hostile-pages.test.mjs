@@ -49,7 +49,7 @@ function under(policy, page = site.publish(PAGE, { 'content-security-policy': po
   return browser.open(page, { before: recordViolations });
 }
 
-/** The fire burns there, and nothing complains. @param {import('../driver.mjs').Tab} tab @param {string} thread */
+/** The fire burns there without a problem. @param {import('../driver.mjs').Tab} tab @param {string} thread */
 async function assertBurnsIn(tab, thread) {
   await tab.burnt(0.3);
   assert.equal(await tab.fire((fire) => fire.stats.engine), thread);

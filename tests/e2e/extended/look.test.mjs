@@ -36,7 +36,7 @@ for (const model of ['combustion', 'classic']) {
       const picture = await tab.firePicture();
       assert.equal(picture.width, 240 * ratio);
       pictures.push(shrunk(picture, ratio));
-      assert.deepEqual(await tab.complaints(), []);
+      assert.deepEqual(await tab.problemsAfterFrame(), []);
     }
     const [first, ...others] = pictures;
     assert.ok(first.glowing() > 0.02);

@@ -243,7 +243,7 @@ test('`toBlob` draws another width and background for the file, and the element 
   assert.deepEqual(seen.canvas, before.size);
   assert.ok(seen.kept, 'the values stay');
   assert.deepEqual(seen.events, []);
-  assert.deepEqual(await tab.complaints(), []);
+  assert.deepEqual(await tab.problemsAfterFrame(), []);
 });
 
 test('`captureStream` of a burning fire is a moving video', async () => {

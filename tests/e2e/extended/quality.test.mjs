@@ -38,10 +38,10 @@ for (const quality of Object.keys(PARTICLES)) {
     const tab = await browser.show(recording(`<hearth-fire quality="${quality}"></hearth-fire>`), small);
     await tab.burnt(0.1);
     await settles(tab, quality);
-    const { wish, params, reason } = await tab.fire((fire) => (
-      { wish: fire.quality, params: fire.params, reason: fire.stats.qualityReason }
+    const { requested, params, reason } = await tab.fire((fire) => (
+      { requested: fire.quality, params: fire.params, reason: fire.stats.qualityReason }
     ));
-    assert.deepEqual([wish, params, reason], [quality, DEFAULTS, 'as requested']);
+    assert.deepEqual([requested, params, reason], [quality, DEFAULTS, 'as requested']);
     assert.deepEqual(await events(tab, 'params-change'), []);
     assert.deepEqual(tab.problems, []);
   });
@@ -164,10 +164,10 @@ test('with quality auto, a fire that does not fit its frames gets a lower qualit
   await tab.until('it is of low quality', () => (
     /** @type {any} */ (document.querySelector('hearth-fire')).stats?.quality === 'low'
   ));
-  const { wish, reason, params } = await tab.fire((fire) => (
-    { wish: fire.quality, reason: fire.stats.qualityReason, params: fire.params }
+  const { requested, reason, params } = await tab.fire((fire) => (
+    { requested: fire.quality, reason: fire.stats.qualityReason, params: fire.params }
   ));
-  assert.equal(wish, 'auto');
+  assert.equal(requested, 'auto');
   assert.match(reason, /\d ms .*1,200 particles instead of [36],\d00$/);
   assert.deepEqual(params, DEFAULTS);
 });

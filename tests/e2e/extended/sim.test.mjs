@@ -49,7 +49,7 @@ for (const kind of BROWSERS) {
     try {
       const tab = await browser.open(PAGE);
       assert.deepEqual(await outcome(tab), await inNode);
-      assert.deepEqual(await tab.complaints(), []);
+      assert.deepEqual(await tab.problemsAfterFrame(), []);
     } finally {
       await browser.close();
     }
@@ -81,7 +81,7 @@ test('the library loads with a policy that allows wasm, and else rejects with th
     for (const [options, words] of bad) {
       const tab = await browser.open(PAGE, options);
       assert.match(await outcome(tab), words);
-      const unheard = (await tab.complaints()).filter((problem) => /uncaught/.test(problem));
+      const unheard = (await tab.problemsAfterFrame()).filter((problem) => /uncaught/.test(problem));
       assert.deepEqual(unheard, []);
     }
   } finally {
@@ -166,7 +166,7 @@ async function burns(/** @type {any} */ tab) {
   await tab.frames(12);
   const moved = picture.difference(await part());
   assert.ok(moved > 0.2, `the picture moved by ${moved}`);
-  assert.deepEqual(await tab.complaints(), []);
+  assert.deepEqual(await tab.problemsAfterFrame(), []);
 }
 
 test('the example in Canvas 2D burns in the built site', async () => {
@@ -232,7 +232,7 @@ test('every example of the documentation runs, and prints or draws something', a
       await frame.evaluate(() => { for (const button of document.querySelectorAll('button')) button.click(); });
     }
     await tab.frames(10);
-    assert.deepEqual(await tab.complaints(), []);
+    assert.deepEqual(await tab.problemsAfterFrame(), []);
   } finally {
     await browser.close();
   }

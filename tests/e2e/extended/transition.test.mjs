@@ -240,7 +240,7 @@ test('values arrive at once while the fire is out of sight', async () => {
   await calm.ready();
   const whole = await calm.fire((fire) => fire.to({ wind: 1 }, { duration: 1e9 }));
   assert.deepEqual([whole, await calm.fire((fire) => fire.wind)], [true, 1]);
-  assert.deepEqual(await calm.complaints(), []);
+  assert.deepEqual(await calm.problemsAfterFrame(), []);
 });
 
 test('a transition that is requested before the fire is ready starts with it, by the real clock', async () => {
@@ -257,5 +257,5 @@ test('a transition that is requested before the fire is ready starts with it, by
     return [await done, fire.wind, values.every((value, index) => index === 0 || value > values[index - 1])];
   });
   assert.deepEqual(found, [true, 1, true]);
-  assert.deepEqual(await tab.complaints(), []);
+  assert.deepEqual(await tab.problemsAfterFrame(), []);
 });

@@ -51,7 +51,7 @@ for (const thread of ['worker', 'main']) {
     });
     assert.deepEqual(await state(tab), { model: 'classic', fetched: 1 });
     await assertBurns(tab);
-    assert.deepEqual(await tab.complaints(), []);
+    assert.deepEqual(await tab.problemsAfterFrame(), []);
   });
 }
 
@@ -123,7 +123,7 @@ test('the first solid with fuel fetches its part, burns when it is lit, and goes
   }, solid);
   assert.deepEqual(states, ['unlit', 'burning', 'out', 'burning']);
   assert.equal(await fetched(tab, BODIES), 1);
-  assert.deepEqual(await tab.complaints(), []);
+  assert.deepEqual(await tab.problemsAfterFrame(), []);
   const refused = await tab.fire(async (fire) => {
     const calls = [fire.ignite(99), fire.ignite(5, 5), fire.extinguish(1), fire.ignite(NaN, 1), fire.ignite('x')];
     return (await Promise.allSettled(calls)).map(({ reason }) => reason?.message ?? 'done');
@@ -151,7 +151,7 @@ test('the first spray fetches its part and puts out the fire', async () => {
   });
   assert.ok(after < 0.1 * before, `${before} kW/m, then ${after}`);
   assert.equal(await fetched(tab, BODIES), 1);
-  assert.deepEqual(await tab.complaints(), []);
+  assert.deepEqual(await tab.problemsAfterFrame(), []);
   const refused = await tab.fire(async (fire) => {
     const calls = [fire.spray(0, Infinity), fire.spray(0, 1, 21), fire.spray(0, 1, 0, 0, 0), fire.spray(0, 1, 0, 0, 1001), fire.spray('x', 1)];
     await fire.set('model', 'classic');

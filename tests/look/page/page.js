@@ -1,5 +1,5 @@
 /**
- * The painter's page: draws what a test asks for and hands the pixels back. A test
+ * The painter's page: draws what a test requests and returns the pixels. A test
  * calls `window.look`.
  */
 import init, { Fire, Painter, locus, presets } from '/painter.js';
@@ -28,7 +28,7 @@ function painter(format = '', without = []) {
   return painters.get(key);
 }
 
-/** Takes extensions from a context, before anybody asks for them. */
+/** Takes extensions from a context, before any code requests them. */
 function lessCapable(context, without) {
   const { getExtension, getSupportedExtensions } = WebGL2RenderingContext.prototype;
   context.getExtension = (name) => (without.includes(name) ? null : getExtension.call(context, name));
@@ -46,7 +46,7 @@ async function snapshot(name) {
   return snapshots.get(name);
 }
 
-/** The fire of a wish: a kept one, or one that has burnt until then. */
+/** The fire of a request: a kept one, or one that has burnt until then. */
 async function fireOf({ kept, mode = '', lit, burnt = 0, values = {} }) {
   const fire = kept ? Fire.kept(await snapshot(kept), mode) : Fire.lit(lit);
   for (const [id, value] of Object.entries(values)) fire.set(id, String(value));
@@ -64,8 +64,8 @@ function packed(bytes) {
 }
 
 /** A fire that stands still, as RGBA from the upper left. */
-async function still({ width, height, format, without, quality = 'medium', ...wish }) {
-  const fire = await fireOf(wish);
+async function still({ width, height, format, without, quality = 'medium', ...request }) {
+  const fire = await fireOf(request);
   const { context, painter: of } = painter(format, without);
   Object.assign(context.canvas, { width, height });
   const brush = of.of_one_fire(quality);
@@ -78,17 +78,17 @@ async function still({ width, height, format, without, quality = 'medium', ...wi
   return packed(pixels);
 }
 
-/** Nothing that GL refused goes by unnoticed. */
+/** Throws an error if GL has refused a call. */
 function report(context) {
   const error = context.getError();
-  if (error !== 0) throw new Error(`GL says ${error}`);
+  if (error !== 0) throw new Error(`GL error ${error}`);
 }
 
 /** The format of the fields on a device like that. */
 const formatOf = ({ format, without }) => painter(format, without).painter.format;
 
-const value = async (wish, id) => {
-  const fire = await fireOf(wish);
+const value = async (request, id) => {
+  const fire = await fireOf(request);
   const found = fire.value(id);
   fire.free();
   return found;
@@ -98,15 +98,15 @@ const value = async (wish, id) => {
  * Two fires in one context, drawn in turn, picture by picture: the last picture of each.
  * Where there is only one, it is drawn alone.
  */
-async function inTurn(wishes, pictures, disturbance) {
+async function inTurn(requests, pictures, disturbance) {
   const { context, painter: of } = painter();
-  const fires = await Promise.all(wishes.map(fireOf));
+  const fires = await Promise.all(requests.map(fireOf));
   const brushes = fires.map(() => of.of_one_fire('medium'));
   const last = [];
   for (let picture = 1; picture <= pictures; picture += 1) {
-    wishes.forEach(({ width, height }, index) => {
+    requests.forEach(({ width, height }, index) => {
       Object.assign(context.canvas, { width, height });
-      fires[index].burn(wishes[index].burnt + picture / 30);
+      fires[index].burn(requests[index].burnt + picture / 30);
       if (disturbance) DISTURBANCES[disturbance](context);
       brushes[index].paint(fires[index], width, height);
       last[index] = packed(brushes[index].pixels(width, height));
@@ -168,32 +168,32 @@ const DISTURBANCES = {
     gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
   },
 };
-/** What every host has to give back as it was: the renderer does not ask for it. */
+/** The state that every host restores: the renderer does not query it. */
 DISTURBANCES['a colour without two channels'] = (gl) => gl.colorMask(true, false, true, true);
 const disturbances = () => Object.keys(DISTURBANCES);
 
 let film;
 /** Starts to watch a fire that burns. */
-async function watch(wish) {
+async function watch(request) {
   film?.brush.destroy();
   const { context, painter: of } = painter();
-  film = new Film({ context, brush: of.of_one_fire('medium'), fire: await fireOf(wish), locus });
+  film = new Film({ context, brush: of.of_one_fire('medium'), fire: await fireOf(request), locus });
 }
 /** Watches it until that time. */
 function until(seconds) {
   film.until(seconds);
   report(film.context);
 }
-/** The same, and says what was seen. */
+/** The same, and returns the figures of the film. */
 function seen(seconds) {
   until(seconds);
   return film.found();
 }
 
-/** What a short and coarse film of a fire says. */
-async function glanced(wish, seconds) {
+/** The figures of a short and coarse film of a fire. */
+async function glanced(request, seconds) {
   const { context, painter: of } = painter();
-  const [brush, fire] = [of.of_one_fire('low'), await fireOf(wish)];
+  const [brush, fire] = [of.of_one_fire('low'), await fireOf(request)];
   const found = glance({ context, brush, fire }, seconds);
   brush.destroy();
   brush.free();

@@ -1,7 +1,7 @@
 import { useState } from 'react';
 import type { HearthErrorDetail, HearthStats } from 'hearth-fire';
 
-/** What the test asks for, and what the fire reports. */
+/** What the fire reports. */
 export interface Observed {
   ready: number;
   stats: HearthStats | null;
@@ -9,18 +9,19 @@ export interface Observed {
   errors: HearthErrorDetail[];
 }
 
-interface Wishes {
+/** The state that the test sets. */
+interface State {
   there: boolean;
   width?: number;
   viscosity?: number;
   paused?: boolean;
 }
 
-export function App({ observed, onWishes }: { observed: Observed; onWishes(wish: (wishes: Wishes) => void): void }) {
-  const [{ there, width, viscosity, paused }, wish] = useState<Wishes>({
+export function App({ observed, onState }: { observed: Observed; onState(setState: (state: State) => void): void }) {
+  const [{ there, width, viscosity, paused }, setState] = useState<State>({
     there: true, width: 0.3, viscosity: 0.02, paused: false,
   });
-  onWishes(wish);
+  onState(setState);
   if (!there) return null;
   return (
     <hearth-fire

@@ -34,7 +34,7 @@ export function assertGlows(tab) {
 
 /** @param {import('./picture.mjs').Picture} picture */
 function lowerMiddle(picture) {
-  return picture.part(0.3, 0.4, 0.7, 1);
+  return picture.crop(0.3, 0.4, 0.7, 1);
 }
 
 /**

@@ -121,12 +121,12 @@ export class Panel {
   }
 
   /**
-   * The rectangle of a part without an accessible control, once it no longer moves: a name of
+   * The rectangle of a control without an accessible one, once it no longer moves: a name of
    * a choice, the hue of a colour.
    * @param {string} name
    * @returns {Promise<Rectangle>}
    */
-  part(name) {
+  rectangleOf(name) {
     return this.until(`the panel shows ${name}`, async (root, wanted) => {
       const now = () => {
         const found = /** @type {any} */ (window).panelRectangles?.[wanted];
@@ -196,7 +196,7 @@ export class Panel {
     if (!unfolded) {
       await this.tab.click(along(rectangle, 0.5));
     }
-    await this.tab.click(along(await this.part(key), 0.5));
+    await this.tab.click(along(await this.rectangleOf(key), 0.5));
   }
 
   /** Clicks the button that opens the scenes, and waits for them. */

@@ -48,10 +48,10 @@ export class Picture {
   }
 
   /**
-   * A part of the picture, given in fractions of its width and height.
+   * A crop of the picture, in fractions of its width and height.
    * @param {number} left @param {number} top @param {number} right @param {number} bottom
    */
-  part(left, top, right, bottom) {
+  crop(left, top, right, bottom) {
     const x = Math.round(left * this.width);
     const y = Math.round(top * this.height);
     const width = Math.max(1, Math.round(right * this.width) - x);

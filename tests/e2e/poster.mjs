@@ -44,7 +44,7 @@ try {
   await tab.ready();
   await burnSteps(tab, STEPS);
   if (tab.problems.length > 0) throw new Error(tab.problems.join('\n'));
-  const glow = (await tab.picture()).part(0.35, 0.2, 0.65, 0.9).glowing();
+  const glow = (await tab.picture()).crop(0.35, 0.2, 0.65, 0.9).glowing();
   if (glow < 0.1) throw new Error(`only ${glow} of the picture's middle glows`);
   let taken = false;
   for (const quality of QUALITIES) {

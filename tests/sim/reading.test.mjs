@@ -151,7 +151,7 @@ test('a free solid falls, turns and comes to rest', async () => {
   }
 });
 
-test('a free solid that burns through is read as its object and a part', async () => {
+test('a free solid that burns through is read as its object and a fragment', async () => {
   const sim = await createSimulation({ params: { spacing: 0.06, max_particles: 1500, gravity: 0, fuel_power: 0 } });
   const id = sim.addObject({ kind: 'solid', shape: 'box', y: 0.8, width: 0.8, height: 0.04, motion: 'free', fuel: 'paper', load: 0.6, moisture: 0 });
   const [whole] = sim.freeSolids();

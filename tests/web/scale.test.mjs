@@ -9,8 +9,8 @@ import { PARAMETERS, QUANTITIES } from '../../web/parameters.js';
 const entry = Object.fromEntries(PARAMETERS.map((parameter) => [parameter.id, parameter]));
 
 /** Every range that a picture may have, from a thousandth on: both ways, or from some least on. */
-const RANGES = [0.001, 0.1, 1, 10, 1000, 100_000].flatMap((power) => [1, 2, 5].flatMap((part) => {
-  const most = Number((part * power).toPrecision(3));
+const RANGES = [0.001, 0.1, 1, 10, 1000, 100_000].flatMap((power) => [1, 2, 5].flatMap((digit) => {
+  const most = Number((digit * power).toPrecision(3));
   return [[0, most], [-most, most], [most / 10, most], [most / 2, most], [0.3 * most, 1.2 * most], [0, 0.6 * most], [0, 0.7 * most]];
 }));
 
@@ -20,8 +20,8 @@ describe('its numbers', () => {
       const between = ticks(least, most, false);
       assert.ok(between.length >= 1 && between.length <= 3, `${least} to ${most}: ${between}`);
       for (const tick of between) {
-        const part = (tick - least) / (most - least);
-        assert.ok(part > 0.1 && part < 0.9, `${tick} of ${least} to ${most}`);
+        const share = (tick - least) / (most - least);
+        assert.ok(share > 0.1 && share < 0.9, `${tick} of ${least} to ${most}`);
         assert.ok(formatNumber(tick).replace(/[^1-9]/g, '').length <= 2, `${tick} of ${least} to ${most}`);
       }
       const marks = [least, ...between, most];

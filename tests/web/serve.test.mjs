@@ -36,9 +36,9 @@ async function answer(request) {
   const { hostname, port, host } = running.address;
   const visitor = connect(Number(port), hostname);
   visitor.end(`${request} HTTP/1.1\r\nHost: ${host}\r\nConnection: close\r\n\r\n`);
-  const parts = [];
-  for await (const part of visitor) parts.push(part);
-  return Buffer.concat(parts).toString('latin1');
+  const chunks = [];
+  for await (const chunk of visitor) chunks.push(chunk);
+  return Buffer.concat(chunks).toString('latin1');
 }
 
 before(async () => {

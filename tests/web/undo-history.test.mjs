@@ -341,9 +341,9 @@ test('what a pointer moves is one step for each press, whatever the fire reports
   for (const by of [0.5, 0.25]) {
     history.press();
     const before = fire.objects;
-    for (const part of [0.5, 1]) {
+    for (const share of [0.5, 1]) {
       for (const { id, x } of before) {
-        await fire.changeObject(id, { x: x + part * by });
+        await fire.changeObject(id, { x: x + share * by });
         history.moved(before);
       }
     }

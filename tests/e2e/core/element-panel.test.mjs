@@ -109,7 +109,7 @@ describe('under pointer and keys', () => {
     const near = (value) => Math.abs(fractionOf(entry.buoyancy, value) - 0.8) < 0.06;
     await panel.value('buoyancy', 'about 0.8', near);
     await panel.reveal('wind');
-    await tab.click(along(await panel.part('value:wind'), 0.9));
+    await tab.click(along(await panel.rectangleOf('value:wind'), 0.9));
     await tab.page.keyboard.type('1.25');
     await tab.key('Enter');
     await panel.value('wind', 1.25, (value) => value === 1.25);
@@ -139,10 +139,10 @@ describe('under pointer and keys', () => {
     };
     const over = { x: x + 200, y: y + 420 };
     await panel.reveal('gravity');
-    const before = await panel.part('label:gravity');
+    const before = await panel.rectangleOf('label:gravity');
     await wheel(over, 20);
     assert.equal(await tab.evaluate(() => window.scrollY), 0);
-    assert.ok((await panel.part('label:gravity')).y < before.y - 5, 'the panel has scrolled');
+    assert.ok((await panel.rectangleOf('label:gravity')).y < before.y - 5, 'the panel has scrolled');
     await wheel({ x: x + 200, y: y + 100 }, 60);
     await tab.until('the page has scrolled', () => window.scrollY === 60);
     // A panel that is at its upper end leaves the wheel to the page.

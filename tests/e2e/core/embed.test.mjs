@@ -93,7 +93,7 @@ describe('a fire in an iframe', () => {
       for (const wanted of ['light', 'dark']) {
         await tab.page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: wanted }]);
         await tab.frames(4);
-        const upper = (await tab.picture(await tab.rectangle('iframe'))).part(0, 0, 1, 0.5);
+        const upper = (await tab.picture(await tab.rectangle('iframe'))).crop(0, 0, 1, 0.5);
         const shown = upper.share((r, g, b) => r < 6 && Math.abs(g - 96) < 6 && Math.abs(b - 160) < 6);
         assert.ok(shown > 0.99, `${shown} of the iframe shows the page with the preference ${wanted}`);
       }

@@ -25,8 +25,8 @@ test('fire burns in the lower middle and nowhere else, and it moves', async () =
   await assertBurns(tab);
   const picture = await tab.firePicture();
   // Between the name and the scenes, which stand at the edges.
-  assert.ok(picture.part(0, 0.3, 0.15, 0.85).dark() > 0.98, 'the left edge is dark');
-  assert.ok(picture.part(0.4, 0, 0.6, 0.05).dark() > 0.95, 'the upper edge is dark');
+  assert.ok(picture.crop(0, 0.3, 0.15, 0.85).dark() > 0.98, 'the left edge is dark');
+  assert.ok(picture.crop(0.4, 0, 0.6, 0.05).dark() > 0.95, 'the upper edge is dark');
 });
 
 test('the fire still burns after ten seconds, with its full number of particles', async () => {

@@ -61,7 +61,7 @@ test('a pointer stirs only an interactive fire, and more while it is pressed', a
     }
     await tab.frames(2);
     const picture = await tab.firePicture();
-    const columns = Array.from({ length: 48 }, (_, at) => picture.part(at / 48, 0.5, (at + 1) / 48, 1).glowing());
+    const columns = Array.from({ length: 48 }, (_, at) => picture.crop(at / 48, 0.5, (at + 1) / 48, 1).glowing());
     const all = columns.reduce((sum, column) => sum + column);
     return columns.reduce((sum, column, at) => sum + column * (at + 0.5), 0) / (48 * all);
   };
@@ -92,7 +92,7 @@ test('a click throws sparks at its place, and a drag throws none', async () => {
   await tab.frames(2);
   const picture = await tab.firePicture();
   const { x, y, width, height } = await tab.rectangle('hearth-fire');
-  const near = picture.part((90 - x - 40) / width, (80 - y - 40) / height, (90 - x + 40) / width, (80 - y + 40) / height);
+  const near = picture.crop((90 - x - 40) / width, (80 - y - 40) / height, (90 - x + 40) / width, (80 - y + 40) / height);
   assert.ok(before === 0 && near.glowing() > 0.002, `${near.glowing()} glows, ${before} before`);
   await tab.drag({ x: 60, y: 60 }, { x: 160, y: 60 });
   await tab.fire((fire) => fire.step(1));

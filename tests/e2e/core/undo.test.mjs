@@ -47,7 +47,7 @@ const DEEDS = [
   ['a flag', async (panel, tab) => tab.click(along(await panel.reveal('printed_kernel'), 0.5))],
   ['a number that is typed', async (panel, tab) => {
     await panel.reveal('viscosity');
-    await tab.click(along(await panel.part('value:viscosity'), 0.8));
+    await tab.click(along(await panel.rectangleOf('value:viscosity'), 0.8));
     await tab.page.keyboard.type('0.03');
     await tab.key('Enter');
   }],
@@ -103,7 +103,7 @@ describe('one step back and forth', () => {
       assert.deepEqual(await look(tab), second, forth.join(' '));
     }
     // A field has an undo of its own.
-    await tab.click(along(await panel.part('search'), 0.5));
+    await tab.click(along(await panel.rectangleOf('search'), 0.5));
     await tab.page.keyboard.type('x');
     await press('Control', 'z');
     await tab.frames(6);

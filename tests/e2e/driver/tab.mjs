@@ -278,8 +278,8 @@ export class Tab {
 /** The points of a drag, evenly spread, the last one included. */
 function* between(/** @type {Point} */ from, /** @type {Point} */ to, steps = 4) {
   for (let step = 1; step <= steps; step += 1) {
-    const part = step / steps;
-    yield { x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part };
+    const share = step / steps;
+    yield { x: from.x + (to.x - from.x) * share, y: from.y + (to.y - from.y) * share };
   }
 }
 

@@ -178,7 +178,7 @@ export class WebKitTab extends Tab {
     const whole = Picture.decode(Buffer.from(await this.session.get('screenshot'), 'base64'));
     if (!clip) return whole;
     const { x, y, width, height } = clip;
-    return whole.part(
+    return whole.crop(
       x / whole.width,
       y / whole.height,
       (x + width) / whole.width,

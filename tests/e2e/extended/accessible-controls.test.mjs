@@ -141,7 +141,7 @@ test('a lost context is reported until it is restored', async () => {
     }),
   });
   // Above the rows: a line of words there moves what stands below it.
-  const rows = () => panel.part('group:Basics');
+  const rows = () => panel.rectangleOf('group:Basics');
   const top = (await rows()).y;
   await tab.evaluate(() => {
     const own = document.querySelector('#panel canvas');

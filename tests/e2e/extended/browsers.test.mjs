@@ -60,7 +60,7 @@ for (const kind of BROWSERS) {
       await tab.burnt(1.5);
       await assertBurns(tab);
       const picture = await tab.firePicture();
-      for (const corner of [picture.part(0, 0, 0.15, 0.3), picture.part(0.85, 0, 1, 0.3)]) {
+      for (const corner of [picture.crop(0, 0, 0.15, 0.3), picture.crop(0.85, 0, 1, 0.3)]) {
         const seen = corner.share((...rgb) => rgb.every((channel, at) => Math.abs(channel - BLUE[at]) <= 2));
         assert.ok(seen > 0.97, `${seen} of an upper corner is the page`);
       }
@@ -151,7 +151,7 @@ for (const kind of BROWSERS) {
       });
       await assertBurns(tab);
       const second = (await tab.picture(await tab.rectangle('hearth-fire:last-of-type')));
-      const glow = second.part(0.3, 0.5, 0.7, 1).glowing();
+      const glow = second.crop(0.3, 0.5, 0.7, 1).glowing();
       assert.ok(glow > 0.01, `${glow} of the second fire’s lower middle glows`);
       await assertSilent(tab);
     });
@@ -248,7 +248,7 @@ for (const kind of BROWSERS) {
       const page = await tab.picture();
       for (let at = 0; at < 30; at += 1) {
         const [x, y] = [80 * (at % 6), 80 * Math.floor(at / 6)];
-        const fire = page.part(
+        const fire = page.crop(
           (x + 20) / page.width,
           (y + 30) / page.height,
           (x + 60) / page.width,
@@ -294,7 +294,7 @@ for (const kind of BROWSERS) {
       ));
       assert.deepEqual((await events(tab, 'error')).map((error) => error.kind), ['context-lost']);
       if (kind === 'chromium') {
-        const glow = (await tab.firePicture()).part(0.3, 0.4, 0.7, 1).glowing();
+        const glow = (await tab.firePicture()).crop(0.3, 0.4, 0.7, 1).glowing();
         assert.ok(glow > 0.01, 'its last picture stays meanwhile');
       }
       await tab.fire((fire) => fire.restored.then(() => undefined));
@@ -363,7 +363,7 @@ for (const kind of BROWSERS) {
       const still = await tab.firePicture();
       await tab.frames(10);
       assert.equal(still.difference(await tab.firePicture()), 0);
-      assert.ok(still.part(0.3, 0.4, 0.7, 1).glowing() > 0.02, 'the still shows a fire');
+      assert.ok(still.crop(0.3, 0.4, 0.7, 1).glowing() > 0.02, 'the still shows a fire');
       await tab.click({ x: 120, y: 120 });
       await assertBurns(tab);
       await assertSilent(tab);

@@ -48,7 +48,7 @@ for (const [width, height] of [[400, 150], [150, 400]]) {
           assert.ok(Math.abs(number - expected[at]) < 0.1, `${what}: ${found}, not ${expected}`);
         }
         const picture = await tab.firePicture();
-        const lit = (part) => Math.round((1 - part.dark()) * part.width * part.height);
+        const lit = (crop) => Math.round((1 - crop.dark()) * crop.width * crop.height);
         const reach = 0.08 * scale + 3;
         const share = (x, y) => [
           Math.max(0, Math.min(1, x / width)), Math.max(0, Math.min(1, y / height)),
@@ -57,7 +57,7 @@ for (const [width, height] of [[400, 150], [150, 400]]) {
         const [end, bottom] = share(source.x + reach, source.y + reach);
         const inside = source.x > 4 && source.x < width - 4 && source.y > 4 && source.y < height - 4;
         if (end > left && bottom > top) {
-          const around = lit(picture.part(left, top, end, bottom));
+          const around = lit(picture.crop(left, top, end, bottom));
           assert.ok(!inside || around > 4, `${what}: ${around} pixels are lit around the source`);
           assert.equal(lit(picture), around, `${what}: nothing is lit elsewhere`);
         } else {

@@ -298,13 +298,13 @@ test('a colour is dragged out of its sliders, and stands behind the fire', async
   await tab.click(along(await panel.reveal('background'), 0.5));
   await panel.reveal('background');
   for (const [slider, to] of [['brightness', 0.8], ['saturation', 0.95], ['hue', 0.66]]) {
-    const rectangle = await panel.part(`${slider}:background`);
+    const rectangle = await panel.rectangleOf(`${slider}:background`);
     await tab.drag(along(rectangle, 0.3), along(rectangle, to));
   }
   const blue = /^#[0-3].[0-7].[a-f].$/;
   await panel.value('background', 'a bright blue', (value) => blue.test(value));
   await tab.pictureUntil('the corner is blue', (picture) => (
-    picture.part(0, 0, 0.05, 0.05).share((r, _, b) => b > 150 && b > 2 * r) > 0.9
+    picture.crop(0, 0, 0.05, 0.05).share((r, _, b) => b > 150 && b > 2 * r) > 0.9
   ));
 });
 

@@ -86,8 +86,8 @@ test('the server sends replacements of files, and files that a browser has need 
     assert.deepEqual([whole.status, whole.type], [200, 'text/javascript; charset=utf-8']);
     assert.equal((await get('nothing.json')).status, 404);
     server.replace({ 'run.mjs': { keep: 10, type: 'text/plain', headers: { 'x-of': 'a test' } } });
-    const part = await get('run.mjs');
-    assert.deepEqual(part, { status: 200, type: 'text/plain', text: whole.text.slice(0, 10), of: 'a test' });
+    const partial = await get('run.mjs');
+    assert.deepEqual(partial, { status: 200, type: 'text/plain', text: whole.text.slice(0, 10), of: 'a test' });
     server.replace({ 'run.mjs': { drop: true }, 'new.json': { body: '{}' }, 'assertions.mjs': { status: 503 } });
     await assert.rejects(get('run.mjs'));
     assert.deepEqual(await get('new.json'), { status: 200, type: 'application/json', text: '{}', of: null });

@@ -127,7 +127,7 @@ function freezeAll() {
     frozen.add(value);
     freeze(Object.getPrototypeOf(value));
     for (const descriptor of Object.values(Object.getOwnPropertyDescriptors(value))) {
-      for (const part of [descriptor.value, descriptor.get, descriptor.set]) if (typeof part === 'function') freeze(part);
+      for (const accessor of [descriptor.value, descriptor.get, descriptor.set]) if (typeof accessor === 'function') freeze(accessor);
     }
     if (typeof value === 'function') freeze(value.prototype);
     try {

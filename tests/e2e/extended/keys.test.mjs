@@ -126,7 +126,7 @@ test('keys that type or press something do only that', async () => {
     assert.equal(await tab.page.$('[data-card="help"]'), null, what);
     assert.equal(await tab.page.$eval('#panel', (host) => host.checkVisibility()), true, what);
   };
-  await tab.click(along(await panel.part('search'), 0.5));
+  await tab.click(along(await panel.rectangleOf('search'), 0.5));
   await tab.page.keyboard.type('s h?');
   await untouched('typed into the search');
   await tab.page.focus(controlOf('background'));

@@ -27,8 +27,8 @@ const marked = (tab) => tab.evaluate(() => (
 ));
 
 /** Which files of that name the page has loaded. @param {import('../driver.mjs').Tab} tab @param {string} name */
-const loaded = (tab, name) => tab.evaluate((part) => (
-  performance.getEntriesByType('resource').map((entry) => entry.name).filter((url) => url.includes(part))
+const loaded = (tab, name) => tab.evaluate((name) => (
+  performance.getEntriesByType('resource').map((entry) => entry.name).filter((url) => url.includes(name))
 ), name);
 
 /** @param {import('../driver.mjs').Tab} tab */

@@ -202,7 +202,7 @@ test('`toBlob` keeps the transparency of the picture', async () => {
   const picture = Picture.decode(Uint8Array.from(png.bytes));
   assert.deepEqual([picture.width, picture.height], [240, 240]);
   assert.deepEqual(png.corner, [0, 0, 0, 0], 'the corner is transparent');
-  assert.ok(picture.part(0.3, 0.4, 0.7, 1).glowing() > 0.02, 'it shows the fire');
+  assert.ok(picture.crop(0.3, 0.4, 0.7, 1).glowing() > 0.02, 'it shows the fire');
   assert.equal((await keep('image/webp')).type, 'image/webp');
 });
 

@@ -71,7 +71,7 @@ describe('the defaults', () => {
 describe('the next visit', () => {
   test('finds folds, height and quality as they were', async () => {
     const first = await openPage('', { height: 800 });
-    await first.tab.click(along(await first.panel.part('group:Basics'), 0.5));
+    await first.tab.click(along(await first.panel.rectangleOf('group:Basics'), 0.5));
     await first.tab.frames(6);
     await first.tab.page.select(actionOf('quality'), 'low');
     await first.tab.until('the quality', () => (
@@ -114,7 +114,7 @@ describe('the next visit', () => {
         get() { throw new DOMException('forbidden', 'SecurityError'); },
       }),
     });
-    await tab.click(along(await panel.part('group:Basics'), 0.5));
+    await tab.click(along(await panel.rectangleOf('group:Basics'), 0.5));
     await tab.frames(6);
     assert.deepEqual(tab.problems, []);
   });
@@ -132,7 +132,7 @@ describe('keys', () => {
     });
     assert.equal(await paused(tab), false);
     await tab.key('Escape');
-    await panel.part('wind');
+    await panel.rectangleOf('wind');
     await tab.evaluate(() => /** @type {any} */ (document.activeElement)?.blur());
 
     await tab.key('?');

@@ -102,7 +102,7 @@ describe('a mouse', () => {
       const other = await openPage(query.slice(1), size);
       assert.deepEqual(await objects(other.tab), [source, dragged]);
       await other.panel.pointAt(actionOf('select-object'));
-      await other.tab.click(along(await other.panel.part('object:2'), 0.5));
+      await other.tab.click(along(await other.panel.rectangleOf('object:2'), 0.5));
       await press(other.panel, other.tab, 'delete');
       await until(other.tab, 'one again', (all) => all.length === 1);
       assert.deepEqual(other.tab.problems, []);
@@ -113,7 +113,7 @@ describe('a mouse', () => {
     const { tab, panel } = await scenePage('campfire');
     const before = await objects(tab);
     await panel.pointAt(actionOf('select-object'));
-    await tab.click(along(await panel.part('object:2'), 0.5));
+    await tab.click(along(await panel.rectangleOf('object:2'), 0.5));
     await press(panel, tab, 'duplicate');
     const now = await until(tab, 'one more', (all) => all.length === before.length + 1);
     const { x, y, id, ...copy } = now.at(-1);
@@ -143,7 +143,7 @@ describe('buttons act on the fire at the selected object', () => {
       [...root.querySelector('[data-action="select-object"]').options].some(({ value }) => value === wanted)
     ), String(id));
     await panel.pointAt(actionOf('select-object'));
-    await tab.click(along(await panel.part(`object:${id}`), 0.5));
+    await tab.click(along(await panel.rectangleOf(`object:${id}`), 0.5));
     await press(panel, tab, 'ignite');
     await until(tab, 'the solid has fuel', (all) => all.at(-1).fuel === 'wood');
     const fuel = (wanted) => tab.until(`the fuel is ${wanted}`, async (word) => {
@@ -205,7 +205,7 @@ test('an object is named and switched off, in the list of the panel and by its o
   const { tab, panel } = await scenePage('campfire');
   const first = await tab.fire((fire) => fire.exportConfig());
   await panel.pointAt(actionOf('select-object'));
-  await tab.click(along(await panel.part('enabled:2'), 0.5));
+  await tab.click(along(await panel.rectangleOf('enabled:2'), 0.5));
   await until(tab, 'the log is off', (all) => all[1].enabled === false);
   await tab.page.select(actionOf('select-object'), '2');
   await panel.pointAt(propertyOf('solid:name'));
@@ -263,7 +263,7 @@ test('the list follows the page, and a removed object is not selected', async ()
   ), ['none', ...names].join());
   await listed(['Source 1', 'Solid 2 · brick box']);
   await panel.pointAt(actionOf('select-object'));
-  await panel.part('object:2');
+  await panel.rectangleOf('object:2');
   await tab.page.select(actionOf('select-object'), '2');
   await panel.pointAt(propertyOf('solid:corner'));
   await tab.fire((fire) => fire.changeObject(2, { material: 'none', shape: 'line' }));
@@ -277,15 +277,15 @@ test('the list follows the page, and a removed object is not selected', async ()
 test('a search finds a property and shows its row', async () => {
   const { tab, panel } = await scenePage('campfire');
   await panel.pointAt(actionOf('reset-all'));
-  await tab.click(along(await panel.part('search'), 0.5));
+  await tab.click(along(await panel.rectangleOf('search'), 0.5));
   await tab.page.keyboard.type('corner radius');
   // The logs are lines, which have no corners: the first stone has some.
-  await panel.part('object:5');
+  await panel.rectangleOf('object:5');
   // Each letter finds fewer rows, which move.
   await tab.until('the only row', () => (
     Object.keys(/** @type {any} */ (window).panelRectangles).filter((name) => name.startsWith('label:')).join() === 'label:model,label:solid:corner'
   ));
-  const rail = await panel.part('solid:corner');
+  const rail = await panel.rectangleOf('solid:corner');
   await tab.drag(along(rail, 0.3), along(rail, 0.2));
   await until(tab, 'rounder', (all) => all[4].corner > 0.1);
 });

@@ -206,16 +206,16 @@ test('the panel and its accessible controls set the quality, and show a quality 
     /** @type {any} */ (document.querySelector(selector)).value === 'medium'
   ), control);
   await panel.pointAt(control);
-  await tab.click(along(await panel.part('quality:low'), 0.5));
+  await tab.click(along(await panel.rectangleOf('quality:low'), 0.5));
   await settles(tab, 'low');
   assert.equal(await shown(), 'low');
   await tab.page.select(control, 'medium');
   await settles(tab, 'medium');
   // Unfolded, the header lists the times of the stages and shifts the rows below it.
-  const before = await panel.part('quality');
-  await tab.click(along(await panel.part('action:times'), 0.3));
+  const before = await panel.rectangleOf('quality');
+  await tab.click(along(await panel.rectangleOf('action:times'), 0.3));
   await tab.frames(6);
-  const unfolded = await panel.part('quality');
+  const unfolded = await panel.rectangleOf('quality');
   assert.ok(unfolded.y > before.y + 30, 'the times are shown');
   assert.deepEqual(tab.problems, []);
 });

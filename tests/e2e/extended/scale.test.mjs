@@ -158,7 +158,7 @@ describe('the bar', () => {
     for (let at = 0; at < pixels.length; at += 4 * 7) {
       if (pixels[at + 3] < 255) continue;
       opaque += 1;
-      const near = stops.some((stop) => stop.every((x, part) => Math.abs(x - pixels[at + part]) <= 8));
+      const near = stops.some((stop) => stop.every((x, offset) => Math.abs(x - pixels[at + offset]) <= 8));
       alike += Number(near);
     }
     assert.ok(opaque > 500, `${opaque} opaque pixels`);

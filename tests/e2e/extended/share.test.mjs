@@ -195,9 +195,9 @@ describe('the panel', () => {
     await tab.key('Enter');
     const sheet = await tab.rectangle('#panel');
     for (const selector of ['.hearth-card', '[data-card="paste"] textarea', '[data-card="use"]']) {
-      const part = await tab.rectangle(selector);
-      assert.ok(part.y >= sheet.y && part.y + part.height <= 640 + 0.5, `${selector} is in sight`);
-      assert.ok(part.x >= 0 && part.x + part.width <= 360, `${selector} is in sight`);
+      const box = await tab.rectangle(selector);
+      assert.ok(box.y >= sheet.y && box.y + box.height <= 640 + 0.5, `${selector} is in sight`);
+      assert.ok(box.x >= 0 && box.x + box.width <= 360, `${selector} is in sight`);
     }
     assert.ok((await tab.rectangle('[data-card="paste"] textarea')).height >= 50);
     await tab.key('Escape');

@@ -160,11 +160,11 @@ test('a simulation in a browser changes to the classic model, or throws and goes
 
 /** Burns on until the lower middle of the window glows; and it moves. */
 async function burns(/** @type {any} */ tab) {
-  const part = async () => (await tab.picture()).part(0.25, 0.4, 0.75, 1);
+  const middle = async () => (await tab.picture()).crop(0.25, 0.4, 0.75, 1);
   const glows = (/** @type {any} */ picture) => picture.glowing() >= 0.02;
-  const picture = await eventually('the lower middle glows', part, glows, () => tab.frames(4), (dark) => dark.glowing());
+  const picture = await eventually('the lower middle glows', middle, glows, () => tab.frames(4), (dark) => dark.glowing());
   await tab.frames(12);
-  const moved = picture.difference(await part());
+  const moved = picture.difference(await middle());
   assert.ok(moved > 0.2, `the picture moved by ${moved}`);
   assert.deepEqual(await tab.problemsAfterFrame(), []);
 }

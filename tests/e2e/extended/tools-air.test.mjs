@@ -38,7 +38,7 @@ async function glowAt(tab) {
   await shows('0');
   const picture = await tab.firePicture();
   await shows('');
-  const columns = Array.from({ length: 48 }, (_, at) => picture.part(at / 48, 0, (at + 1) / 48, 1).glowing());
+  const columns = Array.from({ length: 48 }, (_, at) => picture.crop(at / 48, 0, (at + 1) / 48, 1).glowing());
   const all = columns.reduce((sum, column) => sum + column);
   return columns.reduce((sum, column, at) => sum + column * (at + 0.5), 0) / (48 * all);
 }

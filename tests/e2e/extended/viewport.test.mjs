@@ -63,13 +63,13 @@ test('particles appear where toPixels puts their source', async () => {
   const picture = await tab.firePicture();
   const reach = 16;
   const { width, height } = picture;
-  const around = picture.part(
+  const around = picture.crop(
     (source.x - reach) / width,
     (source.y - reach) / height,
     (source.x + reach) / width,
     (source.y + reach) / height,
   );
-  const lit = (part) => Math.round((1 - part.dark()) * part.width * part.height);
+  const lit = (crop) => Math.round((1 - crop.dark()) * crop.width * crop.height);
   assert.ok(lit(around) > 10, `${lit(around)} pixels are lit around the source`);
   assert.equal(lit(picture), lit(around), 'nothing is lit elsewhere');
 });

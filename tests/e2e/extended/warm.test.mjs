@@ -62,7 +62,7 @@ const seen = (tab) => tab.fire((fire) => {
 /** What part of the picture's height has light. */
 async function flame(tab) {
   const picture = await tab.firePicture();
-  const rows = [...Array(20).keys()].filter((row) => picture.part(0, row / 20, 1, (row + 1) / 20).glowing() > 0.01);
+  const rows = [...Array(20).keys()].filter((row) => picture.crop(0, row / 20, 1, (row + 1) / 20).glowing() > 0.01);
   return rows.length === 0 ? 0 : (rows[rows.length - 1] - rows[0] + 1) / 20;
 }
 

@@ -48,7 +48,7 @@ export function retry(tab) {
 
 /** Whether the first fire is seen on its black page. @param {Tab} tab */
 async function glows(tab) {
-  return (await tab.firePicture()).part(0.3, 0.4, 0.7, 1).glowing() > 0.02;
+  return (await tab.firePicture()).crop(0.3, 0.4, 0.7, 1).glowing() > 0.02;
 }
 
 /**

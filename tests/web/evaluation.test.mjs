@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { PRESETS } from '../../web/parameters.js';
 
-test('each scene has its row among what is seen, and nothing else has one', () => {
+test('each scene has its row in the table of appearances, and nothing else has one', () => {
   const text = readFileSync(new URL('../../docs/evaluation.md', import.meta.url), 'utf8');
   const [, section = ''] = /<!-- looked: begin -->([\s\S]*?)<!-- looked: end -->/.exec(text) ?? [];
   const [, , , ...rows] = section.split('\n').filter((line) => line.startsWith('|'));

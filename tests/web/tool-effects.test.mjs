@@ -1,5 +1,5 @@
 /**
- * What the tools that act on the fire ask of it, without a browser: blow, sparks, ignite, extinguish and water, by a
+ * The calls of the tools that act on the fire, without a browser: blow, sparks, ignite, extinguish and water, by a
  * pointer and by the cross that stands for it while keys draw. None is a step of the history.
  */
 import assert from 'node:assert/strict';

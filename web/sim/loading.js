@@ -84,7 +84,7 @@ export function add(name) {
   return adding[name];
 }
 
-/** Loads a part while the caller waits, which only a request of this old kind can. @param {string} name */
+/** Loads a part while the caller waits, with a synchronous XMLHttpRequest. @param {string} name */
 export function addNow(name) {
   try {
     const url = PARTS[name]();

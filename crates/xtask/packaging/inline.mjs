@@ -1,6 +1,6 @@
 /**
  * The package's one file of all: element, engine, wasm and the worker's script in
- * one module, for a page that wants to name one file and nothing else.
+ * one module, for a page that loads one file and nothing else.
  *
  * It is the same element, from its sources, with another `engine/files.js`
  * (inline-files.js here), which has in it what the original looks for beside itself.

@@ -54,7 +54,7 @@ export function rememberContexts() {
   }
   const living = () => scope.contexts.filter((context) => !context.isContextLost());
   scope.driven = {
-    /** How many contexts are alive. */
+    /** The number of live contexts. */
     count: () => living().length,
     /** How many things of a graphics card were made in contexts and not deleted. */
     objects: () => objects,
@@ -105,7 +105,7 @@ export function answerPage(line) {
 
 /**
  * Runs in the page after `rememberContexts`: starts each worker of this origin
- * with the driver's own lines before its own, and asks them.
+ * with the driver's own lines before its own, and queries them.
  * @param {string} origin  Where the driver's lines are served.
  */
 export function followWorkers(origin) {

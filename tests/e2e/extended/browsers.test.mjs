@@ -304,7 +304,7 @@ for (const kind of BROWSERS) {
       await assertCaught(tab);
     });
 
-    test('the engine runs on the page’s own thread where a page wants that', async () => {
+    test('the engine runs on the page’s own thread if a page selects it', async () => {
       const tab = await browser.open(`<script type="module">
         import { HearthFire } from '/web/hearth-fire.js';
         HearthFire.engine = 'main';

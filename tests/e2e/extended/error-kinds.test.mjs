@@ -30,7 +30,7 @@ async function assertSaid(tab, kind, named) {
     poster: document.querySelector('#poster').checkVisibility(),
   }));
   assert.deepEqual(seen, { words: errors[0].message, poster: true });
-  // What is asked of it now is refused and not forgotten.
+  // Calls from now on are refused, and their promises settle.
   assert.equal(await tab.fire((fire) => fire.set('exposure', 1).then(() => 'set', () => 'refused')), 'refused');
   const uncaught = (await tab.problemsAfterFrame()).filter((problem) => problem.startsWith('uncaught'));
   assert.deepEqual(uncaught, []);

@@ -63,7 +63,7 @@ for (const model of ['combustion', 'classic']) {
       await tab.until('the context is back', async () => (
         (await /** @type {any} */ (window).driver.contexts()) > 0
       ));
-      // Another value asks for a new picture, so that it is none that was kept.
+      // Another value causes a new picture, so that it is none that was kept.
       for (const exposure of [1, 0]) {
         await tab.fire((fire, wanted) => fire.set('exposure', wanted), exposure);
         await tab.frames(20);

@@ -148,8 +148,8 @@ describe('messages from an allowed origin', () => {
   });
 });
 
-describe('messages from anybody else', () => {
-  /** Nothing that is asked of this fire brings an answer. */
+describe('messages from other origins', () => {
+  /** Asserts that this fire answers no request. */
   async function assertDeaf(tab) {
     await inIframe(tab, (fire) => fire.ready.then(() => undefined));
     await send(tab, { hearth: 1, id: 1, method: 'pause' }, 1, 0);

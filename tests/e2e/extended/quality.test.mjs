@@ -92,7 +92,7 @@ test('a requested number of particles stays until the default is restored', asyn
   assert.deepEqual(tab.problems, []);
 });
 
-/** Lets a page think that the machine has so many processor cores, for which it guesses low or medium. */
+/** Sets the number of processor cores that a page reads, from which it chooses low or medium. */
 const twoCores = () => Object.defineProperty(navigator, 'hardwareConcurrency', { value: 2 });
 const eightCores = () => Object.defineProperty(navigator, 'hardwareConcurrency', { value: 8 });
 

@@ -24,7 +24,7 @@ const BODY = `${recording(FIRE)}<script>
  * Runs in the page before its scripts: the seconds of its time limits pass when a test calls
  * `count(seconds)`, however long that really takes.
  */
-function countByHand() {
+function countManually() {
   const scope = /** @type {any} */ (window);
   const { setInterval, clearInterval, setTimeout } = window;
   let now = 0;
@@ -34,7 +34,7 @@ function countByHand() {
     counts.add(act);
     return act;
   };
-  // A worker is asked more often.
+  // A worker is pinged more often.
   scope.setTimeout = (act, time, ...rest) => setTimeout(act, time === 2000 ? 20 : time, ...rest);
   scope.clearInterval = (timer) => counts.delete(timer) || clearInterval(timer);
   performance.now = () => now;
@@ -79,7 +79,7 @@ async function assertReturns(tab, number = 1) {
 
 for (const [what, call] of /** @type {[string, 'reset' | 'sparks'][]} */ ([['ends', 'reset'], ['hangs', 'sparks']])) {
   test(`an engine that ${what} is followed by another, which continues the fire`, async () => {
-    const tab = await browser.open(BODY, { before: countByHand, beforeWorker: mortal });
+    const tab = await browser.open(BODY, { before: countManually, beforeWorker: mortal });
     await tab.burnt(0.5);
     await tab.fire((fire) => fire.set({ exposure: 0.7, seed: 4 }));
     const before = await tab.fire((fire) => fire.params);
@@ -106,7 +106,7 @@ for (const [what, call] of /** @type {[string, 'reset' | 'sparks'][]} */ ([['end
 
 test('children have their objects in the next fire, with what changed while the engine stopped', async () => {
   const children = '<hearth-source x="0.1"></hearth-source><hearth-solid x="0.2"></hearth-solid>';
-  const tab = await browser.open(BODY.replace('</hearth-fire>', `${children}</hearth-fire>`), { before: countByHand, beforeWorker: mortal });
+  const tab = await browser.open(BODY.replace('</hearth-fire>', `${children}</hearth-fire>`), { before: countManually, beforeWorker: mortal });
   await tab.burnt(0.1);
   await tab.fire((fire) => {
     fire.reset();
@@ -126,7 +126,7 @@ test('children have their objects in the next fire, with what changed while the 
 });
 
 test('the picture of a stopped fire stays until the next one', async () => {
-  const tab = await browser.open(BODY, { before: countByHand, beforeWorker: mortal });
+  const tab = await browser.open(BODY, { before: countManually, beforeWorker: mortal });
   await tab.burnt(0.5);
   await tab.fire((fire) => void fire.reset());
   const shown = await tab.fire(async (fire) => {
@@ -146,7 +146,7 @@ test('the picture of a stopped fire stays until the next one', async () => {
 });
 
 test('an engine that answers each question after nine seconds goes on', async () => {
-  const tab = await browser.open(BODY, { before: countByHand });
+  const tab = await browser.open(BODY, { before: countManually });
   await tab.burnt(0.2);
   for (let times = 20; times > 0; times -= 1) {
     // No answer arrives meanwhile, because the page's script runs.
@@ -199,7 +199,7 @@ test('a worker is asked one question at a time, whatever fires come and go', asy
 });
 
 test('an engine that stops three times in a minute leaves a poster, words and a button', async () => {
-  const tab = await browser.open(BODY, { before: countByHand, beforeWorker: mortal });
+  const tab = await browser.open(BODY, { before: countManually, beforeWorker: mortal });
   await tab.burnt(0.3);
   for (const times of [1, 2]) {
     await tab.fire((fire) => void fire.reset());
@@ -225,7 +225,7 @@ test('an engine that stops three times in a minute leaves a poster, words and a 
 });
 
 test('a context that never comes back is followed by another', async () => {
-  const tab = await browser.open(BODY, { before: countByHand });
+  const tab = await browser.open(BODY, { before: countManually });
   await tab.burnt(0.5);
   await tab.loseContext();
   await tab.until('the loss is reported', () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'));
@@ -238,7 +238,7 @@ test('a context that never comes back is followed by another', async () => {
 });
 
 test('a fire that is added while the context is lost is ready when it can be seen', async () => {
-  const tab = await browser.open(BODY, { before: countByHand });
+  const tab = await browser.open(BODY, { before: countManually });
   await tab.burnt(0.3);
   await tab.loseContext();
   await tab.until('the loss is reported', () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'));
@@ -258,7 +258,7 @@ test('a fire that is added while the context is lost is ready when it can be see
 });
 
 test('a fire out of sight is ready without a picture, and a picture of it is refused', async () => {
-  const tab = await browser.open(`<div style="height: 4000px"></div>${FIRE}`, { before: countByHand });
+  const tab = await browser.open(`<div style="height: 4000px"></div>${FIRE}`, { before: countManually });
   const [drawn, refused] = await tab.fire(async (fire) => {
     fire.loading = 'eager';
     await fire.ready;

@@ -215,7 +215,7 @@ describe('the bar', () => {
         ));
       },
     });
-    // The bar is asked for once the quantity has a range, and its code comes on request as well.
+    // The element requests the bar once the quantity has a range, and its code on demand.
     await tab.until('the failure is reported', () => /** @type {any} */ (window).errors.length);
     const before = await tab.fire((fire) => fire.stats.time);
     await tab.burnt(before + 1);

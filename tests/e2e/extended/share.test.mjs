@@ -204,7 +204,7 @@ describe('the panel', () => {
     assert.equal(await tab.evaluate(() => /** @type {any} */ (document.activeElement).dataset.action), 'paste');
   });
 
-  test('saves a picture of the fire as a PNG, in the size and over the background that its card asks for', async () => {
+  test('saves a picture of the fire as a PNG, in the size and over the background that its card has', async () => {
     const { tab, panel } = await openPage({ before: keepSaved });
     await tab.burnt(0.5);
     await panel.press('picture');

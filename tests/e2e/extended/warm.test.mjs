@@ -135,7 +135,7 @@ test('the picture before stays until the new fire is warm, and fades into it', a
     assert.ok(drawn);
     if (pictures === at + 1) assert.ok(was.difference(await tab.firePicture()) < 1 || (await seen(tab)).pictures > pictures);
     await tab.until('one picture of the new fire', (count) => /** @type {any} */ (window).pictures === count, at + 2);
-    // The one before lies over it, and goes when it has faded.
+    // The previous frame lies over it until it has faded.
     const { before: over } = await seen(tab);
     assert.equal(over, 1);
     await tab.fire((fire) => fire.shadowRoot.querySelector('.before').getAnimations().forEach((animation) => { animation.finish(); }));

@@ -88,8 +88,7 @@ export class Film {
     this.behind = behinds();
   }
 
-  /** Goes on until that time [s] since the first picture. What was seen by then is asked
-      for once: it takes long to find. */
+  /** Goes on until that time [s] since the first picture. `found` is called once, because it takes long. */
   until(seconds) {
     this.start ??= this.fire.time;
     Object.assign(this.context.canvas, { width: WIDTH, height: HEIGHT });

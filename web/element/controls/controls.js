@@ -39,7 +39,7 @@ export async function mountControls({ fire, reports }, list, signal) {
       return;
     }
     signal.addEventListener('abort', () => panel.destroy());
-    // A list of parameters is all that the page wants to show.
+    // A list of parameters is all that the page shows.
     if (only.length > 0) return;
     const failed = (/** @type {unknown} */ why) => reports.warn('load', `The tools could not be loaded: ${why}`);
     signal.addEventListener('abort', offerInside(fire, failed));

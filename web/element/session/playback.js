@@ -65,7 +65,7 @@ export class Playback {
 
   /**
    * A new fire starts: whether it is paused for reduced motion.
-   * @param {boolean} waits whether the page wants it to wait for `play()`
+   * @param {boolean} waits whether the page makes it wait for `play()`
    */
   start(waits) {
     const still = this.isCalm() && (this.#still || !this.paused);

@@ -60,19 +60,19 @@ export function compare(a, b) {
   const seen = shown(a, b);
   const [ofA, ofB] = [labs(a), labs(b)];
   const differences = [];
-  const each = new Float64Array(seen.length);
+  const distances = new Float64Array(seen.length);
   const shift = [0, 0, 0];
   let coloured = 0;
   for (let at = 0; at < seen.length; at += 1) {
     const apart = [0, 1, 2].map((k) => ofA[k][at] - ofB[k][at]);
-    each[at] = Math.hypot(...apart);
-    if (seen[at]) differences.push(each[at]);
+    distances[at] = Math.hypot(...apart);
+    if (seen[at]) differences.push(distances[at]);
     if (Math.max(...[ofA, ofB].map(([, x, y]) => Math.hypot(x[at], y[at]))) > GREY) {
       apart.forEach((component, k) => { shift[k] += component; });
       coloured += 1;
     }
   }
-  differences.sort((a, b) => a - b);
+  differences.sort((low, high) => low - high);
   const mean = differences.reduce((sum, difference) => sum + difference, 0) / Math.max(differences.length, 1);
   return {
     /** Mean difference of colour: 100 from black to white, 2 to be seen. */
@@ -85,7 +85,8 @@ export function compare(a, b) {
     structure: structure(a, seen, ofA[0], ofB[0]),
     /** Share of the picture that shows something. */
     seen: differences.length / seen.length,
-    each,
+    /** Difference of colour of every pixel. */
+    distances,
   };
 }
 

@@ -97,9 +97,9 @@ export function mismatch(actual, expected) {
 export function show(name, actual, expected) {
   const folder = process.env.HEARTH_SHOWN ?? 'shown';
   mkdirSync(folder, { recursive: true });
-  const { each } = compare(actual, expected);
-  const rgb = new Uint8Array(3 * each.length);
-  each.forEach((value, at) => { rgb.fill(Math.min(255, 16 * value), 3 * at, 3 * at + 3); });
+  const { distances } = compare(actual, expected);
+  const rgb = new Uint8Array(3 * distances.length);
+  distances.forEach((value, at) => { rgb.fill(Math.min(255, 16 * value), 3 * at, 3 * at + 3); });
   const pictures = { actual, expected, difference: /** @type {Picture} */ ({ ...actual, rgb }) };
   return Object.entries(pictures).map(([what, picture]) => {
     const target = path.join(folder, `${name}-${what}.png`);

@@ -10,7 +10,7 @@ const OF_MIXTURE = ['fuel', 'oxygen', 'soot', 'burnRates'];
 
 test('every array of the model has finite numbers for every particle', async () => {
   for (const sim of await fires()) {
-    // Open air reaches beyond its frame.
+    // Open air reaches beyond its domain.
     sim.set('edges', 'periodic');
     sim.step(200);
     assert.ok(sim.count > 100 && sim.time > 0 && sim.stepLength > 0);

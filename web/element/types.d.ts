@@ -101,7 +101,7 @@ export interface HearthMeasures {
   luminosity: number;
   /** At the place. */
   place: HearthProbe;
-  /** At 64 heights of the vertical through the place, from the floor to the top of the frame. */
+  /** At 64 heights of the vertical through the place, from the floor to the top of the domain. */
   profile: HearthProbe[];
 }
 

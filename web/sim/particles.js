@@ -116,9 +116,9 @@ function fill(numbers, from, name, width, given) {
   const count = numbers.length / PARTICLE_NUMBERS;
   const all = typeof given === 'number';
   if (!all && list(name, given).length !== count * width) {
-    const each = width === 1 ? 'one' : 'two';
+    const required = width === 1 ? 'one' : 'two';
     throw new RangeError(
-      `${name} has ${given.length} numbers: it must have ${each} for each of ${count} particles`,
+      `${name} has ${given.length} numbers: it must have ${required} for each of ${count} particles`,
     );
   }
   for (let at = 0; at < count * width; at += 1) {

@@ -245,7 +245,7 @@ describe('on a page', () => {
     await second.evaluate((root) => /** @type {any} */ (root).querySelector('[data-parameter="buoyancy"]').focus());
     await tab.key('ArrowRight');
     await tab.until('the second fire alone has another value', (old) => {
-      const [first, second] = [...document.querySelectorAll('hearth-fire')].map((each) => /** @type {any} */ (each).params.buoyancy);
+      const [first, second] = [...document.querySelectorAll('hearth-fire')].map((fire) => /** @type {any} */ (fire).params.buoyancy);
       return first === old && second !== old;
     }, DEFAULTS.buoyancy);
     const undo = (at) => tab.evaluate((which) => /** @type {any} */ (

@@ -1,5 +1,5 @@
 /**
- * A fire in open air goes on as any fire: after a tab that was hidden, in a transition of its frame
+ * A fire in open air goes on as any fire: after a tab that was hidden, in a transition of its domain
  * and its source, and after a change of the element's size.
  */
 import assert from 'node:assert/strict';
@@ -41,7 +41,7 @@ test('a fire burns on without a burst after another tab was in front', async () 
   assert.deepEqual(tab.problems, []);
 });
 
-test('a fire goes on while its frame, its source and its size change', async () => {
+test('a fire goes on while its domain, its source and its size change', async () => {
   const tab = await browser.show(recording(FIRE));
   await tab.burnt(1);
   const age = await tab.fire((fire) => fire.stats.time);

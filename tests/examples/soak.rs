@@ -1,10 +1,11 @@
 //! Burns every scene for a minute, drives many fires to random corners of all ranges, and back,
 //! moves solids through fires at such corners, and burns heaps of free bodies.
 //!
-//! `soak [--corners N] [--crowds N] [--heaps N] [--seed S] [--hours H]`: N corners, and N crowds of solids, of each model,
-//! and of the combustion model in the open, of two simulated seconds, and N heaps of ten. Without corners, it burns no
-//! scene either. With hours, it goes on with other seeds until they have passed. Prints how it goes, every corner that fails with all its values, and the corners
-//! that lean most on the guards. `cargo measure soak` calls it.
+//! `soak [--corners N] [--crowds N] [--heaps N] [--seed S] [--hours H]`: N corners, and N crowds of solids,
+//! of each model, and of the combustion model in the open, of two simulated seconds, and N heaps of ten.
+//! Without corners, it burns no scene either. With hours, it goes on with other seeds until they have passed.
+//! Prints how it goes, every corner that fails with all its values, and the corners that lean most on the
+//! guards. `cargo measure soak` calls it.
 
 use std::io::{self, Write as _};
 use std::process::ExitCode;

@@ -38,8 +38,8 @@ fn agitation(gas: &Simulation) -> f64 {
 
 #[test]
 fn noise_in_gas_at_rest_decays_whether_it_is_cold_or_the_hottest() {
-    // The fastest sound is that of the hottest gas, with the longest step where nothing moves. Steps beyond the stable ones
-    // agitate it to 1 m/s within a second.
+    // The fastest sound is that of the hottest gas, with the longest step where nothing moves. Steps beyond
+    // the stable ones agitate it to 1 m/s within a second.
     for kelvin in [293.0, 1500.0, 3700.0] {
         for side in [SIDE - 3, SIDE, SIDE + 2] {
             let still = closed_box(&[("gas_expansion", 1.0)]);

@@ -15,8 +15,8 @@ use serde_json::Value;
 /// Time of the clock for each scene \[s\].
 const SECONDS: f64 = 2.0;
 
-/// Most work per second of the clock, relative to the default scene. The dearest scene, the burning word, takes 2.1: its power
-/// raises the speed of sound, so its steps are shorter.
+/// Most work per second of the clock, relative to the default scene. The dearest scene, the burning word,
+/// takes 2.1: its power raises the speed of sound, so its steps are shorter.
 const MAX_WORK: f64 = 2.2;
 
 /// Minimum number of glowing particles, for a visible flame.

@@ -1,7 +1,7 @@
 //! The gas that fills the domain, and its lattice at the start.
 //!
-//! With open edges, particles are born and removed. Every particle has the same mass and its own volume. Each property is an array, sorted by
-//! grid cell at every step; readers get copies in the order of the ids.
+//! With open edges, particles are born and removed. Every particle has the same mass and its own volume. Each
+//! property is an array, sorted by grid cell at every step; readers get copies in the order of the ids.
 
 mod equation_of_state;
 pub(super) mod forces;

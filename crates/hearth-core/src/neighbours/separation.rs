@@ -32,9 +32,7 @@ impl Neighbours {
             for (lane, particle) in grid.members_of(block).enumerate() {
                 for (normal, distance, solid) in near(particle) {
                     let from = place(&blocks[block], lane) - shift;
-                    let Some(lines) = solids.lines_from(solid, (from + shift) * h) else {
-                        continue;
-                    };
+                    let lines = solids.lines_from(solid, (from + shift) * h);
                     // A convex solid lies behind the plane of its nearest point, and no solid is
                     // nearer than that.
                     let distance = distance * inverse_h;

@@ -110,9 +110,8 @@ impl Solids {
     }
 
     /// The lines from a position, beside a solid.
-    pub fn lines_from(&self, solid: u32, from: Vec2) -> Option<Lines<'_>> {
-        let body = self.bodies.get(solid as usize)?;
-        Some(body.surface.lines_from(from))
+    pub fn lines_from(&self, solid: u32, from: Vec2) -> Lines<'_> {
+        self.bodies[solid as usize].surface.lines_from(from)
     }
 
     /// Whether a thin solid is between a position and another one within the support of the

@@ -2,10 +2,11 @@
 //!
 //! Hot gas expands. Each particle has the weight y = m θ, and the number density Y = Σ yⱼ Wᵢⱼ
 //! does not depend on the mixture. So the volume V = y/Y and the pressure p = c₀² (Y − Ȳ) are
-//! smooth across the edge of a flame, where p(ρ, T) would act as an artificial surface tension (density-independent SPH: Saitoh & Makino,
-//! ApJ 768, 2013). In a closed domain, Ȳ is the mean over the particles: the uniform pressure of
-//! hot gas moves nothing, but its noise would damp every instability. In open air, Ȳ is the density
-//! of the air. Pressure below Ȳ attracts particles, and shifting spreads them again; so shifting cannot be turned off.
+//! smooth across the edge of a flame, where p(ρ, T) would act as an artificial surface tension
+//! (density-independent SPH: Saitoh & Makino, ApJ 768, 2013). In a closed domain, Ȳ is the mean over the
+//! particles: the uniform pressure of hot gas moves nothing, but its noise would damp every instability. In
+//! open air, Ȳ is the density of the air. Pressure below Ȳ attracts particles, and shifting spreads them
+//! again; so shifting cannot be turned off.
 
 use glam::Vec2;
 

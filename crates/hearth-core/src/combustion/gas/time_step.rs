@@ -21,7 +21,8 @@ const SHIFT_STRENGTH: f32 = 8.0;
 const MAX_SHIFT_STRENGTH: f32 = 0.55;
 /// Largest shift of a particle in a step, in h.
 const MAX_DISPLACEMENT: f32 = 0.55;
-/// Courant number for the sound of the hottest gas. Noise in gas at rest decays with 1.05 too, whether cold or at 3700 K.
+/// Courant number for the sound of the hottest gas. Noise in gas at rest decays with 1.05 too, whether cold
+/// or at 3700 K.
 const COURANT: f32 = 0.9;
 /// Air takes the steps of gas with this expansion. In steps that are a quarter longer, the wake of a disc
 /// oscillates with 0.22 u/d for 0.17.
@@ -56,8 +57,8 @@ pub(crate) struct Motion {
     pub length: f32,
 }
 
-/// The longest stable step \[s\] for the accelerations of the gas. `sound` is its speed in the air: in gas that takes θ times the
-/// room of air, sound is √θ times as fast, because p = c₀² (Y − Ȳ) and ρ = Y/θ.
+/// The longest stable step \[s\] for the accelerations of the gas. `sound` is its speed in the air: in gas
+/// that takes θ times the room of air, sound is √θ times as fast, because p = c₀² (Y − Ȳ) and ρ = Y/θ.
 pub(crate) fn max_stable_step(gas: &Gas, context: &Context) -> f32 {
     let (values, sound) = (context.values, context.sound);
     let h = context.kernel.smoothing_length();

@@ -228,15 +228,15 @@ impl Walls {
             0.0
         };
         for _ in 0..ATTEMPTS {
-            let mut held = false;
+            let mut has_moved = false;
             for near in &self.near {
                 let path = gas.position[near.index as usize].distance(near.from) + moved;
                 // Sampled distances are uncertain by half.
                 if near.distance <= 2.0 * (gap + 2.0 * path) {
-                    held |= near.keep_outside(gas, solids, gap, dt);
+                    has_moved |= near.keep_outside(gas, solids, gap, dt);
                 }
             }
-            if !held {
+            if !has_moved {
                 return false;
             }
         }
@@ -290,7 +290,7 @@ impl Near {
             return inside;
         };
         let (mut distance, mut normal) = body.surface.distance(position);
-        // With a tolerance for rounding, so that a particle at the gap is not held again.
+        // With a tolerance for rounding, so that a particle at the gap is not moved again.
         let mut inside = distance < 0.9 * gap;
         // A step may be longer than a solid is thick: the particle stays on its side.
         if normal.dot(self.normal) < MIN_NORMAL_COSINE && body.is_between(self.from, position) {

@@ -1,9 +1,9 @@
 //! Water in the bed of a source.
 //!
 //! A source stands for what burns there, so water that lands in it wets that. The wet share gives off no
-//! fuel and is not preheated. A part of what lands on the rest boils at once. The bed dries by the share of its own power that a fire returns to its fuel.
-//! Less water than that weakens a source, which recovers; a source that is wet throughout has no power
-//! left to dry, and stays out until a flame lights it.
+//! fuel and is not preheated. A part of what lands on the rest boils at once. The bed dries by the share of
+//! its own power that a fire returns to its fuel. Less water than that weakens a source, which recovers; a
+//! source that is wet throughout has no power left to dry, and stays out until a flame lights it.
 
 use glam::Vec2;
 

@@ -17,9 +17,8 @@ const FILE_TIMEOUT = 20 * 60_000;
  */
 export async function runTests(folders, concurrency = 2) {
   const words = process.argv.slice(2).filter((argument) => !argument.startsWith('-'));
-  const chosen = (/** @type {string} */ file) => words.some((word) => (
-    path.basename(file).startsWith(word) || path.basename(path.dirname(file)) === word
-  ));
+  const chosen = (/** @type {string} */ file) =>
+    words.some((word) => path.basename(file).startsWith(word) || path.basename(path.dirname(file)) === word);
   const files = folders
     .flatMap((folder) => readdirSync(folder).map((name) => path.join(folder, name)))
     .filter((file) => file.endsWith('.test.mjs') && (words.length === 0 || chosen(file)));

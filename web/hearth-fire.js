@@ -23,7 +23,13 @@
  * @typedef {import('./element/types.js').HearthTransition} HearthTransition
  */
 
-import { FireAttributes, ID_OF_PROPERTY, defineProperty, setOrRemove, upgradeProperties } from './element/attributes/attributes.js';
+import {
+  FireAttributes,
+  ID_OF_PROPERTY,
+  defineProperty,
+  setOrRemove,
+  upgradeProperties,
+} from './element/attributes/attributes.js';
 import { reportedSettings } from './element/attributes/settings.js';
 import { postable, quiet } from './element/session/requests.js';
 import { FireSession } from './element/session/session.js';
@@ -414,7 +420,10 @@ class HearthFire extends FireAttributes {
    * @example <caption>How high are the planks?</caption> fire.freeSolids().then((all) => { this.textContent = all.map(({ y }) => `${y.toFixed(2)} m`).join(', ') })
    */
   async freeSolids() {
-    const [numbers, { freeSolidsOf }] = await Promise.all([this.#session.call('freeSolids'), import('./free-solids.js')]);
+    const [numbers, { freeSolidsOf }] = await Promise.all([
+      this.#session.call('freeSolids'),
+      import('./free-solids.js'),
+    ]);
     return freeSolidsOf(numbers);
   }
 
@@ -429,7 +438,10 @@ class HearthFire extends FireAttributes {
    * @example <caption>How hot is it?</caption> fire.measure(0, 0.5).then(({ place }) => { this.textContent = place.gas ? `${place.temperature.toFixed(0)} K` : 'no gas' })
    */
   async measure(x, y) {
-    const [numbers, { measuresOf }] = await Promise.all([this.#session.call('measure', ...postable([x, y], 1)), import('./measures.js')]);
+    const [numbers, { measuresOf }] = await Promise.all([
+      this.#session.call('measure', ...postable([x, y], 1)),
+      import('./measures.js'),
+    ]);
     return measuresOf(numbers, y);
   }
 
@@ -520,14 +532,19 @@ class HearthFire extends FireAttributes {
 
 for (const [property, id] of ID_OF_PROPERTY) {
   // Frameworks set undefined or null to remove a value.
-  defineProperty(HearthFire, property, (fire) => fire.get(/** @type {ParameterId} */ (id)), (/** @type {any} */ fire, value) => (
-    value === undefined || value === null ? fire.restore(id) : fire.set(id, value)
-  ));
+  defineProperty(
+    HearthFire,
+    property,
+    (fire) => fire.get(/** @type {ParameterId} */ (id)),
+    (/** @type {any} */ fire, value) =>
+      value === undefined || value === null ? fire.restore(id) : fire.set(id, value),
+  );
 }
 
 /** The class that another copy of this module has defined. */
 const other = /** @type {typeof HearthFire | undefined} */ (globalThis.customElements?.get('hearth-fire'));
-if (other) console.warn(`<hearth-fire>: version ${other.version} is defined already; version ${VERSION} exports that class.`);
+if (other)
+  console.warn(`<hearth-fire>: version ${other.version} is defined already; version ${VERSION} exports that class.`);
 else globalThis.customElements?.define('hearth-fire', HearthFire);
 
 /** The class of the element, whichever copy of this module has defined it. */

@@ -36,7 +36,12 @@ export function maskOfText(text, font, width = 1) {
     measure.font = font;
     if (measure.font === before) throw refused('font', font, 'a CSS font, such as "700 1em Georgia"');
   }
-  const { actualBoundingBoxLeft: left, actualBoundingBoxRight: right, actualBoundingBoxAscent: above, actualBoundingBoxDescent: below } = measure.measureText(text);
+  const {
+    actualBoundingBoxLeft: left,
+    actualBoundingBoxRight: right,
+    actualBoundingBoxAscent: above,
+    actualBoundingBoxDescent: below,
+  } = measure.measureText(text);
   return maskOf('text', text, [-left, -above, left + right, above + below], width, (context) => {
     context.font = font;
     context.fillText(text, 0, 0);
@@ -63,10 +68,13 @@ export function maskOfPath(path, box, width = 1) {
  * @throws {RangeError} it has no pixels yet or no opaque ones, or the page may not read them
  */
 export function maskOfImage(image, width = 1) {
-  const { naturalWidth, naturalHeight, videoWidth, videoHeight, displayWidth, displayHeight, ...sized } = sizesOf(image);
+  const { naturalWidth, naturalHeight, videoWidth, videoHeight, displayWidth, displayHeight, ...sized } =
+    sizesOf(image);
   const across = naturalWidth ?? videoWidth ?? displayWidth ?? sized.width;
   const up = naturalHeight ?? videoHeight ?? displayHeight ?? sized.height;
-  return maskOf('image', 'an image', [0, 0, across, up], width, (context) => context.drawImage(image, 0, 0, across, up));
+  return maskOf('image', 'an image', [0, 0, across, up], width, (context) =>
+    context.drawImage(image, 0, 0, across, up),
+  );
 }
 
 /** @param {any} image @returns {{[side: string]: number}} */
@@ -82,12 +90,13 @@ function sizesOf({ naturalWidth, naturalHeight, videoWidth, videoHeight, display
  */
 function maskOf(id, value, [left, top, across, up], width, draw) {
   if (!(width >= 0.002 && width <= 10)) throw refused('width', width, 'a number from 0.002 to 10 m');
-  if (!(across > 0 && up > 0 && across + up < Infinity)) throw refused(id, value, 'something with a width and a height');
+  if (!(across > 0 && up > 0 && across + up < Infinity))
+    throw refused(id, value, 'something with a width and a height');
   const scale = PIXELS / Math.max(across, up);
   const columns = Math.max(Math.round(across * scale), 1);
   const rows = Math.max(Math.round(up * scale), 1);
   const context = contextOf(columns, rows);
-  context.setTransform(columns / across, 0, 0, rows / up, -left * columns / across, -top * rows / up);
+  context.setTransform(columns / across, 0, 0, rows / up, (-left * columns) / across, (-top * rows) / up);
   let mask;
   try {
     draw(context);
@@ -96,12 +105,15 @@ function maskOf(id, value, [left, top, across, up], width, draw) {
     throw refused(id, value, 'something whose pixels the page may read', cause);
   }
   if (!mask) throw refused(id, value, 'something with opaque pixels');
-  return { shape: 'mask', mask, width, height: Math.min(Math.max(width * up / across, 0.002), 10) };
+  return { shape: 'mask', mask, width, height: Math.min(Math.max((width * up) / across, 0.002), 10) };
 }
 
 /** @param {string} id @param {unknown} value @param {string} allowed @param {unknown} [cause] */
 function refused(id, value, allowed, cause) {
   const shown = String(value);
   const words = shown.length > 40 ? `${shown.slice(0, 40)}…` : shown;
-  return Object.assign(new RangeError(`${id} = ${JSON.stringify(words)} is refused: it must be ${allowed}`, { cause }), { id });
+  return Object.assign(
+    new RangeError(`${id} = ${JSON.stringify(words)} is refused: it must be ${allowed}`, { cause }),
+    { id },
+  );
 }

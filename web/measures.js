@@ -16,7 +16,19 @@ export function measuresOf(numbers, y) {
   const [place, ...profile] = Array.from({ length: rows + 1 }, (_, row) => {
     const read = places.slice(OF_PLACE * row);
     const known = QUANTITIES.map((name, at) => [name, read[at]]).filter(([, value]) => !Number.isNaN(value));
-    return { y: row ? (height * (row - 0.5)) / rows : y, gas: known.length > 0, solid: read[OF_PLACE - 1] < 0, ...Object.fromEntries(known) };
+    return {
+      y: row ? (height * (row - 0.5)) / rows : y,
+      gas: known.length > 0,
+      solid: read[OF_PLACE - 1] < 0,
+      ...Object.fromEntries(known),
+    };
   });
-  return { time: seconds + fraction, ...(Number.isNaN(power) ? {} : { power }), flameHeight, luminosity, place, profile };
+  return {
+    time: seconds + fraction,
+    ...(Number.isNaN(power) ? {} : { power }),
+    flameHeight,
+    luminosity,
+    place,
+    profile,
+  };
 }

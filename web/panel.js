@@ -150,7 +150,11 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
   const update = () => {
     if (!canvas) return;
     const shown = canvas.getBoundingClientRect();
-    accessible.position(/** @type {Record<string, number[]>} */ (panel?.rectangles() ?? {}), shown, shown.width / canvas.offsetWidth || 1);
+    accessible.position(
+      /** @type {Record<string, number[]>} */ (panel?.rectangles() ?? {}),
+      shown,
+      shown.width / canvas.offsetWidth || 1,
+    );
   };
   // eframe sizes the canvas from `devicePixelContentBoxSize`, which emulated
   // phones report at a ratio of 1: the panel would be painted too large.

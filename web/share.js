@@ -128,9 +128,15 @@ function valuesOf({ objects, preset = '' }) {
   if (!objects) return {};
   const [first = {}, ...others] = objects;
   const { kind, ...properties } = /** @type {{[name: string]: unknown}} */ (first);
-  const isPlain = kind === 'source' && others.length === 0 && !(preset in WITH_OBJECTS) && Object.keys(properties).every((name) => name in SOURCE);
+  const isPlain =
+    kind === 'source' &&
+    others.length === 0 &&
+    !(preset in WITH_OBJECTS) &&
+    Object.keys(properties).every((name) => name in SOURCE);
   if (!isPlain) return { objects: JSON.stringify(objects) };
-  return Object.fromEntries(Object.entries(properties).map(([name, value]) => [SOURCE[/** @type {keyof typeof SOURCE} */ (name)], value]));
+  return Object.fromEntries(
+    Object.entries(properties).map(([name, value]) => [SOURCE[/** @type {keyof typeof SOURCE} */ (name)], value]),
+  );
 }
 
 /**

@@ -51,7 +51,8 @@ export async function createSimulation(options = {}) {
   if (preset !== undefined) text('preset', preset);
   const [sent, columnsOfValues] = columns(values);
   const { Fire } = await loaded(wasm, parts);
-  const make = () => new Simulation(() => new Fire(preset, sent, columnsOfValues, loadedNames), [['preset', preset], ...values], Fire);
+  const make = () =>
+    new Simulation(() => new Fire(preset, sent, columnsOfValues, loadedNames), [['preset', preset], ...values], Fire);
   for (;;) {
     try {
       return make();
@@ -260,10 +261,12 @@ class Simulation {
 
   /** The properties of the model that `setParticles` takes. */
   particles() {
-    return Object.fromEntries(Object.keys(PARTICLE).flatMap((name) => {
-      const read = this.#read(name);
-      return read ? [[name, read]] : [];
-    }));
+    return Object.fromEntries(
+      Object.keys(PARTICLE).flatMap((name) => {
+        const read = this.#read(name);
+        return read ? [[name, read]] : [];
+      }),
+    );
   }
 
   /** The embers, an array a property; none in the classic model. */

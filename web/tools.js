@@ -87,11 +87,20 @@ class Toolbar {
     this.#host = host;
     this.#fire = fire;
     this.#editing = editingOf(fire);
-    this.#edits = new Edits(fire, this.#editing, () => this.#bar, (text) => this.#showStatus(text), () => this.#objects);
+    this.#edits = new Edits(
+      fire,
+      this.#editing,
+      () => this.#bar,
+      (text) => this.#showStatus(text),
+      () => this.#objects,
+    );
     this.#overlay = new Overlay(fire);
     this.#inserts = new Inserts(host, this.#overlay, this.#edits, (text) => this.#open(text));
     const plotsShown = (/** @type {boolean} */ shown) => this.#bar.mark('plots', shown);
-    this.#instruments = new Instruments({ host, fire, showStatus: (text) => this.#showStatus(text), plotsShown }, (act) => this.#edits.attempt(act));
+    this.#instruments = new Instruments(
+      { host, fire, showStatus: (text) => this.#showStatus(text), plotsShown },
+      (act) => this.#edits.attempt(act),
+    );
     const context = this.#context;
     this.#pointers = new Pointers(context);
     this.#cross = new Cross(context, this.#pointers, this.#overlay);
@@ -133,10 +142,14 @@ class Toolbar {
   /** Follows the solids that forces move, until the signal. @param {AbortSignal} signal */
   async #follow(signal) {
     while (!signal.aborted) {
-      await new Promise((resolve) => { requestAnimationFrame(resolve); });
+      await new Promise((resolve) => {
+        requestAnimationFrame(resolve);
+      });
       if (this.#poses.size === 0 && !objectsOf(this.#fire).some(({ motion }) => motion === 'free')) continue;
       const solids = await this.#fire.freeSolids().catch(() => []);
-      this.#poses = new Map(solids.map(({ id, x, y, angle }) => [id, { x: rounded(x), y: rounded(y), angle: Math.round(10 * angle) / 10 }]));
+      this.#poses = new Map(
+        solids.map(({ id, x, y, angle }) => [id, { x: rounded(x), y: rounded(y), angle: Math.round(10 * angle) / 10 }]),
+      );
       this.#outline();
     }
   }
@@ -158,7 +171,8 @@ class Toolbar {
       preview: (shown) => this.#overlay.preview(shown),
       guide: (lines) => this.#overlay.guide(lines),
       toggle: (id) => this.#edits.toggle(id),
-      thickness: () => rounded(Math.max(0.01, THICKNESS * Math.min(this.#fire.params.domain_width, this.#fire.params.domain_height))),
+      thickness: () =>
+        rounded(Math.max(0.01, THICKNESS * Math.min(this.#fire.params.domain_width, this.#fire.params.domain_height))),
       askForText: (at) => this.#inserts.askForText(at),
       probe: (at, options) => this.#tool === 'probe' && this.#instruments.probe(at, options),
     };
@@ -167,7 +181,11 @@ class Toolbar {
   /** Starts to listen. @type {(keys: EventTarget, signal: AbortSignal) => void} */
   listen(keys, signal) {
     const layer = this.#overlay.element;
-    const on = (/** @type {EventTarget} */ target, /** @type {string} */ name, /** @type {(event: any) => void} */ act) => target.addEventListener(name, act, { signal });
+    const on = (
+      /** @type {EventTarget} */ target,
+      /** @type {string} */ name,
+      /** @type {(event: any) => void} */ act,
+    ) => target.addEventListener(name, act, { signal });
     on(layer, 'pointerdown', (event) => this.#press(event));
     on(layer, 'pointermove', (event) => this.#move(event));
     on(layer, 'pointerup', (event) => this.#lift(event));
@@ -211,7 +229,10 @@ class Toolbar {
     // The probe measures at the cross until a pointer moves.
     if (name === 'probe') this.#instruments.probe(this.#cross.at);
     else this.#instruments.hideProbe();
-    const missing = ['sparks', 'ignite', 'extinguish', 'water'].includes(name) && this.#fire.params.model === 'classic' ? ' The classic model has none.' : '';
+    const missing =
+      ['sparks', 'ignite', 'extinguish', 'water'].includes(name) && this.#fire.params.model === 'classic'
+        ? ' The classic model has none.'
+        : '';
     if (announces && tool) this.#showStatus(`${tool.label}: ${tool.hint}.${missing}`);
     this.#update();
   }
@@ -296,7 +317,8 @@ class Toolbar {
     const selected = all.find(({ id }) => id === last);
     if (event.altKey) return undefined;
     if (event.ctrlKey || event.metaKey) {
-      if (key.toLowerCase() === 'z') return () => this.#edits.attempt(() => (shiftKey ? history.redo() : history.undo()));
+      if (key.toLowerCase() === 'z')
+        return () => this.#edits.attempt(() => (shiftKey ? history.redo() : history.undo()));
       if (key.toLowerCase() === 'y') return () => this.#edits.attempt(() => history.redo());
       return key.toLowerCase() === 'd' && selected ? () => this.#edits.duplicate() : undefined;
     }
@@ -308,7 +330,8 @@ class Toolbar {
     const arrow = ARROWS[key];
     const far = STEP * (shiftKey ? FAST : 1);
     if (onLayer && (this.#tool !== 'select' || this.#cross.shown || !selected)) {
-      if (this.#tool === 'blow' && arrow && !shiftKey) return () => this.#cross.puff(this.#how(event), { x: arrow[0], y: arrow[1] });
+      if (this.#tool === 'blow' && arrow && !shiftKey)
+        return () => this.#cross.puff(this.#how(event), { x: arrow[0], y: arrow[1] });
       if (arrow) return () => this.#moveCross(arrow[0] * far, arrow[1] * far, this.#how(event));
       if (key === 'Enter' || key === ' ') return () => this.#cross.press(this.#tool, this.#how(event));
     }

@@ -35,9 +35,9 @@ const PAGE = `<!doctype html>
  */
 export async function cards(browser) {
   const tab = await browser.open(PAGE, { width: 1440, height: 600 });
-  await tab.evaluate(() => Promise.all(
-    [...document.querySelectorAll('hearth-fire')].map((fire) => /** @type {any} */ (fire).ready),
-  ));
+  await tab.evaluate(() =>
+    Promise.all([...document.querySelectorAll('hearth-fire')].map((fire) => /** @type {any} */ (fire).ready)),
+  );
   const rounds = [];
   for (let round = 0; round < ROUNDS; round += 1) rounds.push(await tab.evaluate(oneRound, STEPS));
   const sums = rounds.map(({ rate }) => rate * FRAME).sort((a, b) => a - b);
@@ -50,7 +50,9 @@ async function oneRound(steps) {
   let rate = 0;
   let last;
   for (const fire of /** @type {any[]} */ ([...document.querySelectorAll('hearth-fire')])) {
-    const reported = new Promise((resolve) => fire.addEventListener('stats', ({ detail }) => resolve(detail), { once: true }));
+    const reported = new Promise((resolve) =>
+      fire.addEventListener('stats', ({ detail }) => resolve(detail), { once: true }),
+    );
     await fire.step(steps);
     last = await reported;
     rate += last.stepMs / last.stepLength;

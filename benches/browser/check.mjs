@@ -38,8 +38,9 @@ for (const Fire of [TypedFire, ScanFire, PaperLoop]) {
   }
 }
 
-const printed = 'Loading 3 files, N=many\nA solver,where=node,N=5000,neigh=19.40,median_ms=1.5,min_ms=1.4\n'
-  + 'B,N=1000,median_ms=0.25\nC,N=1000,median_ms=fast\n';
+const printed =
+  'Loading 3 files, N=many\nA solver,where=node,N=5000,neigh=19.40,median_ms=1.5,min_ms=1.4\n' +
+  'B,N=1000,median_ms=0.25\nC,N=1000,median_ms=fast\n';
 assert.deepEqual(parse(printed), [
   { name: 'A solver', where: 'node', particles: 5000, neighbours: 19.4, stepMs: 1.5 },
   { name: 'B', where: 'native', particles: 1000, neighbours: undefined, stepMs: 0.25 },

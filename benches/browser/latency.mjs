@@ -57,14 +57,17 @@ function watchEngine() {
   const added = [];
   Object.assign(self, { added });
   addEventListener('message', ({ data }) => {
-    if (Array.isArray(data) && JSON.stringify(data).includes('"stroke"')) added.push(performance.timeOrigin + performance.now());
+    if (Array.isArray(data) && JSON.stringify(data).includes('"stroke"'))
+      added.push(performance.timeOrigin + performance.now());
   });
 }
 
 /** Median, 98th percentile and maximum. @param {number[]} times */
 function summary(times) {
   const sorted = times.toSorted((a, b) => a - b);
-  const [median, p98, most] = [0.5, 0.98, 1].map((share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))]);
+  const [median, p98, most] = [0.5, 0.98, 1].map(
+    (share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))],
+  );
   return { count: sorted.length, median, p98, most };
 }
 
@@ -112,16 +115,16 @@ export async function strokes(browser) {
     const { released, reported } = /** @type {any} */ (window);
     return { released, reported };
   });
-  if (added.length !== STROKES || reported.length !== STROKES) throw new Error(`${added.length} solids of ${STROKES} strokes`);
+  if (added.length !== STROKES || reported.length !== STROKES)
+    throw new Error(`${added.length} solids of ${STROKES} strokes`);
   const since = (/** @type {number[]} */ times) => summary(times.map((time, turn) => time - released[turn]));
   return { inFire: since(added), onPage: since(reported) };
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const browser = await Browser.launch();
-  const text = (/** @type {ReturnType<typeof summary>} */ { median, p98, most }) => (
-    `median ${median.toFixed(0)} ms, 98th percentile ${p98.toFixed(0)} ms, at most ${most.toFixed(0)} ms`
-  );
+  const text = (/** @type {ReturnType<typeof summary>} */ { median, p98, most }) =>
+    `median ${median.toFixed(0)} ms, 98th percentile ${p98.toFixed(0)} ms, at most ${most.toFixed(0)} ms`;
   try {
     const of = await interactions(browser);
     console.log(`interaction to next paint beside ${of.particles} particles (${of.count}): ${text(of)}`);

@@ -33,7 +33,12 @@ const PAPER = 5000;
 const CASES = [
   ...SIZES.flatMap((count) => [
     { scene: 'block', count },
-    ...(count <= PEERS ? [{ scene: 'typed', count }, { scene: 'scan', count }] : []),
+    ...(count <= PEERS
+      ? [
+          { scene: 'typed', count },
+          { scene: 'scan', count },
+        ]
+      : []),
     ...(count <= PAPER ? [{ scene: 'paper', count }] : []),
   ]),
   // The default of the combustion model, and a block with as many neighbours as it has.
@@ -67,12 +72,13 @@ async function inChromium(tab) {
   });
   return {
     name: 'chromium',
-    call: (method, ...args) => tab.evaluate(
-      // What is undefined would not arrive as such.
-      (called, given) => /** @type {any} */ (window).bench[called](...given) ?? null,
-      method,
-      args,
-    ),
+    call: (method, ...args) =>
+      tab.evaluate(
+        // What is undefined would not arrive as such.
+        (called, given) => /** @type {any} */ (window).bench[called](...given) ?? null,
+        method,
+        args,
+      ),
   };
 }
 
@@ -226,7 +232,10 @@ const programs = [{ command: [program] }, ...(others.programs ?? [])];
 const leftOut = others.leftOut ?? [];
 
 // The root, for the paper's loop: the page of the tables measures it too.
-const browser = await Browser.start('chromium', { folders: [folder, HERE, path.join(HERE, '../..')], likeGraphicsCard: true });
+const browser = await Browser.start('chromium', {
+  folders: [folder, HERE, path.join(HERE, '../..')],
+  likeGraphicsCard: true,
+});
 const report = {};
 try {
   const tab = await browser.open('<p>Measuring</p>');
@@ -244,18 +253,21 @@ report.memory = await memory(path.join(native, 'memory'));
 if (process.env.HEARTH_SITE) report.page = await onThePage(process.env.HEARTH_SITE);
 
 const [processor] = os.cpus();
-await writeFile(file, `${JSON.stringify(
-  {
-    machine: {
-      processor: processor.model.trim(),
-      cores: os.cpus().length,
-      system: `${os.type()} ${os.arch()}`,
+await writeFile(
+  file,
+  `${JSON.stringify(
+    {
+      machine: {
+        processor: processor.model.trim(),
+        cores: os.cpus().length,
+        system: `${os.type()} ${os.arch()}`,
+      },
+      node: process.version,
+      rounds: ROUNDS,
+      ...report,
+      leftOut,
     },
-    node: process.version,
-    rounds: ROUNDS,
-    ...report,
-    leftOut,
-  },
-  null,
-  2,
-)}\n`);
+    null,
+    2,
+  )}\n`,
+);

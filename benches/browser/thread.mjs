@@ -46,12 +46,13 @@ function watchFrames() {
   const frames = new Map();
   Object.assign(window, { frames });
   const request = requestAnimationFrame.bind(window);
-  window.requestAnimationFrame = (act) => request((time) => {
-    const [start, drawn] = [now(), drawing];
-    act(time);
-    // Several callbacks of a frame are one task.
-    frames.set(time, (frames.get(time) ?? 0) + now() - start - (drawing - drawn));
-  });
+  window.requestAnimationFrame = (act) =>
+    request((time) => {
+      const [start, drawn] = [now(), drawing];
+      act(time);
+      // Several callbacks of a frame are one task.
+      frames.set(time, (frames.get(time) ?? 0) + now() - start - (drawing - drawn));
+    });
 }
 
 /** The most work in any second that begins with a frame, as a share. @param {[number, number][]} frames */
@@ -79,7 +80,7 @@ async function measure(browser, attributes) {
   const longest = Math.max(...frames.map(([, work]) => work));
   console.log(
     `${attributes || 'default'}: ${particles} particles, ${frames.length} frames, ${long} over ${LONGEST} ms, ` +
-    `at most ${longest.toFixed(0)} ms, busiest second ${busiestSecond(frames).toFixed(2)}`,
+      `at most ${longest.toFixed(0)} ms, busiest second ${busiestSecond(frames).toFixed(2)}`,
   );
 }
 

@@ -88,7 +88,9 @@ try {
   /** The declaration of that name in a file of `web/`. @type {(file: string, name: string) => any} */
   const declared = (file, name) => {
     const source = project.program.getSourceFile(path.join(WEB, file));
-    const found = /** @type {any} */ (source?.statements)?.find((statement) => statement.name?.text === name && statement.members);
+    const found = /** @type {any} */ (source?.statements)?.find(
+      (statement) => statement.name?.text === name && statement.members,
+    );
     if (!found) throw new Error(`web/${file} declares no ${name}`);
     return found;
   };
@@ -96,7 +98,10 @@ try {
   const exported = (file) => {
     const { statements } = /** @type {any} */ (project.program.getSourceFile(path.join(WEB, file)));
     const types = [SyntaxKind.InterfaceDeclaration, SyntaxKind.TypeAliasDeclaration];
-    return [...statements].filter(({ kind }) => types.includes(kind)).map(({ name }) => name.text).sort();
+    return [...statements]
+      .filter(({ kind }) => types.includes(kind))
+      .map(({ name }) => name.text)
+      .sort();
   };
   const element = await describe(declared, exported);
   const own = element.properties.flatMap(({ attribute }) => attribute ?? []);
@@ -104,11 +109,14 @@ try {
   await refresh('web/hearth-fire.d.ts', elementTypes(element));
   await refresh('web/react.d.ts', reactTypes(element));
   await refresh('web/custom-elements.json', manifest(element));
-  await refresh('web/generated/attributes.js', [
-    '// Generated from the class in web/hearth-fire.js by `cargo xtask codegen`; edit its JSDoc instead.\n',
-    '/** The attributes that are no parameters. */',
-    `export const OWN_ATTRIBUTES = [${own.map((name) => `"${name}"`).join(', ')}];\n`,
-  ].join('\n'));
+  await refresh(
+    'web/generated/attributes.js',
+    [
+      '// Generated from the class in web/hearth-fire.js by `cargo xtask codegen`; edit its JSDoc instead.\n',
+      '/** The attributes that are no parameters. */',
+      `export const OWN_ATTRIBUTES = [${own.map((name) => `"${name}"`).join(', ')}];\n`,
+    ].join('\n'),
+  );
   await refresh('web/generated/iframe-methods.js', iframeMethods(element));
   await refresh('web/embed-client.d.ts', clientTypes(element, OPTIONS));
   await refreshPart('web/embed-client.js', ['// methods: begin', '// methods: end'], clientList(element));
@@ -126,11 +134,15 @@ try {
 async function describe(declared, exported) {
   const type = declared('hearth-fire.js', 'HearthFire');
   const about = read(type);
-  const named = (/** @type {string} */ tag) => about.all(tag).map(({ name, type: kind, text }) => ({ name, type: kind, doc: text }));
-  const members = [...type.members, ...declared('element/attributes/attributes.js', 'FireAttributes').members].filter(isPublic);
+  const named = (/** @type {string} */ tag) =>
+    about.all(tag).map(({ name, type: kind, text }) => ({ name, type: kind, doc: text }));
+  const members = [...type.members, ...declared('element/attributes/attributes.js', 'FireAttributes').members].filter(
+    isPublic,
+  );
   const reflected = [...declared('element/types.d.ts', 'HearthReflected').members];
   const properties = [
-    ...members.filter(({ kind }) => kind === SyntaxKind.PropertyDeclaration || kind === SyntaxKind.GetAccessor)
+    ...members
+      .filter(({ kind }) => kind === SyntaxKind.PropertyDeclaration || kind === SyntaxKind.GetAccessor)
       .map((member) => accessor(member, members)),
     ...reflected.filter(({ kind }) => kind !== SyntaxKind.SetAccessor).map((member) => reflection(member, reflected)),
   ];
@@ -147,7 +159,9 @@ async function describe(declared, exported) {
     cssProperties: named('cssproperty'),
     states: named('cssstate'),
     children: ['source', 'solid'].map((kind) => child(kind, declared)),
-    types: Object.fromEntries(['element/types', 'parameters'].map((file) => [`./${file}.js`, exported(`${file}.d.ts`)])),
+    types: Object.fromEntries(
+      ['element/types', 'parameters'].map((file) => [`./${file}.js`, exported(`${file}.d.ts`)]),
+    ),
   };
 }
 
@@ -157,20 +171,36 @@ function child(kind, declared) {
   const type = `Hearth${name}Element`;
   const element = declared('element/types.d.ts', type);
   const isSolid = kind === 'solid';
-  const of = { name: 'of', type: '`#$' + '{string}`', doc: `The element of the page whose border box it has${isSolid ? ', or of an image what is opaque in it' : ''}, as \`#\` and an id.` };
-  const ofText = { name: 'of-text', type: 'boolean', doc: 'With `of`: it has the shape of the glyphs of that element.' };
+  const of = {
+    name: 'of',
+    type: '`#$' + '{string}`',
+    doc: `The element of the page whose border box it has${isSolid ? ', or of an image what is opaque in it' : ''}, as \`#\` and an id.`,
+  };
+  const ofText = {
+    name: 'of-text',
+    type: 'boolean',
+    doc: 'With `of`: it has the shape of the glyphs of that element.',
+  };
   const member = (/** @type {any} */ node) => ({
     name: node.name.text,
     // An attribute is a text where a property may be a list as well.
     type: node.type.getText().replace(/^string \|.*/, 'string'),
     doc: read(node).doc,
   });
-  const properties = declared('parameters.d.ts', `Hearth${name}`).members.map(member)
+  const properties = declared('parameters.d.ts', `Hearth${name}`)
+    .members.map(member)
     .filter((/** @type {Named} */ property) => property.name !== 'kind' && property.name !== 'id')
     .map((/** @type {Named} */ property) => ({ ...property, name: property.name.replaceAll('_', '-') }));
   // The element that is a solid, or the id of its object.
-  for (const property of properties) if (property.name === 'solid') property.type = 'number | `#$' + '{string}` | `$' + '{number}`';
-  return { tag: `hearth-${kind}`, type, doc: read(element).doc, members: element.members.map(member), attributes: [of, ...(isSolid ? [ofText] : []), ...properties] };
+  for (const property of properties)
+    if (property.name === 'solid') property.type = 'number | `#$' + '{string}` | `$' + '{number}`';
+  return {
+    tag: `hearth-${kind}`,
+    type,
+    doc: read(element).doc,
+    members: element.members.map(member),
+    attributes: [of, ...(isSolid ? [ofText] : []), ...properties],
+  };
 }
 
 /** Whether a member is the page's to use. @param {any} member */

@@ -56,7 +56,10 @@ test('a strict policy is kept by the scenes of the panel, with their pictures or
   });
   await tab.frames(5);
   assert.deepEqual(await tab.evaluate(() => /** @type {any} */ (window).violations), []);
-  assert.deepEqual(refused.filter((problem) => problem.endsWith('/report')), []);
+  assert.deepEqual(
+    refused.filter((problem) => problem.endsWith('/report')),
+    [],
+  );
 });
 
 test('a policy without wasm causes an error, the poster and a message', async () => {
@@ -65,19 +68,38 @@ test('a policy without wasm causes an error, the poster and a message', async ()
     const { failures } = /** @type {any} */ (window);
     return failures.length > 0 && failures;
   });
-  assert.deepEqual(failures.map(({ kind }) => kind), ['load']);
+  assert.deepEqual(
+    failures.map(({ kind }) => kind),
+    ['load'],
+  );
   await tab.until('poster and words are shown', () => {
     const fire = /** @type {any} */ (document.querySelector('hearth-fire'));
     const poster = fire.shadowRoot.querySelector('.poster img');
     const message = fire.shadowRoot.querySelector('[part=message]');
-    return poster.complete && poster.checkVisibility() && poster.clientWidth > 0
-      && message.checkVisibility() && message.textContent.length > 20;
+    return (
+      poster.complete &&
+      poster.checkVisibility() &&
+      poster.clientWidth > 0 &&
+      message.checkVisibility() &&
+      message.textContent.length > 20
+    );
   });
-  assert.equal(await tab.fire((fire) => fire.ready.then(() => '', (error) => error.kind)), 'load');
+  assert.equal(
+    await tab.fire((fire) =>
+      fire.ready.then(
+        () => '',
+        (error) => error.kind,
+      ),
+    ),
+    'load',
+  );
   // So the site above would have reported a violation.
   assert.deepEqual(await tab.evaluate(() => /** @type {any} */ (window).violations), ['script-src wasm-eval']);
   await tab.frames(5);
-  assert(refused.some((problem) => problem.endsWith('/report')), 'the browser reported no violation');
+  assert(
+    refused.some((problem) => problem.endsWith('/report')),
+    'the browser reported no violation',
+  );
   const uncaught = tab.problems.filter((problem) => problem.startsWith('uncaught'));
   assert.deepEqual(uncaught, []);
 });

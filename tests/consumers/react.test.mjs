@@ -47,13 +47,15 @@ test('a fire in strict mode burns, accepts properties and sends events', async (
   await tab.until('React has made the fire', () => document.querySelector('hearth-fire') !== null);
   await burnsWell(tab);
   const observed = () => tab.evaluate(() => /** @type {any} */ (window).page.observed);
-  const setState = (/** @type {object} */ state) => tab.evaluate((wanted) => /** @type {any} */ (window).page.setState(wanted), state);
-  const value = (/** @type {string} */ id, /** @type {number} */ wanted) => tab.until(
-    `${id} is ${wanted}`,
-    (which, right) => /** @type {any} */ (document.querySelector('hearth-fire'))?.params[which] === right,
-    id,
-    wanted,
-  );
+  const setState = (/** @type {object} */ state) =>
+    tab.evaluate((wanted) => /** @type {any} */ (window).page.setState(wanted), state);
+  const value = (/** @type {string} */ id, /** @type {number} */ wanted) =>
+    tab.until(
+      `${id} is ${wanted}`,
+      (which, right) => /** @type {any} */ (document.querySelector('hearth-fire'))?.params[which] === right,
+      id,
+      wanted,
+    );
   await value('source_width', 0.3);
   await value('viscosity', 0.02);
   await value('max_particles', 500);

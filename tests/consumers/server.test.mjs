@@ -18,11 +18,10 @@ before(async () => {
 
 /** What a program prints, in the project; it must end by itself without a warning. @param {string} program */
 async function node(program) {
-  const { stdout, stderr } = await promisify(execFile)(
-    process.execPath,
-    ['--input-type=module', '--eval', program],
-    { cwd: root, timeout: 60_000 },
-  );
+  const { stdout, stderr } = await promisify(execFile)(process.execPath, ['--input-type=module', '--eval', program], {
+    cwd: root,
+    timeout: 60_000,
+  });
   assert.equal(stderr, '');
   return stdout;
 }

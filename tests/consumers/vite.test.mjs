@@ -72,7 +72,9 @@ test('a panel without a known folder requests no file from it', async () => {
   const rollupOptions = { input: { page: path.join(root, 'panel.html') }, output };
   await vite.build({ ...options, build: { outDir: 'plain', rollupOptions } });
   const server = await vite.preview({
-    ...options, build: { outDir: 'plain' }, preview: { port: 0, host: '127.0.0.1' },
+    ...options,
+    build: { outDir: 'plain' },
+    preview: { port: 0, host: '127.0.0.1' },
   });
   servers.push(server);
   const tab = await open(new URL('panel.html', server.resolvedUrls.local[0]).href, { width: 640, height: 480 });
@@ -89,7 +91,10 @@ test('a panel without a known folder requests no file from it', async () => {
 
 test("what Vite's server gives while a page is written burns", async () => {
   const server = await vite.createServer({
-    root, logLevel: 'error', configFile: false, server: { port: 0, host: '127.0.0.1' },
+    root,
+    logLevel: 'error',
+    configFile: false,
+    server: { port: 0, host: '127.0.0.1' },
   });
   await server.listen();
   servers.push(server);

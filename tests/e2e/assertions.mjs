@@ -19,7 +19,10 @@ export async function assertBurns(tab) {
   if (first) {
     await tab.pictureUntil('the picture moves', (picture) => first.difference(lowerMiddle(picture)) > 0.2);
   } else {
-    await tab.until('the fire has particles', () => /** @type {any} */ (document.querySelector('hearth-fire')).stats.particles > 0);
+    await tab.until(
+      'the fire has particles',
+      () => /** @type {any} */ (document.querySelector('hearth-fire')).stats.particles > 0,
+    );
   }
 }
 
@@ -58,13 +61,10 @@ export function recording(body) {
  * @param {Tab} tab @param {string} type
  */
 export function events(tab, type) {
-  return tab.evaluate(
-    (wanted) => {
-      const all = /** @type {any} */ (window).events;
-      return all.filter((event) => event.type === wanted).map((event) => event.detail);
-    },
-    type,
-  );
+  return tab.evaluate((wanted) => {
+    const all = /** @type {any} */ (window).events;
+    return all.filter((event) => event.type === wanted).map((event) => event.detail);
+  }, type);
 }
 
 /**

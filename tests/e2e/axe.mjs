@@ -15,8 +15,8 @@ export async function violations(tab) {
   return tab.evaluate(async () => {
     const { axe } = /** @type {any} */ (window);
     const { violations: found } = await axe.run(document, { resultTypes: ['violations'] });
-    return found.flatMap(({ id, help, nodes }) => nodes.map(({ target, failureSummary }) => (
-      `${id} (${help}) at ${target.flat().join(' ')}: ${failureSummary}`
-    )));
+    return found.flatMap(({ id, help, nodes }) =>
+      nodes.map(({ target, failureSummary }) => `${id} (${help}) at ${target.flat().join(' ')}: ${failureSummary}`),
+    );
   });
 }

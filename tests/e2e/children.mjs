@@ -4,9 +4,8 @@ import { recording } from './assertions.mjs';
 /** @typedef {import('./driver.mjs').Tab} Tab */
 
 /** A fire with these children. */
-export const fireOf = (/** @type {string} */ children, attributes = '') => (
-  `<hearth-fire autoplay="false" quality="low" max-pixels="10000" ${attributes} style="width: 200px; height: 300px">${children}</hearth-fire>`
-);
+export const fireOf = (/** @type {string} */ children, attributes = '') =>
+  `<hearth-fire autoplay="false" quality="low" max-pixels="10000" ${attributes} style="width: 200px; height: 300px">${children}</hearth-fire>`;
 
 /**
  * A page whose fire has these children, once every child has its object.
@@ -28,7 +27,9 @@ export async function settled(tab) {
   await tab.evaluate(async () => {
     for (let round = 0; round < 4; round += 1) {
       await new Promise(requestAnimationFrame);
-      await Promise.all([...document.querySelectorAll('hearth-fire')].map((fire) => /** @type {any} */ (fire).exportConfig()));
+      await Promise.all(
+        [...document.querySelectorAll('hearth-fire')].map((fire) => /** @type {any} */ (fire).exportConfig()),
+      );
     }
   });
 }
@@ -44,9 +45,12 @@ export async function acts(tab, act, ...args) {
 }
 
 /** The objects of the children, in the order of the document; null for one without. @param {Tab} tab */
-export const owned = (tab) => tab.fire((fire) => [...fire.children].map(({ objectId }) => (
-  fire.objects.find((/** @type {{id: number}} */ { id }) => id === objectId) ?? null
-)));
+export const owned = (tab) =>
+  tab.fire((fire) =>
+    [...fire.children].map(
+      ({ objectId }) => fire.objects.find((/** @type {{id: number}} */ { id }) => id === objectId) ?? null,
+    ),
+  );
 
 /** The warnings about children. @param {Tab} tab */
 export const warnings = (tab) => tab.problems.filter((words) => /hearth-(source|solid)/.test(words));

@@ -13,7 +13,13 @@ import { Browser } from './driver.mjs';
 
 /** The sizes of a page that are measured. @type {[number, number][]} */
 export const SIZES = [
-  [320, 568], [390, 844], [844, 390], [768, 1024], [1280, 800], [1920, 1080], [3440, 1440],
+  [320, 568],
+  [390, 844],
+  [844, 390],
+  [768, 1024],
+  [1280, 800],
+  [1920, 1080],
+  [3440, 1440],
 ];
 
 /** The measures that hold, in shares of the stage's height. */
@@ -63,53 +69,68 @@ export async function measure(browser, [width, height], query = '', moments = MO
   const touch = Math.min(width, height) < 500;
   const tab = await browser.open(`index.html?${values}`, { width, height, touch, ratio: Math.min(1, WIDEST / width) });
   await tab.ready();
-  const { stage, rows } = await tab.fire(async (fire, tried, burnt, moments, apart, bright) => {
-    // Sparks are bright and fly to the top, and are no flame.
-    await fire.set('ember_rate', 0);
-    await fire.reset();
-    const canvas = fire.shadowRoot.querySelector('canvas');
-    /** @type {{[scale in Scale]: number[]}[]} */
-    const found = [];
-    // The fire reports its time a few times a second, so the length of a step is found once.
-    let [made, reported] = [tried, false];
-    await fire.step(tried);
-    fire.addEventListener('stats', () => { reported = true; }, { once: true });
-    for (; !reported; made += 1) await fire.step(1);
-    const step = fire.stats.time / made;
-    for (let at = 0; at < moments; at += 1) {
-      for (const ends = Math.round((burnt + at * apart) / step); made < ends;) {
-        const some = Math.min(50, ends - made);
-        await fire.step(some);
-        made += some;
-      }
-      await new Promise(requestAnimationFrame);
-      const copy = new OffscreenCanvas(canvas.width, canvas.height);
-      const context = /** @type {OffscreenCanvasRenderingContext2D} */ (copy.getContext('2d', { willReadFrequently: true }));
-      context.drawImage(canvas, 0, 0);
-      const { data } = context.getImageData(0, 0, copy.width, copy.height);
-      const linear = Array.from({ length: 256 }, (_, value) => (
-        value <= 10 ? value / 255 / 12.92 : ((value / 255 + 0.055) / 1.055) ** 2.4
-      ));
-      const coded = Array.from({ length: 256 }, (_, value) => value / 255);
-      const extent = (light) => {
-        let [top, bottom] = [-1, -1];
-        for (let row = 0; row < copy.height; row += 1) {
-          for (let column = 0; column < copy.width; column += 1) {
-            const at = 4 * (row * copy.width + column);
-            const [r, g, b] = [light[data[at]], light[data[at + 1]], light[data[at + 2]]];
-            if (0.2126 * r + 0.7152 * g + 0.0722 * b <= bright) continue;
-            if (top < 0) top = row;
-            bottom = row;
-            break;
-          }
+  const { stage, rows } = await tab.fire(
+    async (fire, tried, burnt, moments, apart, bright) => {
+      // Sparks are bright and fly to the top, and are no flame.
+      await fire.set('ember_rate', 0);
+      await fire.reset();
+      const canvas = fire.shadowRoot.querySelector('canvas');
+      /** @type {{[scale in Scale]: number[]}[]} */
+      const found = [];
+      // The fire reports its time a few times a second, so the length of a step is found once.
+      let [made, reported] = [tried, false];
+      await fire.step(tried);
+      fire.addEventListener(
+        'stats',
+        () => {
+          reported = true;
+        },
+        { once: true },
+      );
+      for (; !reported; made += 1) await fire.step(1);
+      const step = fire.stats.time / made;
+      for (let at = 0; at < moments; at += 1) {
+        for (const ends = Math.round((burnt + at * apart) / step); made < ends; ) {
+          const some = Math.min(50, ends - made);
+          await fire.step(some);
+          made += some;
         }
-        return top < 0 ? [0, 0] : [(bottom + 1 - top) / copy.height, 1 - (bottom + 1) / copy.height];
-      };
-      found.push({ coded: extent(coded), linear: extent(linear) });
-    }
-    const box = fire.getBoundingClientRect();
-    return { stage: [box.width, box.height], rows: found };
-  }, TRIED, BURNT, moments, APART, BRIGHT);
+        await new Promise(requestAnimationFrame);
+        const copy = new OffscreenCanvas(canvas.width, canvas.height);
+        const context = /** @type {OffscreenCanvasRenderingContext2D} */ (
+          copy.getContext('2d', { willReadFrequently: true })
+        );
+        context.drawImage(canvas, 0, 0);
+        const { data } = context.getImageData(0, 0, copy.width, copy.height);
+        const linear = Array.from({ length: 256 }, (_, value) =>
+          value <= 10 ? value / 255 / 12.92 : ((value / 255 + 0.055) / 1.055) ** 2.4,
+        );
+        const coded = Array.from({ length: 256 }, (_, value) => value / 255);
+        const extent = (light) => {
+          let [top, bottom] = [-1, -1];
+          for (let row = 0; row < copy.height; row += 1) {
+            for (let column = 0; column < copy.width; column += 1) {
+              const at = 4 * (row * copy.width + column);
+              const [r, g, b] = [light[data[at]], light[data[at + 1]], light[data[at + 2]]];
+              if (0.2126 * r + 0.7152 * g + 0.0722 * b <= bright) continue;
+              if (top < 0) top = row;
+              bottom = row;
+              break;
+            }
+          }
+          return top < 0 ? [0, 0] : [(bottom + 1 - top) / copy.height, 1 - (bottom + 1) / copy.height];
+        };
+        found.push({ coded: extent(coded), linear: extent(linear) });
+      }
+      const box = fire.getBoundingClientRect();
+      return { stage: [box.width, box.height], rows: found };
+    },
+    TRIED,
+    BURNT,
+    moments,
+    APART,
+    BRIGHT,
+  );
   if (tab.problems.length > 0) throw new Error(tab.problems.join('\n'));
   const of = (/** @type {Scale} */ scale) => {
     const heights = rows.map((row) => row[scale][0]);
@@ -130,7 +151,8 @@ if (process.argv[1] && path.resolve(process.argv[1]) === fileURLToPath(import.me
   const query = at < 0 ? '' : asked.splice(at, 2)[1];
   const sizes = asked.length === 0 ? SIZES : SIZES.filter((size) => asked.includes(size.join('x')));
   const percent = (share) => `${(100 * share).toFixed(1)} %`;
-  const within = (/** @type {number[]} */ [least, most], /** @type {number} */ share) => (share >= least && share <= most ? 'holds' : 'FAILS');
+  const within = (/** @type {number[]} */ [least, most], /** @type {number} */ share) =>
+    share >= least && share <= most ? 'holds' : 'FAILS';
   const browser = await Browser.launch();
   try {
     for (const size of sizes) {
@@ -140,8 +162,8 @@ if (process.argv[1] && path.resolve(process.argv[1]) === fileURLToPath(import.me
         const { height, base, heights } = measured[scale];
         const [low, high] = [Math.min(...heights), Math.max(...heights)].map(percent);
         console.log(
-          `  ${scale}: height ${percent(height)} ${within(BARS.height, height)} (${low} to ${high}), `
-          + `base ${percent(base)} ${within(BARS.base, base)}`,
+          `  ${scale}: height ${percent(height)} ${within(BARS.height, height)} (${low} to ${high}), ` +
+            `base ${percent(base)} ${within(BARS.base, base)}`,
         );
       }
     }

@@ -51,7 +51,8 @@ export class IframeFixture {
    */
   open(query, { style = '', more = '', before, draws } = {}) {
     const address = this.address(query).replaceAll('&', '&amp;');
-    return this.browser.open(`<!doctype html>
+    return this.browser.open(
+      `<!doctype html>
       <meta charset="utf-8">
       <link rel="icon" href="data:,">
       <style>
@@ -60,7 +61,9 @@ export class IframeFixture {
         ${style}
       </style>
       <script>(${keepMessages})('${this.fireOrigin}')</script>
-      <body><iframe src="${address}"></iframe>${more}</body>`, { before, draws });
+      <body><iframe src="${address}"></iframe>${more}</body>`,
+      { before, draws },
+    );
   }
 
   /**
@@ -125,11 +128,16 @@ export function call(tab, method, ...args) {
  * @param {number} [timeout] [ms]
  */
 export function send(tab, message, id, timeout) {
-  return tab.evaluate((data, wanted, time) => {
-    const page = /** @type {any} */ (window);
-    page.posts(data);
-    return page.answer(wanted, time);
-  }, message, id, timeout);
+  return tab.evaluate(
+    (data, wanted, time) => {
+      const page = /** @type {any} */ (window);
+      page.posts(data);
+      return page.answer(wanted, time);
+    },
+    message,
+    id,
+    timeout,
+  );
 }
 
 /**

@@ -14,5 +14,8 @@ export function decoded(mask) {
     return value < 40 ? Array(run(value - 16)).fill(0) : Array(run(value - 40)).fill(15);
   });
   assert.equal(pixels.length, columns * rows);
-  return { at: (/** @type {number} */ x, /** @type {number} */ y) => pixels[Math.floor(y * rows) * columns + Math.floor(x * columns)] };
+  return {
+    at: (/** @type {number} */ x, /** @type {number} */ y) =>
+      pixels[Math.floor(y * rows) * columns + Math.floor(x * columns)],
+  };
 }

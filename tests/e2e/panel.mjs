@@ -23,10 +23,16 @@ export const actionOf = (/** @type {string} */ name) => `[data-action="${name}"]
  * @param {any[]} PARAMETERS @param {string} model @param {string} [edges]
  */
 export function entriesOf(PARAMETERS, model, edges = 'open') {
-  return Object.fromEntries(PARAMETERS.map((parameter) => [
-    parameter.id,
-    { ...parameter, ...domainOf(parameter, model), used: parameter.models.includes(model) && (parameter.when?.edges ?? [edges]).includes(edges) },
-  ]));
+  return Object.fromEntries(
+    PARAMETERS.map((parameter) => [
+      parameter.id,
+      {
+        ...parameter,
+        ...domainOf(parameter, model),
+        used: parameter.models.includes(model) && (parameter.when?.edges ?? [edges]).includes(edges),
+      },
+    ]),
+  );
 }
 
 /** The point of a rectangle at a fraction of its width and half its height. */
@@ -110,12 +116,16 @@ export class Panel {
    * @returns {Promise<Rectangle>}
    */
   async standing(selector) {
-    const rectangle = await this.until(`${selector} is in sight`, async (root, wanted) => {
-      const control = root.querySelector(wanted);
-      const first = control.dataset.rect;
-      for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
-      return first !== undefined && first === control.dataset.rect && first;
-    }, selector);
+    const rectangle = await this.until(
+      `${selector} is in sight`,
+      async (root, wanted) => {
+        const control = root.querySelector(wanted);
+        const first = control.dataset.rect;
+        for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
+        return first !== undefined && first === control.dataset.rect && first;
+      },
+      selector,
+    );
     const [x, y, width, height] = rectangle.split(' ').map(Number);
     return { x, y, width, height };
   }
@@ -127,19 +137,23 @@ export class Panel {
    * @returns {Promise<Rectangle>}
    */
   rectangleOf(name) {
-    return this.until(`the panel shows ${name}`, async (root, wanted) => {
-      const now = () => {
-        const found = /** @type {any} */ (window).panelRectangles?.[wanted];
-        const canvas = root.querySelector('.hearth-panel canvas')?.getBoundingClientRect();
-        if (!found || !canvas) return null;
-        const [x, y, width, height] = found;
-        return { x: canvas.x + x, y: canvas.y + y, width, height };
-      };
-      const first = JSON.stringify(now());
-      for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
-      const last = now();
-      return first === JSON.stringify(last) && last;
-    }, name);
+    return this.until(
+      `the panel shows ${name}`,
+      async (root, wanted) => {
+        const now = () => {
+          const found = /** @type {any} */ (window).panelRectangles?.[wanted];
+          const canvas = root.querySelector('.hearth-panel canvas')?.getBoundingClientRect();
+          if (!found || !canvas) return null;
+          const [x, y, width, height] = found;
+          return { x: canvas.x + x, y: canvas.y + y, width, height };
+        };
+        const first = JSON.stringify(now());
+        for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
+        const last = now();
+        return first === JSON.stringify(last) && last;
+      },
+      name,
+    );
   }
 
   /**
@@ -190,7 +204,7 @@ export class Panel {
     const rectangle = await this.reveal(id);
     const key = `choice:${id}:${name}`;
     const unfolded = await this.tab.evaluate(
-      (wanted) => wanted in (/** @type {any} */ (window).panelRectangles ?? {}),
+      (wanted) => /** @type {any} */ (window).panelRectangles?.[wanted] !== undefined,
       key,
     );
     if (!unfolded) {
@@ -218,9 +232,11 @@ export class Panel {
 
   /** The ids of the parameters that have a control at present, in their order. */
   controls() {
-    return this.tab.page.$$eval(this.find('[data-parameter]'), (controls) => controls
-      .filter((control) => control.checkVisibility())
-      .map((control) => /** @type {HTMLElement} */ (control).dataset.parameter));
+    return this.tab.page.$$eval(this.find('[data-parameter]'), (controls) =>
+      controls
+        .filter((control) => control.checkVisibility())
+        .map((control) => /** @type {HTMLElement} */ (control).dataset.parameter),
+    );
   }
 
   /**
@@ -257,16 +273,21 @@ export function sharedPage(browser) {
     // No row is hovered or focused.
     await tab.mouse('move', { x: 5, y: 300 });
     await tab.evaluate(() => /** @type {HTMLElement | null} */ (document.activeElement)?.blur());
-    await tab.fire(async (fire, values) => {
-      await fire.restore();
-      await fire.importConfig({ hearth: 2, values });
-      await fire.pause();
-      // The answer follows the picture and the statistics of the new fire.
-      await fire.step(1);
-    }, { model });
-    await page.panel.until(`the panel shows ${model}`, (root, name) => (
-      root.querySelector('[data-parameter="model"]').value === name
-    ), model);
+    await tab.fire(
+      async (fire, values) => {
+        await fire.restore();
+        await fire.importConfig({ hearth: 2, values });
+        await fire.pause();
+        // The answer follows the picture and the statistics of the new fire.
+        await fire.step(1);
+      },
+      { model },
+    );
+    await page.panel.until(
+      `the panel shows ${model}`,
+      (root, name) => root.querySelector('[data-parameter="model"]').value === name,
+      model,
+    );
     await tab.frames();
     return page;
   };
@@ -287,9 +308,7 @@ export function valueAt({ min, max, scale }, fraction) {
  * @param {number} value
  */
 export function fractionOf({ min, max, scale }, value) {
-  return scale === 'log'
-    ? Math.log(value / min) / Math.log(max / min)
-    : (value - min) / (max - min);
+  return scale === 'log' ? Math.log(value / min) / Math.log(max / min) : (value - min) / (max - min);
 }
 
 /**
@@ -301,6 +320,8 @@ async function rememberRectangles() {
   const { Panel: inWasm } = await load(new URL('web/wasm/hearth-panel.js', document.baseURI).href);
   const original = inWasm.prototype.rectangles;
   inWasm.prototype.rectangles = function rectangles() {
-    return (/** @type {any} */ (window).panelRectangles = original.call(this));
+    const rectangles = original.call(this);
+    /** @type {any} */ (window).panelRectangles = rectangles;
+    return rectangles;
   };
 }

@@ -63,9 +63,7 @@ export async function serve(...folders) {
   /** @type {{pages: string[], workers: string[]}} */
   let scripts = { pages: [], workers: [] };
 
-  const insteadOf = (/** @type {string} */ name) => (
-    replaced.find(([end]) => name.endsWith(end))?.[1] ?? {}
-  );
+  const insteadOf = (/** @type {string} */ name) => replaced.find(([end]) => name.endsWith(end))?.[1] ?? {};
 
   /**
    * @param {URL} url
@@ -89,14 +87,17 @@ export async function serve(...folders) {
     const unchanged = served.cached && page === undefined && Object.keys(instead).length === 0;
     const tag = unchanged ? await tagOf(/** @type {string} */ (file)) : undefined;
     if (tag !== undefined && tag === known) return { status: 304, type: '', tag, body: '' };
-    const body = instead.body ?? page?.html ?? await readFile(/** @type {string} */ (file));
+    const body = instead.body ?? page?.html ?? (await readFile(/** @type {string} */ (file)));
     const type = TYPES[page ? '.html' : path.extname(file ?? name)] ?? 'application/octet-stream';
     return { status: 200, type, headers: page?.headers, ...instead, tag, body };
   };
 
   const server = createServer(async (request, response) => {
     const url = new URL(request.url ?? '/', 'http://local');
-    const { status, type, headers, tag, body, keep, drop, silent } = await answer(url, request.headers['if-none-match']);
+    const { status, type, headers, tag, body, keep, drop, silent } = await answer(
+      url,
+      request.headers['if-none-match'],
+    );
     if (silent) return;
     if (drop) {
       request.socket.destroy();
@@ -173,9 +174,10 @@ function started(type, body, scripts) {
   const bytes = Buffer.from(body);
   if (scripts.length === 0 || !type.startsWith('text/html')) return bytes;
   const html = bytes.toString();
-  const opening = ['<head', '<html', '<!doctype']
-    .map((tag) => html.match(new RegExp(`${tag}(\\s[^>]*)?>`, 'i'))?.[0])
-    .find((found) => found !== undefined) ?? '';
+  const opening =
+    ['<head', '<html', '<!doctype']
+      .map((tag) => html.match(new RegExp(`${tag}(\\s[^>]*)?>`, 'i'))?.[0])
+      .find((found) => found !== undefined) ?? '';
   const at = html.indexOf(opening) + opening.length;
   return Buffer.from(`${html.slice(0, at)}<script src="/driver/page.js"></script>${html.slice(at)}`);
 }

@@ -31,10 +31,13 @@ try {
   const tab = await browser.open(PAGE, SIZE);
   await tab.ready();
   for (let at = 0; at < SECONDS * Number(rate); at += 1) {
-    await tab.fire(async (fire, time) => {
-      // In pieces that are drawn: the gas carries the fine structure from picture to picture.
-      while ((fire.stats?.time ?? 0) < time) await fire.step(time - (fire.stats?.time ?? 0) > 0.5 ? 60 : 4);
-    }, BURNT + at / Number(rate));
+    await tab.fire(
+      async (fire, time) => {
+        // In pieces that are drawn: the gas carries the fine structure from picture to picture.
+        while ((fire.stats?.time ?? 0) < time) await fire.step(time - (fire.stats?.time ?? 0) > 0.5 ? 60 : 4);
+      },
+      BURNT + at / Number(rate),
+    );
     await tab.frames(3);
     writeFileSync(join(folder, `${String(at).padStart(3, '0')}.png`), await tab.page.screenshot());
   }

@@ -13,13 +13,17 @@ const DRAWN = 200;
  * @param {number} steps in all
  */
 export async function burnSteps(tab, steps) {
-  await tab.fire(async (fire, quick, drawn) => {
-    await fire.reset();
-    for (let left = quick; left > 0; left -= 50) await fire.step(Math.min(left, 50));
-    for (let left = drawn; left > 0; left -= 4) {
-      await fire.step(4);
-      await new Promise(requestAnimationFrame);
-    }
-  }, steps - DRAWN, DRAWN);
+  await tab.fire(
+    async (fire, quick, drawn) => {
+      await fire.reset();
+      for (let left = quick; left > 0; left -= 50) await fire.step(Math.min(left, 50));
+      for (let left = drawn; left > 0; left -= 4) {
+        await fire.step(4);
+        await new Promise(requestAnimationFrame);
+      }
+    },
+    steps - DRAWN,
+    DRAWN,
+  );
   await tab.frames(4);
 }

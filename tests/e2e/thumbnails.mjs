@@ -62,15 +62,22 @@ try {
 async function taken(name) {
   const tab = await browser.open(PAGE, { width: WIDTH * FINER, height: HEIGHT * FINER });
   await tab.ready();
-  const model = await tab.fire(async (fire, preset, whole) => {
-    if (whole) fire.fit = 'contain';
-    await fire.importConfig({ preset });
-    return fire.params.model;
-  }, name, WHOLE.includes(name));
+  const model = await tab.fire(
+    async (fire, preset, whole) => {
+      if (whole) fire.fit = 'contain';
+      await fire.importConfig({ preset });
+      return fire.params.model;
+    },
+    name,
+    WHOLE.includes(name),
+  );
   await burnSteps(tab, STEPS[model]);
   const seen = await tab.page.screenshot({ encoding: 'base64' });
   for (const quality of QUALITIES) {
-    const jpeg = marked(Buffer.from(await tab.evaluate(shrunk, seen, WIDTH, HEIGHT, quality), 'base64'), await markOf(name));
+    const jpeg = marked(
+      Buffer.from(await tab.evaluate(shrunk, seen, WIDTH, HEIGHT, quality), 'base64'),
+      await markOf(name),
+    );
     if (tab.problems.length > 0) throw new Error(tab.problems.join('\n'));
     if (jpeg.length <= LARGEST) return jpeg;
   }

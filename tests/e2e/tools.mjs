@@ -4,7 +4,10 @@
  */
 
 export const WIDE = { width: 1280, height: 800 };
-export const PHONES = [{ width: 390, height: 844, touch: true }, { width: 844, height: 390, touch: true }];
+export const PHONES = [
+  { width: 390, height: 844, touch: true },
+  { width: 844, height: 390, touch: true },
+];
 
 export const toolStatus = (tab) => tab.evaluate(() => document.querySelector('.hearth-status')?.textContent ?? '');
 export const tool = (tab, name) => tab.page.click(`[data-tool="${name}"]`);
@@ -21,11 +24,14 @@ export async function openTools(browser, size = WIDE, query = 'scene=default&pau
 
 /** A point of the window at a place of the world [m]. */
 export async function pixel(tab, x, y) {
-  const at = await tab.fire((fire, place) => {
-    const { left, top } = fire.getBoundingClientRect();
-    const point = fire.toPixels(...place);
-    return { x: left + point.x, y: top + point.y };
-  }, [x, y]);
+  const at = await tab.fire(
+    (fire, place) => {
+      const { left, top } = fire.getBoundingClientRect();
+      const point = fire.toPixels(...place);
+      return { x: left + point.x, y: top + point.y };
+    },
+    [x, y],
+  );
   return at;
 }
 
@@ -44,7 +50,8 @@ export async function chord(tab, held, key) {
 }
 
 /** Whether there is a step to undo. */
-export const canUndo = (tab) => tab.on('[data-tool="undo"]', (button) => button.getAttribute('aria-disabled') !== 'true');
+export const canUndo = (tab) =>
+  tab.on('[data-tool="undo"]', (button) => button.getAttribute('aria-disabled') !== 'true');
 
 /** Drags with the mouse, or with a finger where the page has touch. */
 export async function drag(tab, from, to, touch = false) {

@@ -14,7 +14,12 @@ export const objects = (tab) => tab.fire((fire) => fire.objects);
  * @param {Tab} tab @param {string} what @param {(all: any[]) => unknown} holds
  */
 export function objectsUntil(tab, what, holds) {
-  return eventually(`the objects are ${what}`, () => objects(tab), holds, () => tab.frames());
+  return eventually(
+    `the objects are ${what}`,
+    () => objects(tab),
+    holds,
+    () => tab.frames(),
+  );
 }
 
 /**
@@ -24,7 +29,11 @@ export function objectsUntil(tab, what, holds) {
  * @param {any[]} args of `holds`
  */
 export function childUntil(tab, what, holds, ...args) {
-  return tab.until(what, new Function('...args', `
+  return tab.until(
+    what,
+    new Function(
+      '...args',
+      `
     const fire = document.querySelector('hearth-fire');
     const object = fire.objects.find(({ id }) => id === fire.firstElementChild.objectId);
     if (!(${holds})(object ?? null, ...args)) return false;
@@ -32,22 +41,25 @@ export function childUntil(tab, what, holds, ...args) {
     const { x, y, width, height = 0 } = object;
     const [from, to] = [fire.toPixels(x - width / 2, y + height / 2), fire.toPixels(x + width / 2, y - height / 2)];
     return { ...object, box: [from.x, from.y, to.x, to.y] };
-  `), ...args);
+  `,
+    ),
+    ...args,
+  );
 }
 
 /** Waits until the strip of scenes is there. @param {Tab} tab */
-export const strip = (tab) => tab.until('the strip of scenes', () => (
-  document.querySelector('#scenes [aria-current="true"]') !== null
-));
+export const strip = (tab) =>
+  tab.until('the strip of scenes', () => document.querySelector('#scenes [aria-current="true"]') !== null);
 
 /** Destroys the first fire and inserts it again. @param {Tab} tab */
-export const destroyedAndBack = (tab) => tab.fire(async (fire) => {
-  const { parentNode } = fire;
-  fire.remove();
-  await fire.destroy();
-  parentNode.append(fire);
-  await fire.ready;
-});
+export const destroyedAndBack = (tab) =>
+  tab.fire(async (fire) => {
+    const { parentNode } = fire;
+    fire.remove();
+    await fire.destroy();
+    parentNode.append(fire);
+    await fire.ready;
+  });
 
 /** Runs in the page: `window.saved` is the file that a link saved last. The page's policy lets no script fetch it. */
 export function keepSaved() {
@@ -63,6 +75,12 @@ export function keepSaved() {
   HTMLAnchorElement.prototype.click = async function click() {
     const file = files.get(this.href);
     const bytes = new Uint8Array(await file.arrayBuffer());
-    page.saved = { name: this.download, type: file.type, size: bytes.length, start: [...bytes.slice(0, 8)], text: await file.text() };
+    page.saved = {
+      name: this.download,
+      type: file.type,
+      size: bytes.length,
+      start: [...bytes.slice(0, 8)],
+      text: await file.text(),
+    };
   };
 }

@@ -7,7 +7,9 @@ import { Painter } from './painter.mjs';
 
 /** @type {Painter} */
 let painter;
-before(async () => { painter = await Painter.open(); });
+before(async () => {
+  painter = await Painter.open();
+});
 after(() => painter?.close());
 
 test('no scene flashes, or shines through more than it covers', async (t) => {

@@ -11,7 +11,9 @@ import { Painter } from './painter.mjs';
 
 /** @type {Painter} */
 let painter;
-before(async () => { painter = await Painter.open(); });
+before(async () => {
+  painter = await Painter.open();
+});
 after(() => painter?.close());
 
 /** Fires of both models, of different sizes; one with all that only it needs in a context. */
@@ -24,9 +26,12 @@ const FIRES = [
 test('fires in one context look as each alone, to the bit', async () => {
   const together = await painter.ask('inTurn', FIRES, 4);
   const alone = [];
-  for (const fire of FIRES) alone.push(...await painter.ask('inTurn', [fire], 4));
+  for (const fire of FIRES) alone.push(...(await painter.ask('inTurn', [fire], 4)));
   assert.ok(together.every((picture, at) => picture.length > 10_000 && together.indexOf(picture) === at));
-  assert.deepEqual(together.map((picture, at) => picture === alone[at]), [true, true, true]);
+  assert.deepEqual(
+    together.map((picture, at) => picture === alone[at]),
+    [true, true, true],
+  );
 });
 
 test('foreign state in a WebGL context does not change a picture', async () => {
@@ -36,12 +41,21 @@ test('foreign state in a WebGL context does not change a picture', async () => {
     // A mask of colours is the one thing here that a host has to undo; and so it is seen
     // that what is left behind would be seen.
     const same = disturbance !== 'a colour without two channels';
-    assert.deepEqual(disturbed.map((picture, at) => picture === right[at]), [same, same, same], disturbance);
+    assert.deepEqual(
+      disturbed.map((picture, at) => picture === right[at]),
+      [same, same, same],
+      disturbance,
+    );
   }
 });
 
 for (const kept of ['default', 'classic', 'seed', 'forge']) {
-  for (const [width, height] of [[1, 1], [3, 1000], [1000, 3], [641, 359]]) {
+  for (const [width, height] of [
+    [1, 1],
+    [3, 1000],
+    [1000, 3],
+    [641, 359],
+  ]) {
     test(`${kept} fits a picture of ${width} × ${height}`, async () => {
       const { rgba } = await painter.still({ kept, width, height });
       assert.equal(rgba.length, 4 * width * height);
@@ -57,11 +71,16 @@ for (const kept of ['default', 'classic', 'seed', 'forge']) {
 for (const kept of ['default', 'classic']) {
   test(`${kept} is the same fire in odd numbers of pixels`, async () => {
     // One line less of a thousand moves nothing by more than half a pixel.
-    const [even, odd] = [{ width: 640, height: 720 }, { width: 641, height: 721 }];
+    const [even, odd] = [
+      { width: 640, height: 720 },
+      { width: 641, height: 721 },
+    ];
     const [a, b] = [sheet(await painter.still({ kept, ...even })), sheet(await painter.still({ kept, ...odd }))];
     const { colour, structure } = compare(a, { ...b, width: a.width, rgb: cut(b, a) });
     if (colour > 2 || structure < 0.93) {
-      assert.fail(`colours differ by ${colour.toFixed(2)}, structure agrees by ${structure.toFixed(3)}: see ${show(`${kept}-odd`, b, a)}`);
+      assert.fail(
+        `colours differ by ${colour.toFixed(2)}, structure agrees by ${structure.toFixed(3)}: see ${show(`${kept}-odd`, b, a)}`,
+      );
     }
   });
 }

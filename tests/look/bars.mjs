@@ -29,7 +29,9 @@ export function traits({ display_mode, palette, backdrop, background, wind }) {
     // Smoke before a sky is of its colour.
     no_sky: background === 'transparent',
     calm: Number(wind) === 0,
-  }).filter(([, has]) => has).map(([trait]) => trait);
+  })
+    .filter(([, has]) => has)
+    .map(([trait]) => trait);
 }
 
 /** The values that these follow from. */

@@ -68,7 +68,9 @@ export function compare(a, b) {
     distances[at] = Math.hypot(...apart);
     if (seen[at]) differences.push(distances[at]);
     if (Math.max(...[ofA, ofB].map(([, x, y]) => Math.hypot(x[at], y[at]))) > GREY) {
-      apart.forEach((component, k) => { shift[k] += component; });
+      apart.forEach((component, k) => {
+        shift[k] += component;
+      });
       coloured += 1;
     }
   }

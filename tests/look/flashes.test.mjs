@@ -39,12 +39,14 @@ function film(side, colour) {
 
 const BLACK = [0, 0, 0];
 
-const encode = (/** @type {number} */ x) => Math.round(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055));
+const encode = (/** @type {number} */ x) =>
+  Math.round(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055));
 
 /** To and fro between two colours so many times a second. */
-const between = (/** @type {number} */ hertz, /** @type {number[]} */ colour, /** @type {number[]} */ other) => (
-  (/** @type {number} */ time) => ((time * hertz) % 1 < 0.5 ? colour : other)
-);
+const between =
+  (/** @type {number} */ hertz, /** @type {number[]} */ colour, /** @type {number[]} */ other) =>
+  (/** @type {number} */ time) =>
+    (time * hertz) % 1 < 0.5 ? colour : other;
 
 const grey = (/** @type {number} */ light) => [light, light, light];
 
@@ -88,9 +90,8 @@ test('what flashes between bright and brighter passes', () => {
 
 test('a slow change that is seen in small steps is one change', () => {
   // Each step is less than a tenth, all of them are more.
-  const wave = (/** @type {number} */ hertz) => (/** @type {number} */ time) => (
-    grey(0.5 - 0.25 * Math.cos(2 * Math.PI * hertz * time))
-  );
+  const wave = (/** @type {number} */ hertz) => (/** @type {number} */ time) =>
+    grey(0.5 - 0.25 * Math.cos(2 * Math.PI * hertz * time));
   assert.ok(film(700, wave(2)).passes);
   assert.ok(!film(700, wave(5)).passes);
 });
@@ -112,9 +113,15 @@ test('what is no change of a saturated red by much is no red flash', () => {
   for (const [colour, other] of [
     [RED, [0.7, 0, 0]], // Darker alone.
     [RED, [0.8, 0.2, 0]], // Both are saturated reds.
-    [[1, 0.4, 0], [0.6, 0.24, 0]], // Orange.
+    [
+      [1, 0.4, 0],
+      [0.6, 0.24, 0],
+    ], // Orange.
     [[1, 0.4, 0], BLACK],
-    [[0, 0, 1], [0, 1, 0]], // Far apart, and neither is red.
+    [
+      [0, 0, 1],
+      [0, 1, 0],
+    ], // Far apart, and neither is red.
     [[0.003, 0, 0], BLACK], // Invisible.
   ]) {
     const { red } = film(700, between(5, colour, other));
@@ -143,11 +150,12 @@ const chance = (/** @type {number} */ x, /** @type {number} */ y, /** @type {num
 
 test('small places that flicker pass, each in its own time, and fail in step', () => {
   /** All of the page, four to six times a second. */
-  const flicker = (/** @type {boolean} */ own) => seen((time, x, y) => {
-    const phase = own ? (4 + 2 * chance(x, y, 0)) * time + chance(x, y, 1) : 5 * time;
-    // Not all as strong.
-    return phase % 1 < 0.5 ? grey(0.3 + 0.6 * chance(x, y, 2)) : BLACK;
-  });
+  const flicker = (/** @type {boolean} */ own) =>
+    seen((time, x, y) => {
+      const phase = own ? (4 + 2 * chance(x, y, 0)) * time + chance(x, y, 1) : 5 * time;
+      // Not all as strong.
+      return phase % 1 < 0.5 ? grey(0.3 + 0.6 * chance(x, y, 2)) : BLACK;
+    });
   const own = flicker(true);
   assert.ok(own.passes && own.general.flickers > 0.9, JSON.stringify(own));
   const inStep = flicker(false);
@@ -155,10 +163,11 @@ test('small places that flicker pass, each in its own time, and fail in step', (
 });
 
 test('so do they where they come and go smoothly', () => {
-  const flicker = (/** @type {boolean} */ own) => seen((time, x, y) => {
-    const phase = own ? (4 + 2 * chance(x, y, 0)) * time + chance(x, y, 1) : 5 * time;
-    return grey((0.2 + 0.4 * chance(x, y, 2)) * (1 - Math.cos(2 * Math.PI * phase)));
-  });
+  const flicker = (/** @type {boolean} */ own) =>
+    seen((time, x, y) => {
+      const phase = own ? (4 + 2 * chance(x, y, 0)) * time + chance(x, y, 1) : 5 * time;
+      return grey((0.2 + 0.4 * chance(x, y, 2)) * (1 - Math.cos(2 * Math.PI * phase)));
+    });
   const own = flicker(true);
   assert.ok(own.passes && own.general.flickers > 0.9, JSON.stringify(own));
   const inStep = flicker(false);

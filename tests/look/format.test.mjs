@@ -19,14 +19,13 @@ const ROUNDED = { colour: 0.6, worst: 6, structure: 0.99 };
 const SHIFT = 3;
 
 /** What a device lacks that draws into half floats alone, or into no floats. */
-const [HALF, NONE] = [
-  ['EXT_color_buffer_float'],
-  ['EXT_color_buffer_float', 'EXT_color_buffer_half_float'],
-];
+const [HALF, NONE] = [['EXT_color_buffer_float'], ['EXT_color_buffer_float', 'EXT_color_buffer_half_float']];
 
 /** @type {Painter} */
 let painter;
-before(async () => { painter = await Painter.open(); });
+before(async () => {
+  painter = await Painter.open();
+});
 after(() => painter?.close());
 
 /** Every scene whose fire is made of fields: what is kept of it. */

@@ -58,9 +58,9 @@ export function requests() {
 
 /** A picture as wide as its fire, and not much wider. @param {Painter} painter @param {PictureRequest} request */
 export async function drawn(painter, request) {
-  const [width, height] = await Promise.all(['domain_width', 'domain_height'].map(
-    (id) => painter.ask('value', request, id),
-  ));
+  const [width, height] = await Promise.all(
+    ['domain_width', 'domain_height'].map((id) => painter.ask('value', request, id)),
+  );
   const share = Math.min(Math.max((1.15 * Number(width)) / Number(height), 0.4), 1.5);
   const pixels = DISCS.includes(request.mode ?? '') ? PIXELS.discs : PIXELS.most;
   const size = [share, 1].map((side) => 2 * Math.round((side * Math.sqrt(pixels / share)) / 2));
@@ -99,7 +99,9 @@ export function show(name, actual, expected) {
   mkdirSync(folder, { recursive: true });
   const { distances } = compare(actual, expected);
   const rgb = new Uint8Array(3 * distances.length);
-  distances.forEach((value, at) => { rgb.fill(Math.min(255, 16 * value), 3 * at, 3 * at + 3); });
+  distances.forEach((value, at) => {
+    rgb.fill(Math.min(255, 16 * value), 3 * at, 3 * at + 3);
+  });
   const pictures = { actual, expected, difference: /** @type {Picture} */ ({ ...actual, rgb }) };
   return Object.entries(pictures).map(([what, picture]) => {
     const target = path.join(folder, `${name}-${what}.png`);

@@ -14,7 +14,9 @@ import { GOLDENS, Painter } from './painter.mjs';
 
 /** @type {Painter} */
 let painter;
-before(async () => { painter = await Painter.open(); });
+before(async () => {
+  painter = await Painter.open();
+});
 after(() => painter?.close());
 
 for (const [name, request] of Object.entries(requests())) {
@@ -76,10 +78,6 @@ for (const kept of ['default', 'classic']) {
 function assertReported(wrong, right) {
   const { colour, shift, structure } = compare(wrong, right);
   // Clearly, and not by a hair.
-  const clearly = [
-    colour / TOLERANCE.colour,
-    shift / TOLERANCE.shift,
-    (1 - structure) / (1 - TOLERANCE.structure),
-  ];
+  const clearly = [colour / TOLERANCE.colour, shift / TOLERANCE.shift, (1 - structure) / (1 - TOLERANCE.structure)];
   assert.ok(Math.max(...clearly) > 1.5, `only ${clearly.map((ratio) => ratio.toFixed(2))} of what is tolerated`);
 }

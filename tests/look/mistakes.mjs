@@ -18,7 +18,10 @@ const changed = (change) => (pixels) => {
     const light = [...rgba.subarray(at, at + 3)].map((code) => decode(code / 255));
     const wrong = change(light).map((x) => Math.round(255 * encode(Math.min(Math.max(x, 0), 1))));
     // A colour is never above its alpha.
-    rgba.set(wrong.map((code) => Math.min(code, rgba[at + 3])), at);
+    rgba.set(
+      wrong.map((code) => Math.min(code, rgba[at + 3])),
+      at,
+    );
   }
   return { ...pixels, rgba };
 };

@@ -10,7 +10,9 @@ import { Painter } from './painter.mjs';
 
 /** @type {Painter} */
 let painter;
-before(async () => { painter = await Painter.open(); });
+before(async () => {
+  painter = await Painter.open();
+});
 after(() => painter?.close());
 
 for (const lit of ['default', 'classic']) {
@@ -59,9 +61,8 @@ test('the direction of motion is measured', () => {
 test('the direction of flicker is measured', () => {
   // A flame that fades towards its tip, with streaks in it that go down by so many pixels
   // while it grows darker, or brighter, as a whole.
-  const flame = (/** @type {number} */ down, /** @type {number} */ lightness) => blobs(down).map((streaks, at) => (
-    (lightness + 0.008 * Math.floor(at / 96) + 0.5 * (streaks - 0.4)) ** 3
-  ));
+  const flame = (/** @type {number} */ down, /** @type {number} */ lightness) =>
+    blobs(down).map((streaks, at) => (lightness + 0.008 * Math.floor(at / 96) + 0.5 * (streaks - 0.4)) ** 3);
   for (const later of [0.37, 0.43]) {
     const see = (/** @type {number} */ down) => rising(flame(0, 0.4), flame(down, later), 96, 96, 0.03);
     const [up, moving, all] = see(-4);

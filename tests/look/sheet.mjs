@@ -22,7 +22,12 @@ export function sheet({ width, height, rgba }) {
   for (let y = 0; y < rows; y += 1) {
     for (let x = 0; x < columns; x += 1) {
       const sum = [0, 0, 0, 0];
-      for (const [dx, dy] of [[0, 0], [1, 0], [0, 1], [1, 1]]) {
+      for (const [dx, dy] of [
+        [0, 0],
+        [1, 0],
+        [0, 1],
+        [1, 1],
+      ]) {
         const from = ((2 * y + dy) * width + 2 * x + dx) * 4;
         for (let channel = 0; channel < 4; channel += 1) sum[channel] += rgba[from + channel] / 4;
       }

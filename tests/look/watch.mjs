@@ -16,8 +16,8 @@ const [file, ...begins] = process.argv.slice(2);
 if (file === undefined) throw new Error('usage: node watch.mjs table.md [SCENE...]');
 
 const head = [
-  `Each scene for ${SECONDS} s as the page shows it at 1024 × 768, 30 pictures a second. What is bold misses its bar. `
-    + 'Behind the number of flashes: the most of a field of 10° that flashed together more than three times in a second; 25 % are allowed.',
+  `Each scene for ${SECONDS} s as the page shows it at 1024 × 768, 30 pictures a second. What is bold misses its bar. ` +
+    'Behind the number of flashes: the most of a field of 10° that flashed together more than three times in a second; 25 % are allowed.',
   '',
   `| scene | ${BARS.map(({ words }) => words).join(' | ')} | what flickers often, anywhere: general, red |`,
   `|---${'|---'.repeat(BARS.length + 1)}|`,
@@ -69,6 +69,9 @@ if (missed > 0) {
 function keptRows(table) {
   if (begins.length === 0 || table.trim() === '') return new Map();
   if (!table.startsWith(head)) throw new Error(`${file} was measured in another way: name no scene, or another file`);
-  const all = table.slice(head.length).split('\n').filter((line) => line.startsWith('| '));
+  const all = table
+    .slice(head.length)
+    .split('\n')
+    .filter((line) => line.startsWith('| '));
   return new Map(all.map((row) => [row.split(' ')[1], row]));
 }

@@ -31,8 +31,11 @@ for (const found of readdirSync(GOLDENS).filter((name) => name.endsWith('.png'))
   if (!(path.parse(found).name in all)) rmSync(path.join(GOLDENS, found));
 }
 const folders = [GOLDENS, path.join(GOLDENS, 'snapshots')];
-const files = folders.flatMap((folder) => readdirSync(folder, { withFileTypes: true })
-  .filter((entry) => entry.isFile()).map((entry) => path.join(folder, entry.name)));
+const files = folders.flatMap((folder) =>
+  readdirSync(folder, { withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => path.join(folder, entry.name)),
+);
 const bytes = files.reduce((sum, path) => sum + statSync(path).size, 0);
 console.log(`${files.length} files, ${(bytes / 1000).toFixed(0)} KB`);
 if (bytes > ALL) throw new Error(`that is more than ${ALL} bytes`);

@@ -69,9 +69,11 @@ test('another seed gives another fire, and a reset the same one', async () => {
 test('simulations are independent', async () => {
   const [alone] = await fires();
   alone.step(60);
-  const many = await Promise.all(Array.from({ length: 12 }, (_, seed) => (
-    createSimulation({ seed: 1, params: { max_particles: 1000 + 500 * (seed % 3) } })
-  )));
+  const many = await Promise.all(
+    Array.from({ length: 12 }, (_, seed) =>
+      createSimulation({ seed: 1, params: { max_particles: 1000 + 500 * (seed % 3) } }),
+    ),
+  );
   for (let step = 0; step < 60; step += 1) for (const sim of many) sim.step();
   for (const sim of many.splice(1, 2)) sim.free();
   assert.deepEqual(everything(many[0]), everything(alone));

@@ -25,7 +25,10 @@ export function fingerprint(sim) {
     const lived = Math.fround(embers.ages[i] / embers.lifetimes[i]);
     numbers.push(embers.ages[i], Math.fround(1 - lived));
   }
-  const hash = fnv(new Uint8Array(Float32Array.from(numbers).buffer), fnv(new Uint8Array(Float64Array.of(sim.time).buffer)));
+  const hash = fnv(
+    new Uint8Array(Float32Array.from(numbers).buffer),
+    fnv(new Uint8Array(Float64Array.of(sim.time).buffer)),
+  );
   return hash.toString(16).padStart(16, '0');
 }
 

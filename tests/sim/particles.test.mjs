@@ -32,9 +32,7 @@ test('particles that are read can be put in again to the last bit', async () => 
 test('particles that are put in burn the same in every simulation', async () => {
   for (const model of ['combustion', 'classic']) {
     const positions = lattice(32);
-    const sims = await Promise.all([0, 1].map(() => (
-      createSimulation({ params: { model, max_particles: 1000 } })
-    )));
+    const sims = await Promise.all([0, 1].map(() => createSimulation({ params: { model, max_particles: 1000 } })));
     for (const sim of sims) {
       sim.step(20);
       sim.setParticles({ positions, temperatures: 1500, lifetimes: 5 });
@@ -70,10 +68,19 @@ test('invalid particles are errors and change nothing', async () => {
   const positions = lattice(32);
   const some = (at, value) => Object.assign(new Float32Array(1024).fill(0.5), { [at]: value });
   const own = new Error('mine');
-  const hostile = new Proxy([], { get() { throw own; } });
+  const hostile = new Proxy([], {
+    get() {
+      throw own;
+    },
+  });
   const shrinking = () => {
     const array = Array.from(positions);
-    return Object.defineProperty(array, 0, { get() { array.length = 1; return 0; } });
+    return Object.defineProperty(array, 0, {
+      get() {
+        array.length = 1;
+        return 0;
+      },
+    });
   };
   const wrong = () => [
     [undefined, /particles must be a plain object, not undefined/],
@@ -104,17 +111,27 @@ test('invalid particles are errors and change nothing', async () => {
     [{ positions: new Array(2048) }, /positions\[0\] must be a number, not undefined/],
     [{ positions: new Array(2 ** 32 - 2) }, /there may be 400000 of them at most/],
     [{ positions: shrinking() }, /must be a number, not undefined/],
-    [{ get positions() { throw own; } }, /particles cannot be read/],
+    [
+      {
+        get positions() {
+          throw own;
+        },
+      },
+      /particles cannot be read/,
+    ],
   ];
   for (const sim of await fires()) {
     sim.step(30);
     const before = everything(sim);
     for (const [particles, words] of wrong()) {
-      assert.throws(() => sim.setParticles(particles), (error) => {
-        assert.ok(error instanceof RangeError || error instanceof TypeError, `${error}`);
-        assert.match(error.message, words);
-        return true;
-      });
+      assert.throws(
+        () => sim.setParticles(particles),
+        (error) => {
+          assert.ok(error instanceof RangeError || error instanceof TypeError, `${error}`);
+          assert.match(error.message, words);
+          return true;
+        },
+      );
     }
     assert.throws(() => sim.setParticles({ positions: hostile }), own);
     assert.throws(() => sim.setParticles({ positions, soot: some(7, NaN) }), { index: 7 });

@@ -23,12 +23,15 @@ test('every array of the model has finite numbers for every particle', async () 
       }
       assert.ok(array instanceof Float32Array);
       assert.equal(array.length, width * sim.count, name);
-      assert.ok(array.every((number) => !Number.isNaN(number)), name);
+      assert.ok(
+        array.every((number) => !Number.isNaN(number)),
+        name,
+      );
     }
     const [width, height] = [sim.get('domain_width'), sim.get('domain_height')];
-    const inside = sim.positions().every((at, i) => (
-      i % 2 === 0 ? Math.abs(at) <= Math.fround(width / 2) : at >= 0 && at <= Math.fround(height)
-    ));
+    const inside = sim
+      .positions()
+      .every((at, i) => (i % 2 === 0 ? Math.abs(at) <= Math.fround(width / 2) : at >= 0 && at <= Math.fround(height)));
     assert.ok(inside, 'every particle is in the domain');
   }
 });
@@ -41,7 +44,14 @@ test('a fire is hot, burns and emits embers; the classic one has neither power n
   assert.ok(combustion.burnRates().some((rate) => rate > 0));
   const embers = combustion.embers();
   assert.ok(embers.count > 0);
-  for (const [name, width] of Object.entries({ positions: 2, velocities: 2, temperatures: 1, sizes: 1, ages: 1, lifetimes: 1 })) {
+  for (const [name, width] of Object.entries({
+    positions: 2,
+    velocities: 2,
+    temperatures: 1,
+    sizes: 1,
+    ages: 1,
+    lifetimes: 1,
+  })) {
     assert.equal(embers[name].length, width * embers.count, name);
   }
   assert.ok(embers.ages.every((age, i) => age >= 0 && age < embers.lifetimes[i]));
@@ -59,7 +69,10 @@ test('particles stay in the order of birth', async () => {
   const ages = classic.ages();
   // Those of one step are born at different times of it, in any order; a step lasts 4 ms.
   const step = classic.stepLength;
-  assert.ok(ages.every((age, i) => i === 0 || age <= ages[i - 1] + 1.01 * step), 'the oldest come first');
+  assert.ok(
+    ages.every((age, i) => i === 0 || age <= ages[i - 1] + 1.01 * step),
+    'the oldest come first',
+  );
   const lifetimes = classic.lifetimes();
   classic.step();
   const known = new Set(classic.lifetimes());
@@ -85,14 +98,20 @@ test('an id belongs to one particle for its life', async () => {
       const ids = sim.ids();
       assert.ok(ids instanceof Float64Array);
       assert.equal(ids.length, sim.count);
-      assert.ok(ids.every((id, at) => at === 0 || id > ids[at - 1]), 'they rise');
+      assert.ok(
+        ids.every((id, at) => at === 0 || id > ids[at - 1]),
+        'they rise',
+      );
       sim.lifetimes().forEach((life, at) => {
         assert.equal(known.get(ids[at]) ?? life, life);
         known.set(ids[at], life);
       });
     }
     sim.setParticles(sim.particles());
-    assert.deepEqual(sim.ids(), Float64Array.from({ length: sim.count }, (_, at) => at));
+    assert.deepEqual(
+      sim.ids(),
+      Float64Array.from({ length: sim.count }, (_, at) => at),
+    );
   }
 });
 
@@ -135,7 +154,16 @@ test('zero steps change nothing', async () => {
 test('a free solid falls, turns and comes to rest', async () => {
   for (const sim of await fires()) {
     sim.set({ floor: 'solid', walls: 'solid' });
-    const id = sim.addObject({ kind: 'solid', shape: 'box', x: 0.3, y: 0.4, angle: 20, width: 0.2, height: 0.1, motion: 'free' });
+    const id = sim.addObject({
+      kind: 'solid',
+      shape: 'box',
+      x: 0.3,
+      y: 0.4,
+      angle: 20,
+      width: 0.2,
+      height: 0.1,
+      motion: 'free',
+    });
     const start = sim.freeSolids();
     assert.equal(start.length, 1);
     const [{ x, y, angle, u, v, asleep }] = start;
@@ -153,7 +181,17 @@ test('a free solid falls, turns and comes to rest', async () => {
 
 test('a free solid that burns through is read as its object and a fragment', async () => {
   const sim = await createSimulation({ params: { spacing: 0.06, max_particles: 1500, gravity: 0, fuel_power: 0 } });
-  const id = sim.addObject({ kind: 'solid', shape: 'box', y: 0.8, width: 0.8, height: 0.04, motion: 'free', fuel: 'paper', load: 0.6, moisture: 0 });
+  const id = sim.addObject({
+    kind: 'solid',
+    shape: 'box',
+    y: 0.8,
+    width: 0.8,
+    height: 0.04,
+    motion: 'free',
+    fuel: 'paper',
+    load: 0.6,
+    moisture: 0,
+  });
   const [whole] = sim.freeSolids();
   assert.equal(whole.object, id);
   const objects = structuredClone(sim.objects);

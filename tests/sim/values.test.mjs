@@ -18,7 +18,10 @@ function thrown(kind, act) {
 
 /** As `thrown`, of a promise. */
 async function rejected(kind, promise) {
-  const error = await promise.then(() => undefined, (reason) => reason);
+  const error = await promise.then(
+    () => undefined,
+    (reason) => reason,
+  );
   return thrown(kind, () => {
     if (error) throw error;
   });
@@ -98,9 +101,9 @@ test('one invalid value changes nothing, and the error lists all', async () => {
   for (const sim of await fires()) {
     sim.step(50);
     const before = everything(sim);
-    const error = thrown(RangeError, () => (
-      sim.set({ gravity: 5, ambient_density: 99, seed: 8, gravty: 1, walls: 'glass' })
-    ));
+    const error = thrown(RangeError, () =>
+      sim.set({ gravity: 5, ambient_density: 99, seed: 8, gravty: 1, walls: 'glass' }),
+    );
     assert.deepEqual(error.errors.map(({ id }) => id).sort(), ['ambient_density', 'gravty', 'walls']);
     assert.match(error.errors.find(({ id }) => id === 'gravty').message, /did you mean "gravity"/);
     assert.match(error.errors.find(({ id }) => id === 'walls').message, /open, solid, periodic/);
@@ -134,20 +137,51 @@ test('arguments that are not plain data throw, with their error as the cause', a
   const [sim] = await fires();
   const before = everything(sim);
   const own = new Error('mine');
-  const throwing = { gravity: 5, get wind() { throw own; } };
+  const throwing = {
+    gravity: 5,
+    get wind() {
+      throw own;
+    },
+  };
   assert.equal(thrown(TypeError, () => sim.set(throwing)).cause, own);
-  const trap = new Proxy({}, { ownKeys() { throw own; } });
+  const trap = new Proxy(
+    {},
+    {
+      ownKeys() {
+        throw own;
+      },
+    },
+  );
   assert.equal(thrown(TypeError, () => sim.set(trap)).cause, own);
-  for (const bad of [[], [['gravity', 5]], new Map([['gravity', 5]]), new (class { gravity = 5; })(), 5, true]) {
+  for (const bad of [
+    [],
+    [['gravity', 5]],
+    new Map([['gravity', 5]]),
+    new (class {
+      gravity = 5;
+    })(),
+    5,
+    true,
+  ]) {
     thrown(TypeError, () => sim.set(bad));
   }
   const many = Object.fromEntries(Array.from({ length: 2000 }, (_, at) => [`id${at}`, 1]));
   thrown(RangeError, () => sim.set(many));
   // A getter runs before the values are set.
-  sim.set({ get gravity() { sim.step(5); return 5; } });
+  sim.set({
+    get gravity() {
+      sim.step(5);
+      return 5;
+    },
+  });
   assert.ok(sim.time > before.time);
   assert.equal(sim.get('gravity'), 5);
-  const freeing = { get gravity() { sim.free(); return 4; } };
+  const freeing = {
+    get gravity() {
+      sim.free();
+      return 4;
+    },
+  };
   assert.match(thrown(Error, () => sim.set(freeing)).message, /was freed/);
 });
 
@@ -167,7 +201,15 @@ test('options are checked as values are', async () => {
     [JSON.parse('{"__proto__": {}}'), TypeError, /no option "__proto__"/],
     [null, TypeError, /options must be a plain object, not null/],
     ['classic', TypeError, /options must be a plain object, not "classic"/],
-    [{ get seed() { throw new Error('mine'); } }, TypeError, /options cannot be read/],
+    [
+      {
+        get seed() {
+          throw new Error('mine');
+        },
+      },
+      TypeError,
+      /options cannot be read/,
+    ],
   ];
   for (const [options, kind, words] of wrong) {
     assert.match((await rejected(kind, createSimulation(options))).message, words);
@@ -187,9 +229,10 @@ test('the number of steps is an integer with a limit', async () => {
 const source = (properties = {}) => ({ kind: 'source', ...properties });
 
 /** The properties of the objects of a simulation that these objects name. */
-const named = (sim, wanted) => sim.objects.map((object, at) => (
-  Object.fromEntries(Object.keys(wanted[at] ?? {}).map((name) => [name, object[name]]))
-));
+const named = (sim, wanted) =>
+  sim.objects.map((object, at) =>
+    Object.fromEntries(Object.keys(wanted[at] ?? {}).map((name) => [name, object[name]])),
+  );
 
 test('the first source and the parameters are the same values', async () => {
   const sim = await createSimulation({ params: { source_x: 0.2 } });
@@ -206,17 +249,26 @@ test('objects are added, changed, removed, replaced and restored', async () => {
   assert.equal(sim.addObject(source({ id: 9 })), 9);
   sim.step(20);
   sim.removeObject(1);
-  assert.deepEqual(sim.objects.map(({ id }) => id), [2, 9]);
+  assert.deepEqual(
+    sim.objects.map(({ id }) => id),
+    [2, 9],
+  );
   assert.equal(sim.get('source_x'), 0.3);
   sim.objects = [source({ x: 0.1 }), source({ power: 30 })];
-  assert.deepEqual(sim.objects.map(({ id }) => id), [1, 2]);
+  assert.deepEqual(
+    sim.objects.map(({ id }) => id),
+    [1, 2],
+  );
   sim.set({ wind: 1, objects: [source({ y: 0.4 })] });
   assert.deepEqual([sim.objects.length, sim.get('wind'), sim.get('source_height')], [1, 1, 0.4]);
   sim.objects = [];
   assert.deepEqual(sim.objects, []);
   sim.step(20);
   sim.restore('objects');
-  assert.deepEqual(sim.objects.map(({ id, y }) => [id, y]), [[1, 0.4]]);
+  assert.deepEqual(
+    sim.objects.map(({ id, y }) => [id, y]),
+    [[1, 0.4]],
+  );
   sim.objects = undefined;
   sim.restore();
   assert.deepEqual(sim.objects, (await createSimulation()).objects);
@@ -236,12 +288,19 @@ test('parameters of the source and properties of the first source start the same
 test('of a parameter and a property of the first source, the later one wins', async () => {
   const params = { fuel_power: 100 };
   const objects = [source({ power: 50 })];
-  for (const [options, power] of [[{ params, objects }, 50], [{ objects, params }, 100]]) {
+  for (const [options, power] of [
+    [{ params, objects }, 50],
+    [{ objects, params }, 100],
+  ]) {
     assert.equal((await createSimulation(options)).get('fuel_power'), power);
     const sim = await createSimulation();
-    sim.set(Object.fromEntries(Object.entries(options).flatMap(([name, value]) => (
-      name === 'params' ? Object.entries(value) : [[name, value]]
-    ))));
+    sim.set(
+      Object.fromEntries(
+        Object.entries(options).flatMap(([name, value]) =>
+          name === 'params' ? Object.entries(value) : [[name, value]],
+        ),
+      ),
+    );
     assert.equal(sim.get('fuel_power'), power);
   }
 });
@@ -270,7 +329,11 @@ test('an invalid object changes nothing, and the error names its property', asyn
     [() => sim.addObject({ kind: 'solid', shape: 'cone' }), 'objects[2].shape', /circle/],
     [() => sim.addObject({ kind: 'solid', width: -1 }), 'objects[2].width', /0.002 to 10 m/],
     [() => sim.addObject(source({ id: 1 })), 'objects[2].id', /no other object/],
-    [() => sim.addObject(source({ pwer: 9 })), 'objects[2].property', /one of name, enabled, shape, solid, x, y, angle, width, power/],
+    [
+      () => sim.addObject(source({ pwer: 9 })),
+      'objects[2].property',
+      /one of name, enabled, shape, solid, x, y, angle, width, power/,
+    ],
     [() => sim.changeObject(2, { x: 9 }), 'objects[1].x', /from -3 to 3 m/],
     [() => sim.changeObject(2, { x: {} }), 'objects[1].x', /an object/],
     [() => sim.changeObject(7, { x: 0 }), 'id', /id of an object/],
@@ -292,11 +355,27 @@ test('an invalid object changes nothing, and the error names its property', asyn
   const own = new Error('mine');
   thrown(RangeError, () => sim.set('objects', [loop]));
   thrown(RangeError, () => sim.set('objects', Array.from({ length: 2000 }, source)));
-  for (const bad of [[5], [null], [[source()]], [new Map()], new Proxy([], { get() { throw own; } })]) {
+  for (const bad of [
+    [5],
+    [null],
+    [[source()]],
+    [new Map()],
+    new Proxy([], {
+      get() {
+        throw own;
+      },
+    }),
+  ]) {
     thrown(TypeError, () => sim.set('objects', bad));
   }
   for (const bad of [undefined, null, 5, [], [source()]]) thrown(TypeError, () => sim.addObject(bad));
   assert.deepEqual([everything(sim), sim.objects], before);
-  assert.match((await rejected(RangeError, createSimulation({ objects: [source({ x: 9 })] }))).message, /objects\[0\].x = 9/);
-  assert.match((await rejected(TypeError, createSimulation({ params: { objects: [] }, objects: [] }))).message, /given twice/);
+  assert.match(
+    (await rejected(RangeError, createSimulation({ objects: [source({ x: 9 })] }))).message,
+    /objects\[0\].x = 9/,
+  );
+  assert.match(
+    (await rejected(TypeError, createSimulation({ params: { objects: [] }, objects: [] }))).message,
+    /given twice/,
+  );
 });

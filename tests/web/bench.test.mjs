@@ -10,7 +10,18 @@ import { ALL, TABLE_1, TABLE_2, choiceOf, queryOf } from '../../web/bench/rows.j
 const REPORT = {
   machine: { browser: 'Chrome 1.2', processors: 8, gpu: 'A "GPU", quick' },
   speeds: [
-    { model: 'classic', count: 300, alive: 300, stepMs: 0.0201, paperMs: 4.02, shown: 299, pictureMs: 1.5, fps: 59.94, wasm: 2e6, gpu: 3.25e6 },
+    {
+      model: 'classic',
+      count: 300,
+      alive: 300,
+      stepMs: 0.0201,
+      paperMs: 4.02,
+      shown: 299,
+      pictureMs: 1.5,
+      fps: 59.94,
+      wasm: 2e6,
+      gpu: 3.25e6,
+    },
     { model: 'combustion', count: 30_000, alive: 29_876.4, stepMs: 5, failed: 'there is no memory' },
   ],
   sizes: [{ size: 30, wasm: 2e6, gpu: 3e6, pictureMs: 1 }],
@@ -30,13 +41,19 @@ describe('a link', () => {
   });
 
   test('with unknown rows chooses the known ones', () => {
-    assert.deepEqual(choiceOf('?n=300,301,1e9,__proto__&models=other&x=1'), { counts: [300], models: [], sizes: ALL.sizes });
+    assert.deepEqual(choiceOf('?n=300,301,1e9,__proto__&models=other&x=1'), {
+      counts: [300],
+      models: [],
+      sizes: ALL.sizes,
+    });
   });
 });
 
 describe('the results', () => {
   test('are a row of numbers each, beside the paper’s', () => {
-    const { cells: [names, classic, combustion] } = tablesOf(REPORT).speeds;
+    const {
+      cells: [names, classic, combustion],
+    } = tablesOf(REPORT).speeds;
     const row = Object.fromEntries(names.map((name, at) => [name, classic[at]]));
     assert.deepEqual(
       [row['step, ms'], row['steps a second'], row.FPS, row['GPU, MB'], row.ratio, row['the paper: MB']],
@@ -66,9 +83,10 @@ describe('the results', () => {
 
 test('the paper’s loop keeps gas at rest with even density, and expands compressed gas', () => {
   const spread = (/** @type {number} */ spacing) => {
-    const positions = Array.from({ length: 200 }, (_, at) => (
-      spacing * (at % 2 === 0 ? (at >> 1) % 10 : Math.floor((at >> 1) / 10))
-    ));
+    const positions = Array.from(
+      { length: 200 },
+      (_, at) => spacing * (at % 2 === 0 ? (at >> 1) % 10 : Math.floor((at >> 1) / 10)),
+    );
     const loop = new PaperLoop({ positions });
     for (let left = 20; left > 0; left -= 1) loop.step();
     const xs = loop.particles.map(({ x }) => x);
@@ -81,12 +99,27 @@ test('the paper’s loop keeps gas at rest with even density, and expands compre
 test('tables in the documents have every row and column that the page measures', () => {
   const text = readFileSync(new URL('../../docs/evaluation.md', import.meta.url), 'utf8');
   const [, section = ''] = /<!-- paper: begin -->([\s\S]*?)<!-- paper: end -->/.exec(text) ?? [];
-  const lines = section.split('\n').filter((line) => line.startsWith('|')).map((line) => line.slice(2, -2).split(' | '));
+  const lines = section
+    .split('\n')
+    .filter((line) => line.startsWith('|'))
+    .map((line) => line.slice(2, -2).split(' | '));
   const { speeds, sizes } = tablesOf({ ...REPORT, speeds: [], sizes: [] });
-  const heads = lines.flatMap((cells, at) => (cells[1] === speeds.cells[0][1] || cells[0] === sizes.cells[0][0] ? [at] : []));
-  assert.deepEqual(heads.map((at) => lines[at]), [speeds.cells[0], sizes.cells[0]]);
+  const heads = lines.flatMap((cells, at) =>
+    cells[1] === speeds.cells[0][1] || cells[0] === sizes.cells[0][0] ? [at] : [],
+  );
+  assert.deepEqual(
+    heads.map((at) => lines[at]),
+    [speeds.cells[0], sizes.cells[0]],
+  );
   const rows = lines.slice(heads[0] + 2, heads[1]);
-  assert.deepEqual(rows.map(([count, model]) => [Number(count), model]), ALL.counts.flatMap((count) => ALL.models.map((model) => [count, model])));
-  for (const [count, , ...cells] of rows) assert.equal(cells.at(-1)?.trim() ?? '', TABLE_1[Number(count)] ? String(TABLE_1[Number(count)].ms) : '');
-  assert.deepEqual(lines.slice(heads[1] + 2).map(([size]) => size), Object.keys(TABLE_2));
+  assert.deepEqual(
+    rows.map(([count, model]) => [Number(count), model]),
+    ALL.counts.flatMap((count) => ALL.models.map((model) => [count, model])),
+  );
+  for (const [count, , ...cells] of rows)
+    assert.equal(cells.at(-1)?.trim() ?? '', TABLE_1[Number(count)] ? String(TABLE_1[Number(count)].ms) : '');
+  assert.deepEqual(
+    lines.slice(heads[1] + 2).map(([size]) => size),
+    Object.keys(TABLE_2),
+  );
 });

@@ -7,7 +7,9 @@ import { NO_MASK, inMetres, radiusOf, solidOf, sourceOf } from '../../web/elemen
 import { PROPERTIES } from '../../web/generated/properties.js';
 
 /** A world of 100 pixels per metre whose origin is 200 pixels right of and 300 below the corner of the fire. */
-const viewport = { toMetres: (/** @type {number} */ x, /** @type {number} */ y) => ({ x: (x - 200) / 100, y: (300 - y) / 100 }) };
+const viewport = {
+  toMetres: (/** @type {number} */ x, /** @type {number} */ y) => ({ x: (x - 200) / 100, y: (300 - y) / 100 }),
+};
 const FIRE = /** @type {DOMRect} */ ({ left: 50, top: 20 });
 
 test('a box in pixels of the window is one in metres, with its radius', () => {
@@ -27,7 +29,16 @@ test('the radius is the smallest of the corners, in lengths and percentages, and
 
 test('a solid has the box, in whole tenths of a millimetre', () => {
   const solid = solidOf({ left: -0.123456, right: 0.3, top: 1.2, bottom: 0.9, radius: 0.04 }, 0.9);
-  assert.deepEqual(solid, { shape: 'box', x: 0.0883, y: 1.05, angle: 0, width: 0.4235, height: 0.3, corner: 0.04, mask: NO_MASK });
+  assert.deepEqual(solid, {
+    shape: 'box',
+    x: 0.0883,
+    y: 1.05,
+    angle: 0,
+    width: 0.4235,
+    height: 0.3,
+    corner: 0.04,
+    mask: NO_MASK,
+  });
 });
 
 test('a mask is not clipped, and one that is too large is a box', () => {
@@ -41,12 +52,18 @@ test('a mask is not clipped, and one that is too large is a box', () => {
 test('every box makes a solid in the ranges of its properties, or none', () => {
   for (const left of [-1e6, -6, -5, 0, 4.999, 6]) {
     for (const width of [1e-6, 0.3, 1e6]) {
-      for (const [bottom, top] of [[-1e6, 1e6], [0.1, 0.1 + 1e-6], [-1e6, -20], [20, 1e6]]) {
+      for (const [bottom, top] of [
+        [-1e6, 1e6],
+        [0.1, 0.1 + 1e-6],
+        [-1e6, -20],
+        [20, 1e6],
+      ]) {
         for (const mask of ['1x1:P', undefined]) {
           const solid = solidOf({ left, right: left + width, top, bottom, radius: width / 2 }, 3, mask);
           for (const [name, value] of Object.entries(solid ?? {})) {
             const [, min, max] = PROPERTIES.solid[name].every ?? [];
-            if (typeof value === 'number') assert.ok(value >= Number(min) && value <= Number(max), `${name} = ${value}`);
+            if (typeof value === 'number')
+              assert.ok(value >= Number(min) && value <= Number(max), `${name} = ${value}`);
           }
         }
       }
@@ -57,8 +74,21 @@ test('every box makes a solid in the ranges of its properties, or none', () => {
 });
 
 test('a source lies along the upper side, within the ranges of its properties', () => {
-  const domain = (/** @type {string} */ name) => PROPERTIES.source[name].every ?? PROPERTIES.source[name].combustion ?? [0];
-  assert.deepEqual(sourceOf({ left: -0.2, right: 0.4, top: 0.6, bottom: 0.5, radius: 0 }, domain), { x: 0.1, y: 0.6, width: 0.6 });
-  assert.deepEqual(sourceOf({ left: -20, right: 0, top: 7, bottom: 0.5, radius: 0 }, domain), { x: -3, y: 6, width: 1 });
-  assert.deepEqual(sourceOf({ left: 0, right: 0.001, top: -6, bottom: -7, radius: 0 }, domain), { x: 0.0005, y: 0, width: 0.01 });
+  const domain = (/** @type {string} */ name) =>
+    PROPERTIES.source[name].every ?? PROPERTIES.source[name].combustion ?? [0];
+  assert.deepEqual(sourceOf({ left: -0.2, right: 0.4, top: 0.6, bottom: 0.5, radius: 0 }, domain), {
+    x: 0.1,
+    y: 0.6,
+    width: 0.6,
+  });
+  assert.deepEqual(sourceOf({ left: -20, right: 0, top: 7, bottom: 0.5, radius: 0 }, domain), {
+    x: -3,
+    y: 6,
+    width: 1,
+  });
+  assert.deepEqual(sourceOf({ left: 0, right: 0.001, top: -6, bottom: -7, radius: 0 }, domain), {
+    x: 0.0005,
+    y: 0,
+    width: 0.01,
+  });
 });

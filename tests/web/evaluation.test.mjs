@@ -11,5 +11,9 @@ test('each scene has its row in the table of appearances, and nothing else has o
   const [, section = ''] = /<!-- looked: begin -->([\s\S]*?)<!-- looked: end -->/.exec(text) ?? [];
   const [, , , ...rows] = section.split('\n').filter((line) => line.startsWith('|'));
   const scenes = PRESETS.map(({ name }) => name);
-  assert.deepEqual(rows.map((row) => row.split(' ')[1]), scenes, 'run `cargo measure look NAME` for what is missing');
+  assert.deepEqual(
+    rows.map((row) => row.split(' ')[1]),
+    scenes,
+    'run `cargo measure look NAME` for what is missing',
+  );
 });

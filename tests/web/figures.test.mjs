@@ -32,7 +32,10 @@ test('a fire without particles has a shape', () => {
 });
 
 test('the mean of shapes is that of each number', () => {
-  const mean = meanOf([{ width: 1, height: 2, neighbours: 3, nearest: 4 }, { width: 3, height: 4, neighbours: 5, nearest: 6 }]);
+  const mean = meanOf([
+    { width: 1, height: 2, neighbours: 3, nearest: 4 },
+    { width: 3, height: 4, neighbours: 5, nearest: 6 },
+  ]);
   assert.deepEqual(mean, { width: 2, height: 3, neighbours: 4, nearest: 5 });
 });
 
@@ -51,7 +54,11 @@ test('a slider goes from one end to the other, evenly or by ratios', () => {
 test('every compared fire has values that its scene and its slider can have', () => {
   for (const [figure, cells] of Object.entries(COMPARISONS)) {
     for (const { preset, parameter, values, from } of cells) {
-      for (const id of Object.keys(values)) assert.ok(PARAMETERS.some((entry) => entry.id === id), `${figure}: ${id}`);
+      for (const id of Object.keys(values))
+        assert.ok(
+          PARAMETERS.some((entry) => entry.id === id),
+          `${figure}: ${id}`,
+        );
       if (!parameter) continue;
       const highest = valueIn(preset, parameter);
       const value = values[parameter] ?? highest;
@@ -68,7 +75,10 @@ test('the colour of a picture is that of its brightest pixel', () => {
 test('what fails because its fire leaves sight is done again when the fire is back, and nothing else is', async () => {
   /** @type {Set<(entries: {isIntersecting: boolean}[]) => void>} */
   const watching = new Set();
-  const scroll = (/** @type {boolean} */ isIntersecting) => [...watching].forEach((act) => { act([{ isIntersecting }]); });
+  const scroll = (/** @type {boolean} */ isIntersecting) =>
+    [...watching].forEach((act) => {
+      act([{ isIntersecting }]);
+    });
   /** @type {any} */ (globalThis).IntersectionObserver = class {
     constructor(/** @type {any} */ act) {
       this.act = act;

@@ -12,10 +12,45 @@ const { elementCode, fromQuery, iframeCode, toQuery } = await import('../../web/
 const { PARAMETERS } = await import('../../web/parameters.js');
 
 const HERE = 'https://a.example';
-const METHODS = ['play', 'pause', 'reset', 'step', 'set', 'get', 'params', 'restore', 'addObject', 'option', 'subscribe', 'hello'];
+const METHODS = [
+  'play',
+  'pause',
+  'reset',
+  'step',
+  'set',
+  'get',
+  'params',
+  'restore',
+  'addObject',
+  'option',
+  'subscribe',
+  'hello',
+];
 const TEXTS = [
-  '', '0', 'NaN', 'wind', 'scene', 'fireside', '__proto__', 'constructor', 'toString', 'autoplay', 'stats', '%', '%00', '%E0%A4',
-  '"><script>', "'", '&amp;', '\u{1f525}', '\ud800', '\0', 'https://a.example', '*', 'javascript:alert(1)', 'x'.repeat(70_000),
+  '',
+  '0',
+  'NaN',
+  'wind',
+  'scene',
+  'fireside',
+  '__proto__',
+  'constructor',
+  'toString',
+  'autoplay',
+  'stats',
+  '%',
+  '%00',
+  '%E0%A4',
+  '"><script>',
+  "'",
+  '&amp;',
+  '\u{1f525}',
+  '\ud800',
+  '\0',
+  'https://a.example',
+  '*',
+  'javascript:alert(1)',
+  'x'.repeat(70_000),
 ];
 const NUMBERS = [0, -0, 1, -1, 0.5, 1e300, 5e-324, 2 ** 53, Number.NaN, Infinity, -Infinity];
 /** The names of all that objects inherit, which no decoder may change. */
@@ -31,7 +66,9 @@ async function cases(count, run) {
       await run(chance(seed));
       assert.equal(Object.getOwnPropertyNames(Object.prototype).join(), INHERITED);
     } catch (error) {
-      throw new Error(`\`cargo measure fuzz --seed ${seed}\` repeats this case first: ${error.message}`, { cause: error });
+      throw new Error(`\`cargo measure fuzz --seed ${seed}\` repeats this case first: ${error.message}`, {
+        cause: error,
+      });
     }
   }
 }
@@ -48,18 +85,27 @@ function chance(seed) {
 }
 
 const oneOf = (random, all) => all[random(all.length)];
-const text = (random) => (random(3) ? oneOf(random, TEXTS) : String.fromCharCode(...list(random, 40, () => random(0x10000))));
+const text = (random) =>
+  random(3) ? oneOf(random, TEXTS) : String.fromCharCode(...list(random, 40, () => random(0x10000)));
 const list = (random, most, make) => Array.from({ length: random(most) }, make);
 
 /** Any value that can be posted. */
 function value(random, depth) {
   switch (random(depth ? 9 : 6)) {
-    case 0: return oneOf(random, [undefined, null, true, false, 10n]);
-    case 1: case 2: return oneOf(random, NUMBERS);
-    case 3: case 4: return text(random);
-    case 5: return oneOf(random, [new Date(0), new Map([[1, 2]]), new ArrayBuffer(8), /x/, Object.create(null)]);
-    case 6: return list(random, 6, () => value(random, depth - 1));
-    default: return Object.fromEntries(list(random, 5, () => [text(random), value(random, depth - 1)]));
+    case 0:
+      return oneOf(random, [undefined, null, true, false, 10n]);
+    case 1:
+    case 2:
+      return oneOf(random, NUMBERS);
+    case 3:
+    case 4:
+      return text(random);
+    case 5:
+      return oneOf(random, [new Date(0), new Map([[1, 2]]), new ArrayBuffer(8), /x/, Object.create(null)]);
+    case 6:
+      return list(random, 6, () => value(random, depth - 1));
+    default:
+      return Object.fromEntries(list(random, 5, () => [text(random), value(random, depth - 1)]));
   }
 }
 
@@ -77,11 +123,13 @@ function orRefused(make) {
 function recorder(called) {
   const own = { params: { wind: 1 }, objects: [], stats: {}, ready: Promise.resolve(), addEventListener() {} };
   return new Proxy(own, {
-    get: (target, name) => target[name] ?? ((...args) => {
-      called.push(name);
-      if (args.length > 3) throw new RangeError('too many arguments');
-      return null;
-    }),
+    get: (target, name) =>
+      target[name] ??
+      ((...args) => {
+        called.push(name);
+        if (args.length > 3) throw new RangeError('too many arguments');
+        return null;
+      }),
   });
 }
 
@@ -108,7 +156,10 @@ test('a random message is ignored or answered once, and calls methods of the lis
       assert.equal(typeof (reply.error?.message ?? ''), 'string');
     }
     const listed = [...METHODS, 'setAttribute', 'getAttribute', 'removeAttribute'];
-    assert.deepEqual(called.filter((name) => !listed.includes(name)), []);
+    assert.deepEqual(
+      called.filter((name) => !listed.includes(name)),
+      [],
+    );
     assert.ok(called.length === 0 || origin === HERE);
   });
   page.window = events;
@@ -117,7 +168,9 @@ test('a random message is ignored or answered once, and calls methods of the lis
 test('a random address gives settings that give the same address, and code without other markup', async () => {
   await cases(2000, (random) => {
     const name = () => (random(4) ? oneOf(random, PARAMETERS).id : text(random));
-    const query = list(random, 6, () => `${name()}=${encodeURIComponent(text(random).toWellFormed())}`).join(oneOf(random, ['&', '&&', '#', '?']));
+    const query = list(random, 6, () => `${name()}=${encodeURIComponent(text(random).toWellFormed())}`).join(
+      oneOf(random, ['&', '&&', '#', '?']),
+    );
     const { config } = fromQuery(query);
     const again = fromQuery(toQuery(config)).config;
     assert.deepEqual(fromQuery(toQuery(again)).config, again);
@@ -129,7 +182,9 @@ test('a random address gives settings that give the same address, and code witho
 
 test('a random list of origins allows exact origins alone', async () => {
   await cases(2000, (random) => {
-    const { origins } = allowedOrigins(list(random, 4, () => `${text(random)},${oneOf(random, ['http://', 'https://'])}${text(random)}`));
+    const { origins } = allowedOrigins(
+      list(random, 4, () => `${text(random)},${oneOf(random, ['http://', 'https://'])}${text(random)}`),
+    );
     for (const origin of origins) assert.equal(new URL(origin).origin, origin);
   });
 });

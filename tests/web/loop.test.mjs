@@ -23,7 +23,11 @@ test('a trap without a panic is a lack of memory, in every browser’s words', (
 });
 
 test('other errors keep their words, even if the wasm can no longer be called', () => {
-  const broken = { panic: () => { throw new Error('gone'); } };
+  const broken = {
+    panic: () => {
+      throw new Error('gone');
+    },
+  };
   assert.equal(reasonOf(new TypeError('a defect'), broken).why, 'TypeError: a defect');
   assert.equal(reasonOf(new TypeError('a defect'), engine('')).why, 'TypeError: a defect');
 });

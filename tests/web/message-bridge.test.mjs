@@ -38,7 +38,9 @@ class FakeFire extends EventTarget {
 function bridge(origins = [HERE]) {
   /** @type {{[field: string]: any}[]} */
   const received = [];
-  const host = { postMessage: (/** @type {object} */ message, /** @type {string} */ origin) => received.push({ ...message, origin }) };
+  const host = {
+    postMessage: (/** @type {object} */ message, /** @type {string} */ origin) => received.push({ ...message, origin }),
+  };
   const fire = new FakeFire();
   answer(/** @type {any} */ (fire), origins, /** @type {any} */ (host));
   /** Sends a message, and waits until everything that it causes at once has happened. */
@@ -59,9 +61,26 @@ test('exact origins are allowed, and nothing else', () => {
   const exact = ['https://a.example', 'http://localhost:8080', 'https://[::1]:90'];
   assert.deepEqual(allowedOrigins([` ${exact[0]} ,${exact[1]},`, exact[2]]), { origins: exact, refused: [] });
   for (const name of [
-    '*', 'null', 'a.example', '//a.example', 'https://*.example', 'https://a.example/', 'https://a.example/path',
-    'https://a.example?x', 'https://a.example#x', 'https://u:p@a.example', 'https://A.example', 'https://a.example:443',
-    'file:///', 'about:blank', 'data:text/html', 'blob:https://a.example', 'javascript:alert(1)', 'https://', 'x y', '%',
+    '*',
+    'null',
+    'a.example',
+    '//a.example',
+    'https://*.example',
+    'https://a.example/',
+    'https://a.example/path',
+    'https://a.example?x',
+    'https://a.example#x',
+    'https://u:p@a.example',
+    'https://A.example',
+    'https://a.example:443',
+    'file:///',
+    'about:blank',
+    'data:text/html',
+    'blob:https://a.example',
+    'javascript:alert(1)',
+    'https://',
+    'x y',
+    '%',
   ]) {
     const { origins, refused } = allowedOrigins([name]);
     assert.deepEqual([origins, refused.length], [[], 1], name);
@@ -89,11 +108,20 @@ test('it answers its parent only, and only from an allowed origin', async (conte
 
 test('it posts events to every allowed origin until one sends a message, then to that one', async () => {
   const { fire, received, ask } = bridge([HERE, 'https://b.example']);
-  assert.deepEqual(received.map(({ event, origin }) => [event, origin]), [['hello', HERE], ['hello', 'https://b.example']]);
+  assert.deepEqual(
+    received.map(({ event, origin }) => [event, origin]),
+    [
+      ['hello', HERE],
+      ['hello', 'https://b.example'],
+    ],
+  );
   await ask('params');
   received.length = 0;
   fire.dispatchEvent(new CustomEvent('ready'));
-  assert.deepEqual(received.map(({ event, origin }) => [event, origin]), [['ready', HERE]]);
+  assert.deepEqual(
+    received.map(({ event, origin }) => [event, origin]),
+    [['ready', HERE]],
+  );
 });
 
 test('it posts the subscribed events', async () => {
@@ -112,7 +140,16 @@ test('it posts the subscribed events', async () => {
 test('it calls the methods of its list', async () => {
   const { ask } = bridge();
   for (const method of [
-    'constructor', '__proto__', 'toString', 'remove', 'setAttribute', 'innerHTML', 'destroy', 'then', 'has', '',
+    'constructor',
+    '__proto__',
+    'toString',
+    'remove',
+    'setAttribute',
+    'innerHTML',
+    'destroy',
+    'then',
+    'has',
+    '',
   ]) {
     const { ok, error } = (await ask(method, 'x')) ?? {};
     assert.deepEqual([ok, error?.name], [false, 'TypeError'], method);
@@ -159,9 +196,16 @@ test('a message that is not a request is left alone', async () => {
   const { fire, received, send } = bridge();
   received.length = 0;
   for (const message of [
-    'hearth', null, 7, [], { id: 1 }, { method: 'pause', id: 2 },
-    { hearth: 1, id: 3, ok: true }, { hearth: 1, event: 'ready' },
-  ]) await send(message);
+    'hearth',
+    null,
+    7,
+    [],
+    { id: 1 },
+    { method: 'pause', id: 2 },
+    { hearth: 1, id: 3, ok: true },
+    { hearth: 1, event: 'ready' },
+  ])
+    await send(message);
   assert.deepEqual([received, fire.paused], [[], false]);
 });
 

@@ -12,7 +12,10 @@ function fireOf({ name, values }) {
   const fire = { preset: name, params: { ...params, model } };
   const objects = sceneObjects(fire).map((object) => {
     const used = entriesOf(object.kind).filter((entry) => entry.domain(model));
-    return { ...object, ...Object.fromEntries(used.map((entry) => [entry.name, sceneProperty(fire, object, entry.name)])) };
+    return {
+      ...object,
+      ...Object.fromEntries(used.map((entry) => [entry.name, sceneProperty(fire, object, entry.name)])),
+    };
   });
   return { ...fire, objects };
 }
@@ -22,12 +25,17 @@ const radius = ({ shape, width, height }) => (shape === 'circle' || !shape ? wid
 /** Points of an object, from its middle to its edge. */
 function pointsOf({ kind, shape, x, y, width, height, angle = 0 }) {
   const steps = Array.from({ length: 21 }, (_, at) => at / 10 - 1);
-  const [sine, cosine] = [Math.sin, Math.cos].map((of) => of(angle * Math.PI / 180));
-  return steps.flatMap((across) => steps.flatMap((along) => {
-    const outside = kind === 'solid' && shape === 'circle' && Math.hypot(across, along) > 1;
-    const [u, v] = [along * width / 2, across * (kind === 'source' ? 0 : shape === 'circle' ? width : height) / 2];
-    return outside ? [] : [[x + cosine * u - sine * v, y + sine * u + cosine * v]];
-  }));
+  const [sine, cosine] = [Math.sin, Math.cos].map((of) => of((angle * Math.PI) / 180));
+  return steps.flatMap((across) =>
+    steps.flatMap((along) => {
+      const outside = kind === 'solid' && shape === 'circle' && Math.hypot(across, along) > 1;
+      const [u, v] = [
+        (along * width) / 2,
+        (across * (kind === 'source' ? 0 : shape === 'circle' ? width : height)) / 2,
+      ];
+      return outside ? [] : [[x + cosine * u - sine * v, y + sine * u + cosine * v]];
+    }),
+  );
 }
 
 test('every scene is unchanged until a value of an object is another', () => {
@@ -50,7 +58,11 @@ test('new objects of every scene stand in the frame, clear of the others', () =>
     const fire = fireOf(preset);
     const { domain_width: width, domain_height: height } = fire.params;
     for (const kind of ['solid', 'solid', 'source', 'solid']) {
-      const object = { id: fire.objects.length + 1, shape: kind === 'solid' ? 'circle' : undefined, ...newObject(fire, kind) };
+      const object = {
+        id: fire.objects.length + 1,
+        shape: kind === 'solid' ? 'circle' : undefined,
+        ...newObject(fire, kind),
+      };
       const what = `${preset.name}: ${JSON.stringify(object)}`;
       for (const entry of entriesOf(kind)) {
         const { min = -Infinity, max = Infinity } = entry.domain(fire.params.model) ?? {};
@@ -73,7 +85,7 @@ test('new objects of every scene stand in the frame, clear of the others', () =>
 test('a new object stands in sight', () => {
   const fire = { ...fireOf(PRESETS[0]), clientWidth: 100, clientHeight: 100 };
   // The left half of the lower metre.
-  const toMetres = (x, y) => ({ x: (x - 100) / 100 * 0.6, y: 1 - y / 100 });
+  const toMetres = (x, y) => ({ x: ((x - 100) / 100) * 0.6, y: 1 - y / 100 });
   const { x, y, width } = newObject({ ...fire, toMetres }, 'solid');
   assert.ok(x + width / 2 <= 0 && x - width / 2 >= -0.6 && y + width / 2 <= 1, `${x}, ${y}`);
   assert.ok(newObject({ ...fire, toMetres: () => null }, 'solid').x > 0);
@@ -106,7 +118,10 @@ test('a slider of a coordinate spans the frame, and a name lists what is visible
 test('a source on a solid has the name of a source, ids of solids to choose from, and a line beside it', () => {
   const fire = fireOf(PRESETS[0]);
   const source = { ...fire.objects[0], shape: 'solid', solid: 12 };
-  const burning = { ...fire, objects: [source, { id: 12, kind: 'solid', shape: 'box', x: 0, y: 0.3, width: 0.2, height: 0.1, angle: 0 }] };
+  const burning = {
+    ...fire,
+    objects: [source, { id: 12, kind: 'solid', shape: 'box', x: 0, y: 0.3, width: 0.2, height: 0.1, angle: 0 }],
+  };
   assert.equal(nameOf(source), 'Source 1');
   const domain = { default: 0, min: 0, max: 1e6 };
   assert.equal(idDomain(burning, 'source_solid', 0, domain).max, 12);

@@ -16,7 +16,8 @@ import { peakOf, spectrumOf } from '../../web/plots/spectrum.js';
  */
 function sampled(seconds, of) {
   const samples = [];
-  for (let at = 0, time = 100; time < 100 + seconds; at += 1, time += 0.012 + 0.01 * ((at * 7) % 11) / 11) samples.push({ time, value: of(time) });
+  for (let at = 0, time = 100; time < 100 + seconds; at += 1, time += 0.012 + (0.01 * ((at * 7) % 11)) / 11)
+    samples.push({ time, value: of(time) });
   return samples;
 }
 
@@ -52,9 +53,15 @@ describe('the spectrum', () => {
 
 /** What a fire of that age measures. */
 const measures = (/** @type {number} */ time, more = {}) => ({
-  time, power: 100 + time, flameHeight: 0.5, luminosity: 0.02,
+  time,
+  power: 100 + time,
+  flameHeight: 0.5,
+  luminosity: 0.02,
   place: { y: 0, gas: true, solid: false },
-  profile: [{ y: 0.5, gas: true, solid: false, temperature: 1000 + time, u: 0, v: 2 }, { y: 1.5, gas: false, solid: true }],
+  profile: [
+    { y: 0.5, gas: true, solid: false, temperature: 1000 + time, u: 0, v: 2 },
+    { y: 1.5, gas: false, solid: true },
+  ],
   ...more,
 });
 
@@ -69,12 +76,24 @@ describe('the record', () => {
   test('has one row of a time, and starts again with another fire or model', () => {
     const record = new Record();
     for (const time of [1, 2, 2, 2]) record.add(measures(time), null, 0);
-    assert.deepEqual(record.rows.map(({ time, frame }) => [time, frame]), [[1, undefined], [2, undefined]]);
+    assert.deepEqual(
+      record.rows.map(({ time, frame }) => [time, frame]),
+      [
+        [1, undefined],
+        [2, undefined],
+      ],
+    );
     record.add(measures(0.5), null, 0);
-    assert.deepEqual(record.rows.map(({ time }) => time), [0.5]);
+    assert.deepEqual(
+      record.rows.map(({ time }) => time),
+      [0.5],
+    );
     const { power, ...classic } = measures(0.6);
     record.add(/** @type {any} */ (classic), null, 0);
-    assert.deepEqual(record.rows.map((row) => 'power' in row), [false]);
+    assert.deepEqual(
+      record.rows.map((row) => 'power' in row),
+      [false],
+    );
   });
 
   test('averages the profile, but not over another vertical', () => {
@@ -91,25 +110,47 @@ describe('the record', () => {
 
   test('is CSV with units, of numbers or nothing, with as many fields in each line', () => {
     const record = new Record();
-    for (let time = 0; time <= 6; time += 0.02) record.add(measures(time, { luminosity: 0.02 + 0.01 * beat(2, time) }), { fps: 40 }, 0.1);
+    for (let time = 0; time <= 6; time += 0.02)
+      record.add(measures(time, { luminosity: 0.02 + 0.01 * beat(2, time) }), { fps: 40 }, 0.1);
     const text = record.csv();
     assert.ok(text.endsWith('\r\n'));
-    const [names, ...lines] = text.trimEnd().split('\r\n').map((line) => line.split(','));
+    const [names, ...lines] = text
+      .trimEnd()
+      .split('\r\n')
+      .map((line) => line.split(','));
     assert.deepEqual(names, [
-      'time [s]', 'frame time [ms]', 'flame height [m]', 'power [kW/m]', 'luminosity [m²]', 'frequency [Hz]', 'luminosity spectrum [1]',
-      'height at x = 0.1 m [m]', 'temperature [K]', 'mean temperature [K]', 'upward velocity [m/s]', 'mean upward velocity [m/s]',
+      'time [s]',
+      'frame time [ms]',
+      'flame height [m]',
+      'power [kW/m]',
+      'luminosity [m²]',
+      'frequency [Hz]',
+      'luminosity spectrum [1]',
+      'height at x = 0.1 m [m]',
+      'temperature [K]',
+      'mean temperature [K]',
+      'upward velocity [m/s]',
+      'mean upward velocity [m/s]',
     ]);
     assert.equal(lines.length, record.rows.length);
     for (const line of lines) {
       assert.equal(line.length, names.length);
-      assert.ok(line.every((field) => field === '' || Number.isFinite(Number(field))), line.join());
+      assert.ok(
+        line.every((field) => field === '' || Number.isFinite(Number(field))),
+        line.join(),
+      );
     }
     assert.deepEqual(lines[50].slice(0, 4).map(Number), [1, 25, 0.5, 101]);
     const spectrum = lines.filter((line) => line[5] !== '').map((line) => line.slice(5, 7).map(Number));
     assert.ok(Math.abs(spectrum.find(([, power]) => power === 1)[0] - 2) < 0.1);
-    assert.deepEqual(lines.slice(0, 3).map((line) => line.slice(7)), [
-      ['0.5', '1006', lines[0][9], '2', '2'], ['1.5', '', '', '', ''], ['', '', '', '', ''],
-    ]);
+    assert.deepEqual(
+      lines.slice(0, 3).map((line) => line.slice(7)),
+      [
+        ['0.5', '1006', lines[0][9], '2', '2'],
+        ['1.5', '', '', '', ''],
+        ['', '', '', '', ''],
+      ],
+    );
   });
 
   test('of nothing has the names alone', () => {
@@ -119,7 +160,23 @@ describe('the record', () => {
 
 test('the numbers of the engine get their names, and a missing one has no name', () => {
   const nan = NaN;
-  const numbers = [12, 0.25, 1.8, nan, 0.4, 0.01, 900, 1, 2, 0.4, nan, nan, nan, 0.3, ...Array.from({ length: 64 }, (_, at) => [300 + at, 0, 0, 1.2, nan, nan, nan, -0.1]).flat()];
+  const numbers = [
+    12,
+    0.25,
+    1.8,
+    nan,
+    0.4,
+    0.01,
+    900,
+    1,
+    2,
+    0.4,
+    nan,
+    nan,
+    nan,
+    0.3,
+    ...Array.from({ length: 64 }, (_, at) => [300 + at, 0, 0, 1.2, nan, nan, nan, -0.1]).flat(),
+  ];
   const { place, profile, ...rest } = measuresOf(numbers, 0.7);
   assert.deepEqual(rest, { time: 12.25, flameHeight: 0.4, luminosity: 0.01 });
   assert.deepEqual(place, { y: 0.7, gas: true, solid: false, temperature: 900, u: 1, v: 2, density: 0.4 });
@@ -133,9 +190,18 @@ test('the numbers of the engine get their names, and a missing one has no name',
 
 test('values have units and directions, and are those of the model', () => {
   const gas = { y: 0, gas: true, solid: false, temperature: 1234.4, u: 1, v: 1, density: 0.287 };
-  assert.deepEqual(valuesOf(gas), { temperature: '1234 K', velocity: '1.41 m/s ↗ up and right', density: '0.29 kg/m³' });
+  assert.deepEqual(valuesOf(gas), {
+    temperature: '1234 K',
+    velocity: '1.41 m/s ↗ up and right',
+    density: '0.29 kg/m³',
+  });
   assert.deepEqual(valuesOf({ ...gas, u: -3, v: 0.01, oxygen: 0.5, fuel: 0.031, soot: 0 }), {
-    temperature: '1234 K', velocity: '3.00 m/s ← left', density: '0.29 kg/m³', oxygen: '50 %', fuel: '3.1 %', soot: '0.00',
+    temperature: '1234 K',
+    velocity: '3.00 m/s ← left',
+    density: '0.29 kg/m³',
+    oxygen: '50 %',
+    fuel: '3.1 %',
+    soot: '0.00',
   });
   assert.equal(valuesOf({ ...gas, u: 0, v: 0.01 }).velocity, 'at rest');
   assert.equal(valuesOf({ ...gas, u: 0, v: -2 }).velocity, '2.00 m/s ↓ down');

@@ -35,7 +35,8 @@ for (const preset of PRESETS) {
         if (typeof value === 'number') assert.ok(value >= min && value <= max, `${id} = ${value}`);
       }
       const power = fire.params.fuel_power;
-      if (values.fuel_power) assert.ok(Math.abs(Math.log(values.fuel_power / power)) <= Math.log(FAR), `${values.fuel_power} kW/m`);
+      if (values.fuel_power)
+        assert.ok(Math.abs(Math.log(values.fuel_power / power)) <= Math.log(FAR), `${values.fuel_power} kW/m`);
       if (values.hot_colour) assert.match(`${values.hot_colour}${values.cool_colour}`, /^(#[0-9a-f]{6}){2}$/);
       assert.ok(Object.keys(values).length > 5);
     }

@@ -29,7 +29,10 @@ test('calls are sent at once and in order', () => {
   const { requests, sent, connect } = engine();
   connect();
   for (const call of [['set', { wind: 1 }], ['step', 1], ['set', { wind: 2 }], ['pause']]) requests.call(...call);
-  assert.deepEqual(sent.map(([, [method]]) => method), ['set', 'step', 'set', 'pause']);
+  assert.deepEqual(
+    sent.map(([, [method]]) => method),
+    ['set', 'step', 'set', 'pause'],
+  );
 });
 
 test('of very many sets in one task the engine gets few, and every promise settles', async () => {
@@ -40,7 +43,10 @@ test('of very many sets in one task the engine gets few, and every promise settl
   answer();
   await Promise.all([...answers, last]);
   assert.ok(sent.length <= 1001, `${sent.length} calls`);
-  assert.deepEqual(sent.slice(-2).map(([, call]) => call), [['set', { wind: 299_999 }], ['export']]);
+  assert.deepEqual(
+    sent.slice(-2).map(([, call]) => call),
+    [['set', { wind: 299_999 }], ['export']],
+  );
 });
 
 test('a set settles as the later one that replaces it', async () => {
@@ -60,7 +66,10 @@ test('sets of other values are all sent, in order', () => {
   connect();
   for (let at = 0; at < 3000; at += 1) requests.call('set', { [`value${at}`]: 1 });
   answer();
-  assert.deepEqual(sent.map(([, [, values]]) => Object.keys(values)[0]), Array.from({ length: 3000 }, (_, at) => `value${at}`));
+  assert.deepEqual(
+    sent.map(([, [, values]]) => Object.keys(values)[0]),
+    Array.from({ length: 3000 }, (_, at) => `value${at}`),
+  );
 });
 
 test('a fire that is removed still gets the calls before', () => {
@@ -80,7 +89,10 @@ test('without a fire the model goes first', () => {
   requests.call('set', { model: 'classic' });
   requests.call('set', { wind: 2 });
   connect();
-  assert.deepEqual(sent.map(([, [, values]]) => values), [{ model: 'classic' }, { wind: 1 }, { wind: 2 }]);
+  assert.deepEqual(
+    sent.map(([, [, values]]) => values),
+    [{ model: 'classic' }, { wind: 1 }, { wind: 2 }],
+  );
 });
 
 test('no long text is copied', () => {

@@ -55,7 +55,9 @@ after(async () => {
 });
 
 test('files have their type and are not stored', async () => {
-  const [page, module, head] = await Promise.all(['GET /', 'GET /web/engine_bg.wasm?v=1', 'HEAD /index.html'].map(answer));
+  const [page, module, head] = await Promise.all(
+    ['GET /', 'GET /web/engine_bg.wasm?v=1', 'HEAD /index.html'].map(answer),
+  );
   for (const response of [page, module, head]) {
     assert.match(response, /^HTTP\/1\.1 200 OK\r\n/);
     // Without these a browser asks for the file each time.
@@ -68,7 +70,13 @@ test('files have their type and are not stored', async () => {
 
 test('nothing outside the folder is served', async () => {
   for (const request of [
-    'GET /no.js', 'GET /../secret', 'GET /web/../../secret', 'GET /%2e%2e/secret', 'GET /..%2fsecret', 'GET /..%5csecret', 'POST /',
+    'GET /no.js',
+    'GET /../secret',
+    'GET /web/../../secret',
+    'GET /%2e%2e/secret',
+    'GET /..%2fsecret',
+    'GET /..%5csecret',
+    'POST /',
   ]) {
     assert.match(await answer(request), /^HTTP\/1\.1 4/, request);
   }
@@ -80,10 +88,11 @@ test('its port is free after its end', async () => {
   await end(ended);
   // A child process listens. A child that stays fails by the timeout of the test.
   const { hostname, port } = ended.address;
-  const isOpen = () => new Promise((resolve) => {
-    const visitor = connect(Number(port), hostname, () => resolve(true)).on('error', () => resolve(false));
-    visitor.on('connect', () => visitor.destroy());
-  });
+  const isOpen = () =>
+    new Promise((resolve) => {
+      const visitor = connect(Number(port), hostname, () => resolve(true)).on('error', () => resolve(false));
+      visitor.on('connect', () => visitor.destroy());
+    });
   while (await isOpen());
 });
 
@@ -91,6 +100,8 @@ test('only a requested port must be free', async () => {
   const second = await start();
   assert.notEqual(second.address.port, running.address.port);
   await end(second);
-  const refused = spawn(process.execPath, [SERVE, path.join(folder, 'site'), running.address.port], { stdio: 'ignore' });
+  const refused = spawn(process.execPath, [SERVE, path.join(folder, 'site'), running.address.port], {
+    stdio: 'ignore',
+  });
   assert.deepEqual(await once(refused, 'exit'), [1, null]);
 });

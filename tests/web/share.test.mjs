@@ -39,9 +39,13 @@ const asTexts = (config) => ({
 function attributesOf(html, name) {
   const [, inside] = new RegExp(`<${name} ([^>]*)></${name}>`).exec(html);
   const found = inside.matchAll(/([a-z-]+)(?:="([^"]*)")?/g);
-  const unescaped = (text) => text
-    .replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&quot;', '"')
-    .replaceAll('&#39;', "'").replaceAll('&amp;', '&');
+  const unescaped = (text) =>
+    text
+      .replaceAll('&lt;', '<')
+      .replaceAll('&gt;', '>')
+      .replaceAll('&quot;', '"')
+      .replaceAll('&#39;', "'")
+      .replaceAll('&amp;', '&');
   return Object.fromEntries([...found].map(([, key, value = '']) => [key, unescaped(value)]));
 }
 
@@ -82,14 +86,19 @@ describe('an address', () => {
     );
     assert.deepEqual(config.values, { model: 'classic', viscosity: '1' });
     assert.deepEqual(Object.fromEntries(others), {
-      paused: '', quality: 'low', alt: 'A fire', origin: 'https://a.example',
+      paused: '',
+      quality: 'low',
+      alt: 'A fire',
+      origin: 'https://a.example',
     });
   });
 
   test('keeps unknown names, which the fire rejects', () => {
     const { values } = fromQuery('?viscosty=0.02&__proto__=1&constructor=2').config;
     assert.deepEqual(Object.entries(values), [
-      ['viscosty', '0.02'], ['__proto__', '1'], ['constructor', '2'],
+      ['viscosty', '0.02'],
+      ['__proto__', '1'],
+      ['constructor', '2'],
     ]);
     assert.equal(Object.getPrototypeOf(values), Object.prototype);
   });
@@ -112,7 +121,11 @@ describe('code to paste', () => {
     const element = elementCode({ hearth: 2, preset: 'seed', values });
     assert.ok(element.startsWith('<hearth-fire ') && code.endsWith(`\n${element}`));
     assert.deepEqual(attributes, {
-      preset: 'seed', model: 'classic', 'max-particles': '400', 'printed-kernel': '', 'printed-euler': 'false',
+      preset: 'seed',
+      model: 'classic',
+      'max-particles': '400',
+      'printed-kernel': '',
+      'printed-euler': 'false',
     });
   });
 
@@ -130,8 +143,10 @@ describe('code to paste', () => {
     assert.deepEqual([preset, background], [HOSTILE, HOSTILE]);
     assert.equal(code.match(/<script/g).length, 1);
     assert.ok(!/alert\(1\)<\/script/.test(code));
-    assert.equal(fromQuery(new URL(attributesOf(iframeCode(config, EMBED), 'iframe').src).search)
-      .config.preset, HOSTILE);
+    assert.equal(
+      fromQuery(new URL(attributesOf(iframeCode(config, EMBED), 'iframe').src).search).config.preset,
+      HOSTILE,
+    );
   });
 
   test('does not write unknown parameters into a page', () => {

@@ -13,7 +13,15 @@ const kilobytes = (/** @type {string} */ name) => `${Math.round(recorded[name] /
 
 test('the table of downloads in the README has the recorded sizes', () => {
   const [, table] = read('README.md').split(/\| download, compressed with brotli \|.*\n\|.*\n/);
-  const rows = table.split('\n\n')[0].split('\n').map((row) => row.split('|').map((cell) => cell.trim()).slice(1, 3));
+  const rows = table
+    .split('\n\n')[0]
+    .split('\n')
+    .map((row) =>
+      row
+        .split('|')
+        .map((cell) => cell.trim())
+        .slice(1, 3),
+    );
   assert.ok(rows.length > 5);
   for (const [name, size] of rows) assert.equal(size, kilobytes(name), name);
 });

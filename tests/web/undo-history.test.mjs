@@ -24,7 +24,10 @@ class Fire {
   #answers = Promise.resolve();
 
   #fresh(preset) {
-    const objects = [{ id: 1, kind: 'source', width: 3 }, { id: 2, kind: 'solid', width: 5 }];
+    const objects = [
+      { id: 1, kind: 'source', width: 3 },
+      { id: 2, kind: 'solid', width: 5 },
+    ];
     const state = { preset, model: 'combustion', named: false, values: structuredClone(DEFAULTS), objects };
     this.#write(state, PRESETS[preset]);
     return state;
@@ -77,14 +80,19 @@ class Fire {
 
   removeObject(id) {
     return this.#ask(({ objects }) => {
-      objects.splice(objects.findIndex((candidate) => candidate.id === id), 1);
+      objects.splice(
+        objects.findIndex((candidate) => candidate.id === id),
+        1,
+      );
     });
   }
 
   /** Does something in its turn: all of it or nothing. */
   #ask(act) {
     const answer = this.#answers.then(async () => {
-      await new Promise((resolve) => { setImmediate(resolve); });
+      await new Promise((resolve) => {
+        setImmediate(resolve);
+      });
       const next = structuredClone(this.#state);
       const result = act(next);
       this.#state = result?.values && result.model ? result : next;
@@ -111,9 +119,9 @@ class Fire {
   exportConfig() {
     return this.#ask(({ preset, model, named, values, objects }) => {
       const base = this.#fresh(preset).values[model];
-      const changed = Object.entries(values[model]).filter(([id, value]) => (
-        value !== base[id] || (id === 'max_particles' && named && model === 'combustion')
-      ));
+      const changed = Object.entries(values[model]).filter(
+        ([id, value]) => value !== base[id] || (id === 'max_particles' && named && model === 'combustion'),
+      );
       if (model !== this.#fresh(preset).model) changed.push(['model', model]);
       return { hearth: 2, preset, values: Object.fromEntries(changed), objects: structuredClone(objects) };
     });
@@ -129,11 +137,16 @@ class Fire {
 }
 
 /** Everything that can be seen of a fire, of the model that does not burn too. */
-const seen = async (fire) => ({ config: await fire.exportConfig(), params: fire.params, all: fire.all, objects: fire.objects });
+const seen = async (fire) => ({
+  config: await fire.exportConfig(),
+  params: fire.params,
+  all: fire.all,
+  objects: fire.objects,
+});
 
 /** Numbers from 0 to 1 that look random, the same ones each time. */
 function* numbers(seed) {
-  for (let x = seed; ;) {
+  for (let x = seed; ; ) {
     x = (x * 16807) % 2147483647;
     yield x / 2147483647;
   }
@@ -166,7 +179,10 @@ function deedWithObjects(steps, fire, random) {
     // By then, the object may be gone.
     () => steps.change(last()?.id, { width: value }).catch(() => {}),
     () => steps.change(2, { width: value }).catch(() => {}),
-    () => steps.changeAll(new Map(fire.objects.map((object) => [object.id, { width: object.width + value }]))).catch(() => {}),
+    () =>
+      steps
+        .changeAll(new Map(fire.objects.map((object) => [object.id, { width: object.width + value }])))
+        .catch(() => {}),
     () => steps.objects(() => fire.addObject({ kind: 'solid', width: 1 })),
     () => steps.objects(() => fire.objects.length > 0 && fire.removeObject(pick(fire.objects).id)),
     () => steps.objects(() => fire.set({ objects: [...fire.objects.slice(1), ...fire.objects.slice(0, 1)] })),
@@ -177,12 +193,20 @@ function deedWithObjects(steps, fire, random) {
 const made = () => {
   const fire = new Fire();
   let changes = 0;
-  const steps = new UndoHistory(fire, () => { changes += 1; }, (id, model) => DEFAULTS[model][id]);
+  const steps = new UndoHistory(
+    fire,
+    () => {
+      changes += 1;
+    },
+    (id, model) => DEFAULTS[model][id],
+  );
   return { fire, steps, changes: () => changes };
 };
 
 describe('the way back', () => {
-  for (const [seed, act] of SEEDS.flatMap((seed) => [deed, deedWithObjects].map((act) => /** @type {const} */ ([seed, act])))) {
+  for (const [seed, act] of SEEDS.flatMap((seed) =>
+    [deed, deedWithObjects].map((act) => /** @type {const} */ ([seed, act])),
+  )) {
     test(`leads through the same fires, one after another (${act.name}, ${seed})`, async () => {
       const { fire, steps } = made();
       const random = numbers(seed);
@@ -250,7 +274,10 @@ describe('a step', () => {
     steps.press();
     await steps.set('viscosity', 5);
     await assert.rejects(steps.set('viscosity', LARGEST + 1), RangeError);
-    await assert.rejects(steps.all(() => fire.importConfig({ values: { nothing: 1 } }), REPLACES), /nothing/);
+    await assert.rejects(
+      steps.all(() => fire.importConfig({ values: { nothing: 1 } }), REPLACES),
+      /nothing/,
+    );
     await steps.all(() => fire.importConfig({}), REPLACES);
     assert.equal(steps.canUndo, false);
     // And what comes next goes on as if nothing had been.
@@ -265,7 +292,10 @@ describe('a step', () => {
     await steps.objects(() => fire.removeObject(2));
     await fire.changeObject(1, { width: 9 });
     await steps.undo();
-    assert.deepEqual(fire.objects, [{ id: 1, kind: 'source', width: 9 }, { id: 2, kind: 'solid', width: 8 }]);
+    assert.deepEqual(fire.objects, [
+      { id: 1, kind: 'source', width: 9 },
+      { id: 2, kind: 'solid', width: 8 },
+    ]);
     await steps.undo();
     assert.deepEqual(fire.objects[1], { id: 2, kind: 'solid', width: 5 });
     assert.equal(steps.canUndo, false);
@@ -334,8 +364,17 @@ describe('a step', () => {
 
 test('what a pointer moves is one step for each press, whatever the fire reports in between', async () => {
   const fire = new Fire();
-  const history = new UndoHistory(fire, () => {}, (id, model) => DEFAULTS[model][id]);
-  await fire.set({ objects: [{ id: 1, kind: 'source', x: 0, y: 0 }, { id: 2, kind: 'solid', x: 1, y: 0 }] });
+  const history = new UndoHistory(
+    fire,
+    () => {},
+    (id, model) => DEFAULTS[model][id],
+  );
+  await fire.set({
+    objects: [
+      { id: 1, kind: 'source', x: 0, y: 0 },
+      { id: 2, kind: 'solid', x: 1, y: 0 },
+    ],
+  });
   const places = () => fire.objects.map(({ x, y }) => [x, y]);
   const first = places();
   for (const by of [0.5, 0.25]) {
@@ -348,13 +387,22 @@ test('what a pointer moves is one step for each press, whatever the fire reports
       }
     }
   }
-  assert.deepEqual(places(), [[0.75, 0], [1.75, 0]]);
+  assert.deepEqual(places(), [
+    [0.75, 0],
+    [1.75, 0],
+  ]);
   await history.undo();
-  assert.deepEqual(places(), [[0.5, 0], [1.5, 0]]);
+  assert.deepEqual(places(), [
+    [0.5, 0],
+    [1.5, 0],
+  ]);
   await history.undo();
   assert.deepEqual(places(), first);
   assert.equal(history.canUndo, false);
   await history.redo();
   await history.redo();
-  assert.deepEqual(places(), [[0.75, 0], [1.75, 0]]);
+  assert.deepEqual(places(), [
+    [0.75, 0],
+    [1.75, 0],
+  ]);
 });

@@ -10,7 +10,10 @@ import { PARAMETERS } from '../../web/parameters.js';
 
 test('the colours are the parameters of that kind', () => {
   const named = PARAMETERS.filter(({ id }) => isColour(id)).map(({ id }) => id);
-  assert.deepEqual(named, PARAMETERS.filter(({ kind }) => kind === 'colour').map(({ id }) => id));
+  assert.deepEqual(
+    named,
+    PARAMETERS.filter(({ kind }) => kind === 'colour').map(({ id }) => id),
+  );
 });
 
 test('fires of a document get different seeds, the same ones in the same order, and keep them', () => {
@@ -28,14 +31,33 @@ test('fires of a document get different seeds, the same ones in the same order, 
 });
 
 test('transitions move log parameters by ratios, and step whole numbers', () => {
-  const ids = (/** @type {(parameter: typeof PARAMETERS[number]) => boolean} */ holds) => PARAMETERS.filter(holds).map(({ id }) => id).sort();
-  assert.deepEqual([...LOGARITHMIC].sort(), ids(({ kind, scale }) => kind === 'number' && scale === 'log'));
-  assert.deepEqual([...WHOLE].sort(), ids(({ kind }) => kind === 'integer' || kind === 'seed'));
+  const ids = (/** @type {(parameter: typeof PARAMETERS[number]) => boolean} */ holds) =>
+    PARAMETERS.filter(holds)
+      .map(({ id }) => id)
+      .sort();
+  assert.deepEqual(
+    [...LOGARITHMIC].sort(),
+    ids(({ kind, scale }) => kind === 'number' && scale === 'log'),
+  );
+  assert.deepEqual(
+    [...WHOLE].sort(),
+    ids(({ kind }) => kind === 'integer' || kind === 'seed'),
+  );
 });
 
 test('`warm` is a number of seconds, three by default, and zero without the attribute', () => {
   const read = (/** @type {string | null} */ text) => warmth(/** @type {any} */ ({ getAttribute: () => text }));
   for (const [text, seconds] of /** @type {[string | null, number][]} */ ([
-    [null, 0], ['false', 0], ['', 3], [' ', 3], ['0', 0], ['2.5', 2.5], ['30', 30], ['31', NaN], ['-1', NaN], ['hot', NaN],
-  ])) assert.equal(read(text), seconds, `${text}`);
+    [null, 0],
+    ['false', 0],
+    ['', 3],
+    [' ', 3],
+    ['0', 0],
+    ['2.5', 2.5],
+    ['30', 30],
+    ['31', NaN],
+    ['-1', NaN],
+    ['hot', NaN],
+  ]))
+    assert.equal(read(text), seconds, `${text}`);
 });

@@ -8,15 +8,28 @@ import { alignment, panning, viewportOf } from '../../web/element/view/viewport.
 
 test('an alignment is one or two words of object-position, in any order', () => {
   for (const [words, shares] of /** @type {[string, [number, number] | undefined][]} */ ([
-    ['center bottom', [0.5, 0]], ['bottom center', [0.5, 0]], ['left', [0, 0.5]], ['top', [0.5, 1]], [' RIGHT  Top ', [1, 1]],
-    ['center', [0.5, 0.5]], ['', undefined], ['left right', undefined], ['left top center', undefined], ['constructor', undefined],
-  ])) assert.deepEqual(alignment(words), shares, words);
+    ['center bottom', [0.5, 0]],
+    ['bottom center', [0.5, 0]],
+    ['left', [0, 0.5]],
+    ['top', [0.5, 1]],
+    [' RIGHT  Top ', [1, 1]],
+    ['center', [0.5, 0.5]],
+    ['', undefined],
+    ['left right', undefined],
+    ['left top center', undefined],
+    ['constructor', undefined],
+  ]))
+    assert.deepEqual(alignment(words), shares, words);
 });
 
 test('each fit scales the domain to the picture, and the alignment places it', () => {
   // A domain of 1 m × 2 m in a picture of 300 × 200 pixels.
   for (const [fit, scale] of /** @type {[string, number][]} */ ([
-    ['height', 100], ['width', 300], ['contain', 100], ['cover', 300], ['unknown', 100],
+    ['height', 100],
+    ['width', 300],
+    ['contain', 100],
+    ['cover', 300],
+    ['unknown', 100],
   ])) {
     for (const x of [0, 0.5, 1]) {
       for (const y of [0, 0.5, 1]) {
@@ -43,7 +56,8 @@ test('a zoom enlarges the picture, and the pan is the part of it that is seen', 
 
 test('a pan is two numbers from 0 to 1', () => {
   assert.deepEqual(panning(' 0  0.75 '), [0, 0.75]);
-  for (const words of ['', '0.5', '0 0 0', '0 1.1', '-1 0', 'left bottom']) assert.equal(panning(words), undefined, words);
+  for (const words of ['', '0.5', '0 0 0', '0 1.1', '-1 0', 'left bottom'])
+    assert.equal(panning(words), undefined, words);
 });
 
 test('a canvas has at most two pixels for a CSS pixel, one and a half on touch screens', () => {

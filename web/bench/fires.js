@@ -88,7 +88,7 @@ export async function fill(fire, count, pause) {
     const { x: _x, id: _id, ...first } = fire.objects[0];
     for (const x of [-APART, APART]) await fire.addObject({ ...first, x });
   }
-  for (let most = 0, still = 0; most < FULL * count && still < PATIENCE;) {
+  for (let most = 0, still = 0; most < FULL * count && still < PATIENCE; ) {
     await pause();
     await fire.step(FILL_STEPS);
     const alive = fire.stats?.particles ?? 0;
@@ -113,9 +113,11 @@ export async function pictures(parent, model, count, pause, signal) {
     /** @type {import('../hearth-fire.js').HearthStats[]} */
     const all = [];
     while (all.length < WARM_STATS + STATS) all.push(await nextStats(fire, signal));
-    const median = (/** @type {(stats: import('../hearth-fire.js').HearthStats) => number} */ of) => (
-      all.slice(WARM_STATS).map(of).sort((a, b) => a - b)[STATS >> 1]
-    );
+    const median = (/** @type {(stats: import('../hearth-fire.js').HearthStats) => number} */ of) =>
+      all
+        .slice(WARM_STATS)
+        .map(of)
+        .sort((a, b) => a - b)[STATS >> 1];
     return {
       alive: median(({ particles }) => particles),
       pictureMs: median(({ drawMs }) => drawMs),
@@ -133,9 +135,13 @@ function nextStats(fire, signal) {
     signal.throwIfAborted();
     const cancel = () => reject(signal.reason);
     signal.addEventListener('abort', cancel, { once: true });
-    fire.addEventListener('stats', ({ detail }) => {
-      signal.removeEventListener('abort', cancel);
-      resolve(detail);
-    }, { once: true });
+    fire.addEventListener(
+      'stats',
+      ({ detail }) => {
+        signal.removeEventListener('abort', cancel);
+        resolve(detail);
+      },
+      { once: true },
+    );
   });
 }

@@ -41,8 +41,10 @@ export const MASS = GAS.restDensity * SPACING * SPACING;
  * @param {number} speed  Upward [m/s].
  */
 export function lift(density, temperature, speed) {
-  const a = GAS.gravity * (GAS.buoyancy * (GAS.ambientDensity / density - 1)
-    + GAS.thermalBuoyancy * (1 - GAS.ambientTemperature / temperature));
+  const a =
+    GAS.gravity *
+    (GAS.buoyancy * (GAS.ambientDensity / density - 1) +
+      GAS.thermalBuoyancy * (1 - GAS.ambientTemperature / temperature));
   const along = a < 0 ? -speed : speed;
   const drag = (along * Math.abs(along)) / (GAS.terminalSpeed * GAS.terminalSpeed);
   return a * Math.min(2, Math.max(-1, 1 - drag));

@@ -30,7 +30,8 @@ const report = { machine: readMachine(), speeds: [], sizes: [] };
 let wasHidden = false;
 document.addEventListener('visibilitychange', () => {
   wasHidden ||= document.hidden;
-  if (document.hidden && stage.dataset.busy) say('The tab is hidden: browsers slow it down. Its row is measured again.');
+  if (document.hidden && stage.dataset.busy)
+    say('The tab is hidden: browsers slow it down. Its row is measured again.');
 });
 
 /** @param {string} text */
@@ -40,9 +41,8 @@ function say(text) {
 
 /** The chosen rows. @returns {import('./rows.js').Choice} */
 function chosen() {
-  const of = (/** @type {string} */ id) => (
-    [...find(id).querySelectorAll(':checked')].map((box) => /** @type {HTMLInputElement} */ (box).value)
-  );
+  const of = (/** @type {string} */ id) =>
+    [...find(id).querySelectorAll(':checked')].map((box) => /** @type {HTMLInputElement} */ (box).value);
   return {
     counts: of('counts').map(Number),
     models: /** @type {import('./rows.js').Model[]} */ (of('models')),
@@ -75,7 +75,8 @@ function show() {
   showTable(find('speeds'), speeds);
   showTable(find('memory'), sizes);
   /** @type {(model: string) => [number, number][]} */
-  const steps = (model) => report.speeds.flatMap((row) => (row.model === model && row.stepMs ? [[row.count, row.stepMs]] : []));
+  const steps = (model) =>
+    report.speeds.flatMap((row) => (row.model === model && row.stepMs ? [[row.count, row.stepMs]] : []));
   showPlot(find('plot'), [
     { name: 'classic', className: 'classic', points: steps('classic') },
     { name: 'combustion', className: 'combustion', points: steps('combustion') },
@@ -84,7 +85,11 @@ function show() {
       className: 'loop',
       points: report.speeds.flatMap(({ count, paperMs }) => (paperMs ? [[count, paperMs]] : [])),
     },
-    { name: 'the paper’s Table 1', className: 'paper', points: Object.entries(TABLE_1).map(([count, { ms }]) => [Number(count), ms]) },
+    {
+      name: 'the paper’s Table 1',
+      className: 'paper',
+      points: Object.entries(TABLE_1).map(([count, { ms }]) => [Number(count), ms]),
+    },
   ]);
   for (const button of document.querySelectorAll('[data-copies]:not([data-copies="link"])')) {
     /** @type {HTMLButtonElement} */ (button).disabled = report.speeds.length + report.sizes.length === 0;
@@ -94,15 +99,16 @@ function show() {
 /** @param {AbortSignal} signal */
 function pauseUnless(signal) {
   // A message is sooner than a timer, which browsers hold back.
-  return () => new Promise((/** @type {(value: void) => void} */ resolve, reject) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      if (signal.aborted) reject(signal.reason);
-      else resolve();
-    };
-    port2.postMessage(undefined);
-  });
+  return () =>
+    new Promise((/** @type {(value: void) => void} */ resolve, reject) => {
+      const { port1, port2 } = new MessageChannel();
+      port1.onmessage = () => {
+        port1.close();
+        if (signal.aborted) reject(signal.reason);
+        else resolve();
+      };
+      port2.postMessage(undefined);
+    });
 }
 
 /** Resolves when the tab is visible. @param {AbortSignal} signal */
@@ -152,9 +158,12 @@ async function memory(model, count, sizes, pause) {
  */
 async function measureRow(row, pause, signal) {
   const { model, count } = row;
-  Object.assign(row, model === 'classic'
-    ? await classicSteps(count, count <= MOST_OF_PAPER, pause)
-    : await combustionSteps(count, pause));
+  Object.assign(
+    row,
+    model === 'classic'
+      ? await classicSteps(count, count <= MOST_OF_PAPER, pause)
+      : await combustionSteps(count, pause),
+  );
   const { alive: shown, ...others } = await pictures(stage, model, count, pause, signal);
   Object.assign(row, { shown, ...others });
   if (count <= MOST_COUNTED) {
@@ -197,23 +206,36 @@ async function measureAll(signal) {
   for (const { model, count } of rows) {
     /** @type {import('./report.js').SpeedRow} */
     let row = { model, count };
-    await undisturbed(async () => {
-      row = { model, count };
-      try {
-        await measureRow(row, pause, signal);
-      } catch (error) {
-        if (signal.aborted) throw error;
-        row.failed = reasonOf(error);
-      }
-    }, signal, `${count.toLocaleString('en')} particles, ${model} (row ${done + 1} of ${all})`);
+    await undisturbed(
+      async () => {
+        row = { model, count };
+        try {
+          await measureRow(row, pause, signal);
+        } catch (error) {
+          if (signal.aborted) throw error;
+          row.failed = reasonOf(error);
+        }
+      },
+      signal,
+      `${count.toLocaleString('en')} particles, ${model} (row ${done + 1} of ${all})`,
+    );
     report.speeds.push(row);
     next();
   }
   if (sizes.length > 0) {
-    await undisturbed(async () => {
-      const found = await memory('classic', TABLE_2_COUNT, sizes.map((size) => size * PIXEL), pause);
-      report.sizes = sizes.map((size, at) => ({ size, ...found[at] }));
-    }, signal, `the sizes of a particle (row ${done + 1} of ${all})`);
+    await undisturbed(
+      async () => {
+        const found = await memory(
+          'classic',
+          TABLE_2_COUNT,
+          sizes.map((size) => size * PIXEL),
+          pause,
+        );
+        report.sizes = sizes.map((size, at) => ({ size, ...found[at] }));
+      },
+      signal,
+      `the sizes of a particle (row ${done + 1} of ${all})`,
+    );
     next();
   }
 }
@@ -225,7 +247,13 @@ measure.addEventListener('click', async () => {
   progress.value = 0;
   stage.dataset.busy = 'yes';
   cancel.addEventListener('click', stop);
-  for (const [element, hidden] of [[measure, true], [cancel, false], [progress, false], [stage, false]]) element.hidden = hidden;
+  for (const [element, hidden] of [
+    [measure, true],
+    [cancel, false],
+    [progress, false],
+    [stage, false],
+  ])
+    element.hidden = hidden;
   cancel.focus();
   try {
     await measureAll(controller.signal);
@@ -237,7 +265,13 @@ measure.addEventListener('click', async () => {
   } finally {
     cancel.removeEventListener('click', stop);
     delete stage.dataset.busy;
-    for (const [element, hidden] of [[measure, false], [cancel, true], [progress, true], [stage, true]]) element.hidden = hidden;
+    for (const [element, hidden] of [
+      [measure, false],
+      [cancel, true],
+      [progress, true],
+      [stage, true],
+    ])
+      element.hidden = hidden;
     measure.focus();
     show();
   }

@@ -42,10 +42,13 @@ observe(GL.prototype, 'texImage2D', (gl, [, , , width, height, , format, type]) 
   if (texture) allocated.set(texture, width * height * (CHANNELS[format] ?? 4) * (BYTES[type] ?? 4));
 });
 observe(GL.prototype, 'bufferData', (gl, [target, data]) => {
-  const buffer = gl.getParameter(target === GL.ARRAY_BUFFER ? GL.ARRAY_BUFFER_BINDING : GL.ELEMENT_ARRAY_BUFFER_BINDING);
+  const buffer = gl.getParameter(
+    target === GL.ARRAY_BUFFER ? GL.ARRAY_BUFFER_BINDING : GL.ELEMENT_ARRAY_BUFFER_BINDING,
+  );
   if (buffer) allocated.set(buffer, typeof data === 'number' ? data : data.byteLength);
 });
-for (const name of ['deleteTexture', 'deleteBuffer']) observe(GL.prototype, name, (_, [object]) => allocated.delete(object));
+for (const name of ['deleteTexture', 'deleteBuffer'])
+  observe(GL.prototype, name, (_, [object]) => allocated.delete(object));
 
 /** The functions that instantiate wasm. @type {any} */
 const wasm = WebAssembly;
@@ -63,9 +66,9 @@ for (const name of ['instantiate', 'instantiateStreaming']) {
 /** What is held now [bytes]. */
 function held() {
   const canvases = [...contexts].map((gl) => gl.drawingBufferWidth * gl.drawingBufferHeight);
-  const shown = [...document.querySelectorAll('hearth-fire')].flatMap((fire) => (
-    [...fire.shadowRoot?.querySelectorAll('canvas') ?? []].map(({ width, height }) => width * height)
-  ));
+  const shown = [...document.querySelectorAll('hearth-fire')].flatMap((fire) =>
+    [...(fire.shadowRoot?.querySelectorAll('canvas') ?? [])].map(({ width, height }) => width * height),
+  );
   const sum = (/** @type {Iterable<number>} */ numbers) => [...numbers].reduce((a, b) => a + b, 0);
   return {
     wasm: sum([...memories].map(({ buffer }) => buffer.byteLength)),

@@ -47,12 +47,10 @@ export function showPlot(figure, lines) {
   if (points.length === 0) return;
   const across = decades(points.map(([count]) => count));
   const up = decades(points.map(([, ms]) => ms));
-  const x = (/** @type {number} */ count) => (
-    LEFT + ((Math.log10(count) - across.low) / (across.high - across.low)) * (WIDTH - LEFT - RIGHT)
-  );
-  const y = (/** @type {number} */ ms) => (
-    HEIGHT - BOTTOM - ((Math.log10(ms) - up.low) / (up.high - up.low)) * (HEIGHT - BOTTOM - TOP)
-  );
+  const x = (/** @type {number} */ count) =>
+    LEFT + ((Math.log10(count) - across.low) / (across.high - across.low)) * (WIDTH - LEFT - RIGHT);
+  const y = (/** @type {number} */ ms) =>
+    HEIGHT - BOTTOM - ((Math.log10(ms) - up.low) / (up.high - up.low)) * (HEIGHT - BOTTOM - TOP);
   const svg = node('svg', {
     viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
     role: 'img',
@@ -72,7 +70,11 @@ export function showPlot(figure, lines) {
   }
   svg.append(
     node('text', { x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 6, 'text-anchor': 'middle' }, 'particles'),
-    node('text', { transform: `translate(14 ${(HEIGHT - BOTTOM) / 2}) rotate(-90)`, 'text-anchor': 'middle' }, 'ms a step'),
+    node(
+      'text',
+      { transform: `translate(14 ${(HEIGHT - BOTTOM) / 2}) rotate(-90)`, 'text-anchor': 'middle' },
+      'ms a step',
+    ),
   );
   for (const { className, points: own } of drawn) {
     const sorted = [...own].sort(([a], [b]) => a - b);

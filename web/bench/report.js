@@ -105,12 +105,21 @@ function filled(report) {
 /** @param {Report} report */
 export function toMarkdown(report) {
   const line = (/** @type {string[]} */ cells) => `| ${cells.join(' | ')} |`;
-  const tables = filled(report).map(({ title, cells: [names, ...rows] }) => (
-    [`**${title}**`, '', line(names), `|${'--:|'.repeat(names.length)}`, ...rows.map(line)].join('\n')
-  ));
-  const failed = report.speeds.flatMap(({ count, model, failed: why }) => (why ? [`- ${count}, ${model}: ${why}`] : []));
-  return [`Measured with ${machineOf(report.machine)}.`, ...tables, ...(failed.length > 0 ? [failed.join('\n')] : []), '']
-    .join('\n\n').trimEnd().concat('\n');
+  const tables = filled(report).map(({ title, cells: [names, ...rows] }) =>
+    [`**${title}**`, '', line(names), `|${'--:|'.repeat(names.length)}`, ...rows.map(line)].join('\n'),
+  );
+  const failed = report.speeds.flatMap(({ count, model, failed: why }) =>
+    why ? [`- ${count}, ${model}: ${why}`] : [],
+  );
+  return [
+    `Measured with ${machineOf(report.machine)}.`,
+    ...tables,
+    ...(failed.length > 0 ? [failed.join('\n')] : []),
+    '',
+  ]
+    .join('\n\n')
+    .trimEnd()
+    .concat('\n');
 }
 
 /** @param {Report} report */
@@ -118,7 +127,8 @@ export function toCsv(report) {
   const cell = (/** @type {string} */ text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   return filled(report)
     .map(({ cells }) => cells.map((row) => row.map(cell).join(',')).join('\n'))
-    .join('\n\n').concat('\n');
+    .join('\n\n')
+    .concat('\n');
 }
 
 /** @param {Report} report */
@@ -130,12 +140,14 @@ export function toJson(report) {
 export function showTable(element, { cells: [names, ...rows] }) {
   const row = (/** @type {string[]} */ cells, /** @type {(at: number) => 'th' | 'td'} */ kind) => {
     const made = document.createElement('tr');
-    made.append(...cells.map((text, at) => {
-      const cell = document.createElement(kind(at));
-      if (kind(at) === 'th') cell.setAttribute('scope', kind(1) === 'th' ? 'col' : 'row');
-      cell.textContent = text;
-      return cell;
-    }));
+    made.append(
+      ...cells.map((text, at) => {
+        const cell = document.createElement(kind(at));
+        if (kind(at) === 'th') cell.setAttribute('scope', kind(1) === 'th' ? 'col' : 'row');
+        cell.textContent = text;
+        return cell;
+      }),
+    );
     return made;
   };
   const head = document.createElement('thead');

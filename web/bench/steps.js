@@ -153,7 +153,7 @@ function timed({ step, rewind }, steps) {
  */
 async function warmed(fire, pause) {
   let batch = 1;
-  for (let all = 0; all < WARM_MS;) {
+  for (let all = 0; all < WARM_MS; ) {
     await pause();
     const time = timed(fire, batch);
     all += time;

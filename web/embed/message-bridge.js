@@ -35,7 +35,10 @@ const BRIDGE_METHODS = ['hello', 'subscribe', 'unsubscribe'];
  * @returns {{origins: string[], refused: string[]}}
  */
 export function allowedOrigins(lists) {
-  const named = lists.flatMap((list) => list.split(',')).map((name) => name.trim()).filter(Boolean);
+  const named = lists
+    .flatMap((list) => list.split(','))
+    .map((name) => name.trim())
+    .filter(Boolean);
   const refused = [];
   const origins = new Set();
   for (const name of named.slice(0, MAX_ORIGINS)) {

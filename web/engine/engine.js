@@ -22,8 +22,7 @@ import { countdown, timely } from './time-limit.js';
 
 /** The smallest module that uses a SIMD instruction. */
 const SIMD_MODULE = new Uint8Array([
-  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15,
-  253, 98, 11,
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 ]);
 
 /** Maximum time until the wasm arrives [ms]. */
@@ -252,12 +251,12 @@ async function load(source, thread) {
   }
   const compiled = kept;
   compiled.catch(() => (kept = undefined));
-  const port = (thread !== 'main' && await inWorker(compiled)) || undefined;
+  const port = (thread !== 'main' && (await inWorker(compiled))) || undefined;
   const { module, warning } = await compiled;
   if (!port && thread === 'worker') {
     throw new EngineError('unsupported', 'The fire cannot be drawn in a worker of this browser.');
   }
-  const connected = port ?? await onMainThread(module);
+  const connected = port ?? (await onMainThread(module));
   connected.warning = warning;
   return connected;
 }
@@ -356,10 +355,12 @@ function inWorker(compiled) {
       port.ping();
       resolve(port);
     };
-    compiled.then(({ module }) => {
-      thread.postMessage({ type: 'start', module });
-      started = countdown(WORKER_S, giveUp);
-    }).catch(giveUp);
+    compiled
+      .then(({ module }) => {
+        thread.postMessage({ type: 'start', module });
+        started = countdown(WORKER_S, giveUp);
+      })
+      .catch(giveUp);
   });
 }
 

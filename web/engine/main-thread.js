@@ -13,26 +13,33 @@ import { pictureCanvas, runEngine } from './loop.js';
  * @throws if the browser cannot draw
  */
 export function start(Engine, port, module, extend) {
-  const run = (/** @type {any} */ canvas) => runEngine(Engine, canvas, {
-    post: (/** @type {any} */ message) => queueMicrotask(() => port.deliver(message)),
-    show: (fire) => {
-      // The context may be lost during the frame; its event follows.
-      const picture = attempt(() => ('transferToImageBitmap' in canvas ? canvas.transferToImageBitmap() : canvas));
-      if (picture) port.draw(fire, picture);
-      return true;
-    },
-    module,
-    extend,
-    fail: ({ why, at }) => port.fail(at ? `${why} (${at})` : why),
-  }, true);
+  const run = (/** @type {any} */ canvas) =>
+    runEngine(
+      Engine,
+      canvas,
+      {
+        post: (/** @type {any} */ message) => queueMicrotask(() => port.deliver(message)),
+        show: (fire) => {
+          // The context may be lost during the frame; its event follows.
+          const picture = attempt(() => ('transferToImageBitmap' in canvas ? canvas.transferToImageBitmap() : canvas));
+          if (picture) port.draw(fire, picture);
+          return true;
+        },
+        module,
+        extend,
+        fail: ({ why, at }) => port.fail(at ? `${why} (${at})` : why),
+      },
+      true,
+    );
   const offscreen = pictureCanvas();
   // Some ports of WebKit have an `OffscreenCanvas` but cannot draw on it.
   const engine = (offscreen && attempt(() => run(offscreen))) ?? run(document.createElement('canvas'));
-  port.send = (sent) => queueMicrotask(() => {
-    if (typeof sent === 'number') engine.shown(sent);
-    else if (Array.isArray(sent)) engine.call(sent);
-    else engine.add(sent);
-  });
+  port.send = (sent) =>
+    queueMicrotask(() => {
+      if (typeof sent === 'number') engine.shown(sent);
+      else if (Array.isArray(sent)) engine.call(sent);
+      else engine.add(sent);
+    });
   port.end = () => engine.end();
 }
 

@@ -47,8 +47,9 @@ addEventListener('message', ({ data }) => {
   else if (data === 0) postMessage({ type: 'answer' });
   else if (typeof data === 'number') engine?.shown(data);
   else if (data.part) engine?.add(data);
-  else start(data.module).then(
-    () => postMessage({ type: 'started', version: VERSION }),
-    () => postMessage({ type: 'stopped' }),
-  );
+  else
+    start(data.module).then(
+      () => postMessage({ type: 'started', version: VERSION }),
+      () => postMessage({ type: 'stopped' }),
+    );
 });

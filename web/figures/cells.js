@@ -75,10 +75,14 @@ export function addCell(parent, cell, warn) {
     fire.setAttribute(id.replaceAll('_', '-'), String(value));
   }
   const cells = NUMBERS.map(() => make('dd', {}, '…'));
-  const numbers = make('dl', {}, ...NUMBERS.map(([name, term], at) => {
-    cells[at].dataset.number = name;
-    return make('div', {}, make('dt', {}, term), cells[at]);
-  }));
+  const numbers = make(
+    'dl',
+    {},
+    ...NUMBERS.map(([name, term], at) => {
+      cells[at].dataset.number = name;
+      return make('div', {}, make('dt', {}, term), cells[at]);
+    }),
+  );
   const caption = make('figcaption', {}, captionOf());
   if (cell.measured !== false) caption.append(numbers);
   parent.append(make('figure', {}, fire, caption));
@@ -116,7 +120,12 @@ export function addCell(parent, cell, warn) {
     describe();
     if (from === undefined) return make('p', {}, `${label} ${amount()}${words && `, ${words}`}`);
     const value = make('span', {}, amount());
-    const slider = make('input', { type: 'range', min: '0', max: String(POSITIONS), value: String(positionOf(values[parameter], from, to, log)) });
+    const slider = make('input', {
+      type: 'range',
+      min: '0',
+      max: String(POSITIONS),
+      value: String(positionOf(values[parameter], from, to, log)),
+    });
     slider.ariaValueText = amount();
     slider.addEventListener('input', () => {
       values[parameter] = valueAt(Number(slider.value), from, to, log);

@@ -67,7 +67,13 @@ export async function showColours(fire, scale, slider, words) {
     slider.ariaValueText = words.textContent;
     fire.maximumTemperature = kelvin;
   };
-  Object.assign(slider, { min: String(FIRST), max: String(LAST), step: String(STEP), value: String(usual), disabled: false });
+  Object.assign(slider, {
+    min: String(FIRST),
+    max: String(LAST),
+    step: String(STEP),
+    value: String(usual),
+    disabled: false,
+  });
   slider.addEventListener('input', show);
   show();
 }

@@ -28,16 +28,31 @@ const three = (preset, parameter, low, middle) => [
 export const COMPARISONS = {
   'figure-3': [
     { preset: 'paper-fire', values: {}, words: 'As the paper draws it' },
-    { preset: 'paper-fire', values: { display_mode: 'fire' }, words: 'The same particles as Hearth draws them', measured: false },
+    {
+      preset: 'paper-fire',
+      values: { display_mode: 'fire' },
+      words: 'The same particles as Hearth draws them',
+      measured: false,
+    },
   ],
   'figure-4': three('paper-smoothing', 'smoothing_radius', 0.015, 0.03),
   'figure-5': [
     ...three('paper-stiffness', 'gas_constant', 0.06, 0.6),
-    { preset: 'paper-stiffness', parameter: 'gas_constant', values: { printed_kernel: true }, words: 'kernel as printed' },
+    {
+      preset: 'paper-stiffness',
+      parameter: 'gas_constant',
+      values: { printed_kernel: true },
+      words: 'kernel as printed',
+    },
   ],
   'figure-6': [
     ...three('paper-viscosity', 'viscosity', 0.001, 0.008),
-    { preset: 'paper-viscosity', parameter: 'viscosity', values: { printed_viscosity: false }, words: 'force corrected' },
+    {
+      preset: 'paper-viscosity',
+      parameter: 'viscosity',
+      values: { printed_viscosity: false },
+      words: 'force corrected',
+    },
   ],
   buoyancy: three('paper-buoyancy', 'buoyancy', 0.02, 0.3),
 };

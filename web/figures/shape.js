@@ -22,9 +22,8 @@ const quantile = (sorted, share) => sorted[Math.min(Math.floor(share * sorted.le
  */
 export function shapeOf(positions, source, radius) {
   const count = positions.length / 2;
-  const sorted = (/** @type {0 | 1} */ axis) => (
-    Array.from({ length: count }, (_, at) => positions[2 * at + axis]).sort((a, b) => a - b)
-  );
+  const sorted = (/** @type {0 | 1} */ axis) =>
+    Array.from({ length: count }, (_, at) => positions[2 * at + axis]).sort((a, b) => a - b);
   const [across, up] = [sorted(0), sorted(1)];
   const reach = 4 * radius * radius;
   const nearest = new Float64Array(count).fill(Infinity);
@@ -49,8 +48,6 @@ export function shapeOf(positions, source, radius) {
 
 /** The mean of each property. @param {Shape[]} shapes @returns {Shape} */
 export function meanOf(shapes) {
-  const mean = (/** @type {keyof Shape} */ name) => (
-    shapes.reduce((sum, shape) => sum + shape[name], 0) / shapes.length
-  );
+  const mean = (/** @type {keyof Shape} */ name) => shapes.reduce((sum, shape) => sum + shape[name], 0) / shapes.length;
   return { width: mean('width'), height: mean('height'), neighbours: mean('neighbours'), nearest: mean('nearest') };
 }

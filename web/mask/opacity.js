@@ -20,14 +20,14 @@ const LONG = 4096;
 export function opacityOf(context) {
   const { width, height } = context.canvas;
   const pixels = context.getImageData(0, 0, width, height).data;
-  const opacities = Array.from({ length: width * height }, (_, at) => Math.round(pixels[4 * at + 3] / 255 * OPAQUE));
+  const opacities = Array.from({ length: width * height }, (_, at) => Math.round((pixels[4 * at + 3] / 255) * OPAQUE));
   return opacities.some((opacity) => opacity > OPAQUE / 2) ? `${width}x${height}:${lettersOf(opacities)}` : '';
 }
 
 /** The letters of the pixels, runs of which have one. @param {number[]} opacities */
 function lettersOf(opacities) {
   let letters = '';
-  for (let at = 0; at < opacities.length;) {
+  for (let at = 0; at < opacities.length; ) {
     const opacity = opacities[at];
     let run = 1;
     const first = RUNS[/** @type {0 | 15} */ (opacity)];
@@ -55,7 +55,8 @@ function lettersOf(opacities) {
  * @returns {Context}
  */
 export function contextOf(width, height, isRead = true) {
-  const canvas = typeof OffscreenCanvas === 'function' ? new OffscreenCanvas(width, height) : document.createElement('canvas');
+  const canvas =
+    typeof OffscreenCanvas === 'function' ? new OffscreenCanvas(width, height) : document.createElement('canvas');
   Object.assign(canvas, { width, height });
   const context = /** @type {Context | null} */ (canvas.getContext('2d', { willReadFrequently: isRead }));
   if (!context) throw new Error('this browser has no memory left for a canvas');

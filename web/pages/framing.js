@@ -4,7 +4,17 @@
  */
 
 /** The scenes that a stage shows whole. */
-export const WHOLE = ['burning-word', 'curtains', 'fireplace', 'house-of-cards', 'paper-boat', 'ring-of-fire', 'rope', 'sheltered-candle', 'wooden-word'];
+export const WHOLE = [
+  'burning-word',
+  'curtains',
+  'fireplace',
+  'house-of-cards',
+  'paper-boat',
+  'ring-of-fire',
+  'rope',
+  'sheltered-candle',
+  'wooden-word',
+];
 
 /**
  * Sets `fit` for the present scene and later ones, unless the page or its URL sets `fit`.

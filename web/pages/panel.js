@@ -82,8 +82,9 @@ export class PagePanel {
     const { key, ctrlKey, metaKey, altKey, shiftKey, repeat } = event;
     if (ctrlKey || metaKey || altKey || repeat || event.defaultPrevented || isTyping(event)) return;
     const [target, ...around] = event.composedPath();
-    const near = [document.body, this.#root, this.#toggle].some((element) => element === target)
-      || [this.#host, this.#fire].some((element) => around.includes(element) || element === target);
+    const near =
+      [document.body, this.#root, this.#toggle].some((element) => element === target) ||
+      [this.#host, this.#fire].some((element) => around.includes(element) || element === target);
     if (!near || shortcutsOff(this.#host, this.#fire)) return;
     if (key.toLowerCase() === 'h') this.#choose(!this.#shown);
     // The panel handles the other keys once it is loaded.
@@ -112,7 +113,8 @@ export class PagePanel {
       console.warn('Hearth: the panel could not be loaded.', error);
       const message = document.createElement('p');
       message.className = 'words';
-      message.textContent = 'The controls could not be loaded. The fire burns without them. Close and open the panel to try again.';
+      message.textContent =
+        'The controls could not be loaded. The fire burns without them. Close and open the panel to try again.';
       this.#host.replaceChildren(message);
     }
   }

@@ -34,7 +34,9 @@ export function showStrip(parent, fire, first, warn) {
     image.src = new URL(`../scenes/${name}.jpg`, import.meta.url).href;
     tile.append(image);
     tile.addEventListener('click', () => {
-      fire.importConfig({ hearth: 2, preset: name, values: {} }).then(mark, (/** @type {Error} */ error) => warn(error.message));
+      fire
+        .importConfig({ hearth: 2, preset: name, values: {} })
+        .then(mark, (/** @type {Error} */ error) => warn(error.message));
     });
     tile.addEventListener('focus', () => focus(tile));
     tile.addEventListener('pointerenter', () => describe(label));
@@ -58,7 +60,12 @@ export function showStrip(parent, fire, first, warn) {
     const { key, ctrlKey, altKey, metaKey } = event;
     if (ctrlKey || altKey || metaKey) return;
     const at = tiles.indexOf(focused);
-    const next = tiles[{ ArrowLeft: at - 1, ArrowUp: at - 1, ArrowRight: at + 1, ArrowDown: at + 1, Home: 0, End: tiles.length - 1 }[key] ?? -1];
+    const next =
+      tiles[
+        { ArrowLeft: at - 1, ArrowUp: at - 1, ArrowRight: at + 1, ArrowDown: at + 1, Home: 0, End: tiles.length - 1 }[
+          key
+        ] ?? -1
+      ];
     if (!next) return;
     event.preventDefault();
     next.focus();

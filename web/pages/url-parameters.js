@@ -28,8 +28,23 @@ const MAX_COUNT = 200;
  * what a visitor's browser fetches.
  */
 export const OPTIONS = [
-  'align', 'alt', 'autoplay', 'controls', 'fit', 'fps-limit', 'interactive', 'loading', 'max-pixels', 'objects', 'pan', 'paused',
-  'quality', 'reduced-motion', 'touch-action', 'warm', 'zoom',
+  'align',
+  'alt',
+  'autoplay',
+  'controls',
+  'fit',
+  'fps-limit',
+  'interactive',
+  'loading',
+  'max-pixels',
+  'objects',
+  'pan',
+  'paused',
+  'quality',
+  'reduced-motion',
+  'touch-action',
+  'warm',
+  'zoom',
 ];
 
 /** All names of the fire. */

@@ -89,7 +89,8 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     return button;
   }
   const limited = controller.only !== undefined;
-  const shownParameters = controller.only?.flatMap((id) => PARAMETERS.filter((parameter) => parameter.id === id)) ?? PARAMETERS;
+  const shownParameters =
+    controller.only?.flatMap((id) => PARAMETERS.filter((parameter) => parameter.id === id)) ?? PARAMETERS;
 
   const pause = addButton('pause', 'Pause', () => (fire.paused ? controller.play() : controller.pause()));
   const step = addButton('step', 'One step', () => {
@@ -101,7 +102,9 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   const redo = addButton('redo', 'Redo', () => controller.redo());
   const picture = addButton('picture', 'Save an image', () => controller.picture());
   const fullscreen = addButton('fullscreen', 'Full screen', () => controller.fullscreen());
-  const copies = COPIES.map(({ name, label }) => addButton(`copy:${name}`, `Copy the ${label}`, () => controller.copy(name)));
+  const copies = COPIES.map(({ name, label }) =>
+    addButton(`copy:${name}`, `Copy the ${label}`, () => controller.copy(name)),
+  );
   const paste = addButton('paste', 'Paste settings', () => controller.paste());
   for (const button of [...copies, paste]) button.addEventListener('focus', () => reveal('share'));
   const help = addButton('help', 'Keyboard shortcuts', () => controller.help());
@@ -111,9 +114,9 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   }
   const scenes = addButton('scenes', 'Scenes', () => controller.scenes());
   scenes.setAttribute('aria-haspopup', 'dialog');
-  const states = /** @type {const} */ (['A', 'B']).map((letter) => (
-    addButton(`compare:${letter}`, `State ${letter}`, () => controller.compare(letter))
-  ));
+  const states = /** @type {const} */ (['A', 'B']).map((letter) =>
+    addButton(`compare:${letter}`, `State ${letter}`, () => controller.compare(letter)),
+  );
   const variants = [...states, addButton('randomise', 'Randomise', () => controller.randomise())];
   for (const button of variants) button.addEventListener('focus', () => reveal('tools'));
   const resetAll = addButton('reset-all', 'Reset all to the scene', () => controller.restoreAll());
@@ -123,7 +126,18 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   quality.addEventListener('focus', () => reveal('quality'));
   counterparts.set('quality', quality);
   if (limited) {
-    for (const control of [step, picture, fullscreen, ...copies, paste, help, scenes, ...variants, quality.parentElement]) control?.remove();
+    for (const control of [
+      step,
+      picture,
+      fullscreen,
+      ...copies,
+      paste,
+      help,
+      scenes,
+      ...variants,
+      quality.parentElement,
+    ])
+      control?.remove();
   }
 
   /** @type {HTMLFieldSetElement | undefined} */
@@ -134,7 +148,8 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     const id = parameter.id;
     if (!group || (!limited && group.name !== parameter.group)) {
       // As on the panel, the objects follow the first group.
-      if (group && !limited && !objects) objects = mountAccessibleObjects({ root, fire, controller, reveal, addButton, counterparts });
+      if (group && !limited && !objects)
+        objects = mountAccessibleObjects({ root, fire, controller, reveal, addButton, counterparts });
       group = document.createElement('fieldset');
       group.name = limited ? 'Controls' : parameter.group;
       const legend = document.createElement('legend');
@@ -150,14 +165,20 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     control.title = parameter.doc;
     parent.append(row);
     counterparts.set(id, control);
-    const restore = addButton(`restore:${id}`, `Reset ${parameter.label}`, () => {
-      control.focus();
-      return controller.restore(id);
-    }, parent);
+    const restore = addButton(
+      `restore:${id}`,
+      `Reset ${parameter.label}`,
+      () => {
+        control.focus();
+        return controller.restore(id);
+      },
+      parent,
+    );
     shows.set(id, () => {
       const value = read(id);
       const domain = idDomain(fire, id, value, domainOf(parameter));
-      const isMet = (/** @type {[string, string[]]} */ [of, names]) => names.includes(String(read(/** @type {Id} */ (of))));
+      const isMet = (/** @type {[string, string[]]} */ [of, names]) =>
+        names.includes(String(read(/** @type {Id} */ (of))));
       const unmet = noteConditions({ row, note }, parameter, isMet, PARAMETERS);
       // As on the panel, each kind of edges has its own parameters.
       const isUsed = domain && !unmet.includes(EDGES);
@@ -175,7 +196,9 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     for (const show of shows.values()) show();
     objects?.show();
     for (const set of root.querySelectorAll('fieldset')) {
-      set.hidden = set.name !== OBJECTS && [...set.querySelectorAll('.row')].every((row) => /** @type {HTMLElement} */ (row).hidden);
+      set.hidden =
+        set.name !== OBJECTS &&
+        [...set.querySelectorAll('.row')].every((row) => /** @type {HTMLElement} */ (row).hidden);
     }
     showPlaying();
     showQuality();
@@ -215,7 +238,8 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     // A disabled button would lose the focus.
     undo.setAttribute('aria-disabled', String(!state.undo));
     redo.setAttribute('aria-disabled', String(!state.redo));
-    for (const button of states) button.setAttribute('aria-pressed', String(button.dataset.action === `compare:${state.compared}`));
+    for (const button of states)
+      button.setAttribute('aria-pressed', String(button.dataset.action === `compare:${state.compared}`));
     scenes.textContent = state.scene ? `Scene: ${state.scene}` : 'Scenes';
     fullscreen.hidden = !state.fullscreen;
     for (const [at, button] of copies.entries()) button.hidden = !state.copies.includes(COPIES[at]);
@@ -234,11 +258,17 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
       const free = ((shown?.getBoundingClientRect().top ?? Infinity) - canvas.y) / scale;
       for (const [name, element] of counterparts) {
         const rectangle = rectangles[name];
-        const text = rectangle && rectangle[1] + rectangle[3] <= free
-          ? [canvas.x + rectangle[0] * scale, canvas.y + rectangle[1] * scale, rectangle[2] * scale, rectangle[3] * scale]
-              .map((x) => Math.round(x * 100) / 100)
-              .join(' ')
-          : undefined;
+        const text =
+          rectangle && rectangle[1] + rectangle[3] <= free
+            ? [
+                canvas.x + rectangle[0] * scale,
+                canvas.y + rectangle[1] * scale,
+                rectangle[2] * scale,
+                rectangle[3] * scale,
+              ]
+                .map((x) => Math.round(x * 100) / 100)
+                .join(' ')
+            : undefined;
         if (text === undefined) delete element.dataset.rect;
         else if (element.dataset.rect !== text) element.dataset.rect = text;
       }

@@ -46,17 +46,46 @@ export function mountAccessibleObjects({ root, fire, controller, reveal, addButt
     revealGroup(button);
     buttons.push({ button, isOn });
   };
-  for (const kind of KINDS) add(`add:${kind}`, `Add ${kind}`, () => !isFull(fire, kind), () => controller.add(kind));
-  add('duplicate', 'Duplicate', () => {
-    const object = controller.selected;
-    return object !== undefined && !isFull(fire, object.kind);
-  }, () => controller.selected && controller.duplicate(controller.selected.id));
-  add('delete', 'Delete', () => controller.selected !== undefined, () => controller.selected && controller.remove(controller.selected.id));
-  for (const [end, front] of /** @type {[string, boolean][]} */ ([['back', false], ['front', true]])) {
-    add(`to:${end}`, `To ${end}`, () => isBody(controller.selected ?? {}), () => controller.selected && controller.order(controller.selected.id, front));
+  for (const kind of KINDS)
+    add(
+      `add:${kind}`,
+      `Add ${kind}`,
+      () => !isFull(fire, kind),
+      () => controller.add(kind),
+    );
+  add(
+    'duplicate',
+    'Duplicate',
+    () => {
+      const object = controller.selected;
+      return object !== undefined && !isFull(fire, object.kind);
+    },
+    () => controller.selected && controller.duplicate(controller.selected.id),
+  );
+  add(
+    'delete',
+    'Delete',
+    () => controller.selected !== undefined,
+    () => controller.selected && controller.remove(controller.selected.id),
+  );
+  for (const [end, front] of /** @type {[string, boolean][]} */ ([
+    ['back', false],
+    ['front', true],
+  ])) {
+    add(
+      `to:${end}`,
+      `To ${end}`,
+      () => isBody(controller.selected ?? {}),
+      () => controller.selected && controller.order(controller.selected.id, front),
+    );
   }
   for (const { name, label } of ACTS) {
-    add(name, label, () => controller.selected !== undefined, () => controller.selected && controller.act(name, controller.selected.id));
+    add(
+      name,
+      label,
+      () => controller.selected !== undefined,
+      () => controller.selected && controller.act(name, controller.selected.id),
+    );
   }
 
   const selection = makeControl({ label: 'Selected object', kind: 'choice', unit: '' }, (value) => {
@@ -77,30 +106,42 @@ export function mountAccessibleObjects({ root, fire, controller, reveal, addButt
     const { row, control, note, show } = makeControl(entry, (value) => {
       const object = controller.selected;
       // The element's error event reports a refusal.
-      if (object) controller.change(object.id, name, value).catch(() => {}).finally(update);
+      if (object)
+        controller
+          .change(object.id, name, value)
+          .catch(() => {})
+          .finally(update);
     });
     control.dataset.property = key;
     control.title = entry.doc;
     group.append(row);
     counterparts.set(key, control);
-    const restore = addButton(`restore:${key}`, `Reset ${entry.label}`, () => {
-      control.focus();
-      return controller.selected && controller.restoreProperty(controller.selected.id, name);
-    }, group);
+    const restore = addButton(
+      `restore:${key}`,
+      `Reset ${entry.label}`,
+      () => {
+        control.focus();
+        return controller.selected && controller.restoreProperty(controller.selected.id, name);
+      },
+      group,
+    );
     control.addEventListener('focus', () => reveal(key));
     control.addEventListener('blur', () => reveal(''));
 
     function update() {
       const object = controller.selected;
       const domain = object && sliderDomain(fire, entry, object[name]);
-      const isShown = object?.kind === kind && domain !== undefined && (name === 'name' || !isFirstSource(fire, object));
+      const isShown =
+        object?.kind === kind && domain !== undefined && (name === 'name' || !isFirstSource(fire, object));
       row.hidden = !isShown;
       restore.hidden = !isShown || isSame(object[name], controller.propertyOf(object, name));
       if (!isShown) return;
       show(object[name], domain);
       const isMet = (/** @type {[string, string[]]} */ [of, names]) => {
         const own = entriesOf(kind).find(({ id }) => id === of);
-        return names.includes(String(own ? object[own.name] : fire.params[/** @type {keyof typeof fire.params} */ (of)]));
+        return names.includes(
+          String(own ? object[own.name] : fire.params[/** @type {keyof typeof fire.params} */ (of)]),
+        );
       };
       noteConditions({ row, note }, entry, isMet, entriesOf(kind));
     }
@@ -119,8 +160,11 @@ export function mountAccessibleObjects({ root, fire, controller, reveal, addButt
       const selected = controller.selected;
       select.value = String(selected?.id ?? '');
       for (const { button, isOn } of buttons) button.setAttribute('aria-disabled', String(!isOn()));
-      const full = KINDS.filter((kind) => isFull(fire, kind)).map((kind) => `A scene has at most ${MAX_OBJECTS} ${kind}s.`);
-      const first = selected && isFirstSource(fire, selected) ? ['The properties of the first source are in Basics and Fire.'] : [];
+      const full = KINDS.filter((kind) => isFull(fire, kind)).map(
+        (kind) => `A scene has at most ${MAX_OBJECTS} ${kind}s.`,
+      );
+      const first =
+        selected && isFirstSource(fire, selected) ? ['The properties of the first source are in Basics and Fire.'] : [];
       selection.note.textContent = [...full, ...first].join(' ');
       for (const update of rows) update();
     },

@@ -53,7 +53,9 @@ export class CardCommands {
   /** The forms that the page can copy: a link needs its URL, an iframe that of `embed.html`. */
   get copies() {
     const { page, embed } = this.#addresses;
-    return COPIES.filter(({ name }) => (name !== 'link' || page !== undefined) && (name !== 'iframe' || embed !== undefined));
+    return COPIES.filter(
+      ({ name }) => (name !== 'link' || page !== undefined) && (name !== 'iframe' || embed !== undefined),
+    );
   }
 
   /** Shows or hides the card of scenes. */
@@ -62,14 +64,16 @@ export class CardCommands {
       this.#card.close();
       return;
     }
-    this.#show(showScenes({
-      host: this.#host,
-      scenes: PRESETS,
-      pictureOf: (name) => beside(`scenes/${name}.jpg`),
-      current: () => this.#fire.preset,
-      choose: (name) => this.#attempt(() => this.#replace(settingsOfPreset(name))),
-      own: ownScenesOf(this.#fire, this.#replace),
-    }));
+    this.#show(
+      showScenes({
+        host: this.#host,
+        scenes: PRESETS,
+        pictureOf: (name) => beside(`scenes/${name}.jpg`),
+        current: () => this.#fire.preset,
+        choose: (name) => this.#attempt(() => this.#replace(settingsOfPreset(name))),
+        own: ownScenesOf(this.#fire, this.#replace),
+      }),
+    );
   }
 
   /** Shows the fire of a file that a visitor has dropped, or a message why not. @param {File} file */
@@ -90,9 +94,10 @@ export class CardCommands {
     const config = await this.#attempt(() => this.#fire.exportConfig());
     const { page } = this.#addresses;
     // A fire that has failed has a report alone.
-    const text = name === 'report'
-      ? this.#report.text(page && config && pageLink(config, page), config)
-      : config && textOf(name, config, this.#addresses);
+    const text =
+      name === 'report'
+        ? this.#report.text(page && config && pageLink(config, page), config)
+        : config && textOf(name, config, this.#addresses);
     if (!text) return;
     try {
       await navigator.clipboard.writeText(text);

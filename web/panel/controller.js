@@ -12,7 +12,18 @@ import { beside } from './exchange.js';
 import { remember, remembered } from './memory.js';
 import { copyOf, newObject } from './objects.js';
 import { PARAMETERS } from '../parameters.js';
-import { DOMAINS, MODEL, hasSceneObjects, modelDefault, presetOf, sceneObjects, sceneOf, sceneProperty, sceneValue, valuesOf } from './scene.js';
+import {
+  DOMAINS,
+  MODEL,
+  hasSceneObjects,
+  modelDefault,
+  presetOf,
+  sceneObjects,
+  sceneOf,
+  sceneProperty,
+  sceneValue,
+  valuesOf,
+} from './scene.js';
 
 /** How long a button confirms its action [ms]. */
 const DONE_MS = 2000;
@@ -205,14 +216,20 @@ export class PanelController extends EventTarget {
   restoreAll() {
     const fire = this.#fire;
     const now = fire.params;
-    const ids = (this.only ?? PARAMETERS.map(({ id }) => id)).filter((id) => id !== MODEL.id && DOMAINS.get(id)?.[now.model]);
+    const ids = (this.only ?? PARAMETERS.map(({ id }) => id)).filter(
+      (id) => id !== MODEL.id && DOMAINS.get(id)?.[now.model],
+    );
     const defaults = ids.filter((id) => this.defaultOf(id) === modelDefault(id, now.model));
     const others = ids.filter((id) => !defaults.includes(id) && this.defaultOf(id) !== now[id]);
-    return this.#history.all(async () => {
-      if (!this.only && !hasSceneObjects(fire)) await fire.set({ objects: /** @type {any[]} */ (sceneObjects(fire)) });
-      if (defaults.length > 0) await fire.restore(...defaults);
-      if (others.length > 0) await fire.set(Object.fromEntries(others.map((id) => [id, this.defaultOf(id)])));
-    }, { replaces: false });
+    return this.#history.all(
+      async () => {
+        if (!this.only && !hasSceneObjects(fire))
+          await fire.set({ objects: /** @type {any[]} */ (sceneObjects(fire)) });
+        if (defaults.length > 0) await fire.restore(...defaults);
+        if (others.length > 0) await fire.set(Object.fromEntries(others.map((id) => [id, this.defaultOf(id)])));
+      },
+      { replaces: false },
+    );
   }
 
   /** Shows the fire of settings: one step. @param {HearthConfig | string} config */
@@ -257,10 +274,11 @@ export class PanelController extends EventTarget {
     const hovered = this.hovered();
     if (!hovered || !(getSelection()?.isCollapsed ?? true)) return undefined;
     const [value, label] = hovered;
-    return () => this.#try(async () => {
-      await navigator.clipboard.writeText(value);
-      this.#notify('value', `Copied: ${label} ${value}`);
-    });
+    return () =>
+      this.#try(async () => {
+        await navigator.clipboard.writeText(value);
+        this.#notify('value', `Copied: ${label} ${value}`);
+      });
   }
 
   play() {
@@ -320,9 +338,7 @@ export class PanelController extends EventTarget {
   /** Enters or leaves full screen: for the fire, or for a page about it. */
   async fullscreen() {
     const target = this.#page === undefined ? this.#fire : document.documentElement;
-    await this.#try(() => (
-      document.fullscreenElement ? document.exitFullscreen() : target.requestFullscreen()
-    ));
+    await this.#try(() => (document.fullscreenElement ? document.exitFullscreen() : target.requestFullscreen()));
   }
 
   /** Closes the card and stops listening. */

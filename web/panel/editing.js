@@ -53,7 +53,13 @@ export class Editing extends EventTarget {
   constructor(fire) {
     super();
     this.#fire = fire;
-    this.history = new UndoHistory(fire, () => this.#changed(), modelDefault, (id) => sceneValue(fire, id), this.#variants);
+    this.history = new UndoHistory(
+      fire,
+      () => this.#changed(),
+      modelDefault,
+      (id) => sceneValue(fire, id),
+      this.#variants,
+    );
   }
 
   /**
@@ -65,10 +71,14 @@ export class Editing extends EventTarget {
     this.addEventListener('change', changed, { signal });
     this.#watchers += 1;
     if (this.#watchers === 1) this.#followPointer();
-    signal.addEventListener('abort', () => {
-      this.#watchers -= 1;
-      if (this.#watchers === 0) this.#unfollowed.abort();
-    }, { once: true });
+    signal.addEventListener(
+      'abort',
+      () => {
+        this.#watchers -= 1;
+        if (this.#watchers === 0) this.#unfollowed.abort();
+      },
+      { once: true },
+    );
   }
 
   #followPointer() {
@@ -82,9 +92,13 @@ export class Editing extends EventTarget {
     };
     // The element moves objects before listeners of its event run.
     this.#fire.addEventListener('pointerdown', press, { capture: true, signal });
-    this.#fire.addEventListener('objects-change', ({ detail }) => {
-      if (detail.source === 'pointer') this.history.moved(before);
-    }, { signal });
+    this.#fire.addEventListener(
+      'objects-change',
+      ({ detail }) => {
+        if (detail.source === 'pointer') this.history.moved(before);
+      },
+      { signal },
+    );
   }
 
   /** The selected object; of several, the one that was selected last. @returns {Fields | undefined} */
@@ -168,13 +182,16 @@ export class Editing extends EventTarget {
 
   /** Shows the other of two states, which begins as a copy of the first one: one step. @param {Letter} letter */
   compare(letter) {
-    return this.history.all(async () => {
-      const { compared } = this.#variants;
-      if (letter === compared.letter) return;
-      const shown = await this.#fire.exportConfig();
-      await this.#fire.importConfig(compared.other ?? shown);
-      this.#variants.compared = { letter, other: shown };
-    }, { replaces: true });
+    return this.history.all(
+      async () => {
+        const { compared } = this.#variants;
+        if (letter === compared.letter) return;
+        const shown = await this.#fire.exportConfig();
+        await this.#fire.importConfig(compared.other ?? shown);
+        this.#variants.compared = { letter, other: shown };
+      },
+      { replaces: true },
+    );
   }
 
   /** Sets random values near those of the scene: one step. */

@@ -11,8 +11,8 @@ import { FILE as SHARE, elementCode, iframeCode, pageLink } from '../share.js';
  * files that no module names. The folder is known if share.js still is the file that this module
  * imports.
  */
-const FOLDER = /^https?:/.test(SHARE) && SHARE.split('?')[0] === new URL('../share.js', import.meta.url).href
-  ? SHARE : undefined;
+const FOLDER =
+  /^https?:/.test(SHARE) && SHARE.split('?')[0] === new URL('../share.js', import.meta.url).href ? SHARE : undefined;
 
 /** The URL of a file beside `hearth-fire.js`. @param {string} file */
 export function beside(file) {
@@ -35,7 +35,9 @@ export const COPIES = [
   { name: 'iframe', label: 'HTML of an iframe', button: 'Iframe', hint: 'HTML that shows this fire in an iframe' },
   { name: 'json', label: 'settings as JSON', button: 'JSON', hint: 'The settings, to save or to paste' },
   {
-    name: 'report', label: 'report for an issue', button: 'Copy for an issue',
+    name: 'report',
+    label: 'report for an issue',
+    button: 'Copy for an issue',
     hint: 'Version, browser, settings, measurements and the last errors',
   },
 ];
@@ -73,7 +75,8 @@ const MAX_FILE = 400_000;
  * @throws {Error} it is too large
  */
 export async function settingsOf(file) {
-  if (file.size > MAX_FILE) throw new Error(`The file has ${Math.round(file.size / 1000)} KB; settings have at most ${MAX_FILE / 1000} KB.`);
+  if (file.size > MAX_FILE)
+    throw new Error(`The file has ${Math.round(file.size / 1000)} KB; settings have at most ${MAX_FILE / 1000} KB.`);
   const text = await file.text();
   try {
     return /** @type {HearthConfig} */ (JSON.parse(text));

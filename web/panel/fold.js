@@ -9,7 +9,8 @@ import { remember, remembered } from './memory.js';
 /** The minimum height of an open panel: a lower one shows hardly more than its header [CSS pixels]. */
 const MIN_HEIGHT = 130;
 
-const ICON = 'M4 7h9m5 0h2M4 17h2m5 0h9M18 7a2.5 2.5 0 1 1-5 0a2.5 2.5 0 1 1 5 0M11 17a2.5 2.5 0 1 1-5 0a2.5 2.5 0 1 1 5 0';
+const ICON =
+  'M4 7h9m5 0h2M4 17h2m5 0h9M18 7a2.5 2.5 0 1 1-5 0a2.5 2.5 0 1 1 5 0M11 17a2.5 2.5 0 1 1-5 0a2.5 2.5 0 1 1 5 0';
 
 /**
  * @param {HTMLElement} host
@@ -19,7 +20,11 @@ export function addFold(host) {
   host.classList.add('hearth-inside');
   host.setAttribute('role', 'group');
   host.setAttribute('aria-label', 'Fire controls');
-  const button = iconButton(ICON, { class: 'hearth-fold', 'aria-label': 'Controls', title: 'Hide or show the controls (H)' });
+  const button = iconButton(ICON, {
+    class: 'hearth-fold',
+    'aria-label': 'Controls',
+    title: 'Hide or show the controls (H)',
+  });
   host.append(button);
 
   /** @param {boolean} folded */

@@ -68,7 +68,7 @@ export class KeptValues {
       const standard = this.#defaultOf(id, model);
       // The models share the other values.
       if (id === MODEL || standard === undefined || standard === this.#defaultOf(id, burning)) return false;
-      return id in set || !ofResolution(id) && value !== standard;
+      return id in set || (!ofResolution(id) && value !== standard);
     });
     this.#kept.delete(burning);
     if (own.length > 0) this.#kept.set(model, Object.fromEntries(own));

@@ -43,15 +43,17 @@ const PRESSED = 'button, summary, a[href], input[type=checkbox], input[type=radi
  * @returns {() => void} stops
  */
 export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
-  const actions = new Map(Object.entries({
-    ' ': () => (fire.paused ? controller.play() : controller.pause()),
-    r: () => controller.reset(),
-    f: () => controller.state.fullscreen && controller.fullscreen(),
-    s: () => controller.picture(),
-    '?': () => controller.help(),
-    '/': () => controller.search(),
-    ...(hide && { h: hide }),
-  }));
+  const actions = new Map(
+    Object.entries({
+      ' ': () => (fire.paused ? controller.play() : controller.pause()),
+      r: () => controller.reset(),
+      f: () => controller.state.fullscreen && controller.fullscreen(),
+      s: () => controller.picture(),
+      '?': () => controller.help(),
+      '/': () => controller.search(),
+      ...(hide && { h: hide }),
+    }),
+  );
   /** @type {EventTarget[]} */
   const nowhere = [document.body, document.documentElement];
 

@@ -105,9 +105,8 @@ export function noteConditions({ row, note }, { when = {}, unless = {} }, isMet,
   const unmet = Object.entries(when).filter((condition) => !isMet(condition));
   const excluded = Object.entries(unless);
   const isExcluded = excluded.length > 0 && excluded.every(isMet);
-  const list = (/** @type {[string, string[]][]} */ all) => (
-    all.map((condition) => phraseOf(condition, entries)).join(' and ')
-  );
+  const list = (/** @type {[string, string[]][]} */ all) =>
+    all.map((condition) => phraseOf(condition, entries)).join(' and ');
   note.textContent = unmet.length > 0 ? `Only with ${list(unmet)}` : isExcluded ? `Not with ${list(excluded)}` : '';
   row.classList.toggle('idle', unmet.length > 0 || isExcluded);
   return unmet.map(([id]) => id);

@@ -41,16 +41,21 @@ const GAP = 0.25;
 const TRIES = 100;
 
 /** The properties of each kind: its own, then those that are parameters. @type {{[kind: string]: Entry[]}} */
-const ENTRIES = Object.fromEntries(KINDS.map((kind) => [kind, OWN[kind].map((entry) => (
-  { ...entry, name: entry.id, domain: () => /** @type {any} */ (entry) }
-))]));
+const ENTRIES = Object.fromEntries(
+  KINDS.map((kind) => [
+    kind,
+    OWN[kind].map((entry) => ({ ...entry, name: entry.id, domain: () => /** @type {any} */ (entry) })),
+  ]),
+);
 
-ENTRIES.source.push(...Object.entries(SOURCE).flatMap(([name, id]) => {
-  const parameter = PARAMETERS.find((entry) => entry.id === id);
-  if (!parameter) return [];
-  const { when, unless } = /** @type {Pick<Entry, 'when' | 'unless'>} */ (parameter);
-  return [{ ...parameter, name, when, unless, domain: (/** @type {ModelName} */ model) => parameter.domains[model] }];
-}));
+ENTRIES.source.push(
+  ...Object.entries(SOURCE).flatMap(([name, id]) => {
+    const parameter = PARAMETERS.find((entry) => entry.id === id);
+    if (!parameter) return [];
+    const { when, unless } = /** @type {Pick<Entry, 'when' | 'unless'>} */ (parameter);
+    return [{ ...parameter, name, when, unless, domain: (/** @type {ModelName} */ model) => parameter.domains[model] }];
+  }),
+);
 
 /**
  * Default and range of an id of a solid on a slider, which spans the ids of the solids and the value.
@@ -58,7 +63,9 @@ ENTRIES.source.push(...Object.entries(SOURCE).flatMap(([name, id]) => {
  */
 export function idDomain(fire, id, value, domain) {
   if (!['source_solid', 'hangs_from'].includes(id) || !domain) return domain;
-  const ids = objectsOf(fire).filter(isBody).map((solid) => solid.id);
+  const ids = objectsOf(fire)
+    .filter(isBody)
+    .map((solid) => solid.id);
   return { ...domain, max: Math.max(1, Number(value) || 0, ...ids) };
 }
 
@@ -154,7 +161,10 @@ export function copyOf(fire, object) {
  * @type {(fire: Pick<HearthFire, 'params'>, kind: Kind, name: string, value: number) => number}
  */
 function inRange(fire, kind, name, value) {
-  const { min = value, max = value } = entriesOf(kind).find((entry) => entry.name === name)?.domain(fire.params.model) ?? {};
+  const { min = value, max = value } =
+    entriesOf(kind)
+      .find((entry) => entry.name === name)
+      ?.domain(fire.params.model) ?? {};
   return rounded(Math.min(max, Math.max(min, value)));
 }
 
@@ -174,10 +184,12 @@ function freePosition(fire, fields, anchor) {
   const ground = Math.max(0, Math.min(...solids.map((object) => object.y - sizeOf(object).height / 2)));
   const lowest = solids.length > 0 ? ground + radius : anchor.y;
   const all = objectsOf(fire);
-  const isClear = (/** @type {number} */ x, /** @type {number} */ y) => (
-    x - radius >= seen.left && x + radius <= seen.right && y >= seen.bottom && y + radius <= seen.top
-    && all.every((object) => distance(object, x, y) >= radius)
-  );
+  const isClear = (/** @type {number} */ x, /** @type {number} */ y) =>
+    x - radius >= seen.left &&
+    x + radius <= seen.right &&
+    y >= seen.bottom &&
+    y + radius <= seen.top &&
+    all.every((object) => distance(object, x, y) >= radius);
   for (let row = 0; row < TRIES; row += 1) {
     for (let at = 0; at < TRIES; at += 1) {
       for (const side of [1, -1]) {
@@ -212,8 +224,12 @@ export function sizeOf(fields) {
   const { width, height } = boxOf(fields);
   if (kind === 'source') return { width, height: 0, radius: width / 2 };
   if (shape === 'circle') return { width, height: width, radius: width / 2 };
-  const [sine, cosine] = [Math.sin, Math.cos].map((of) => Math.abs(of(angle * Math.PI / 180)));
-  return { width: cosine * width + sine * height, height: sine * width + cosine * height, radius: Math.hypot(width, height) / 2 };
+  const [sine, cosine] = [Math.sin, Math.cos].map((of) => Math.abs(of((angle * Math.PI) / 180)));
+  return {
+    width: cosine * width + sine * height,
+    height: sine * width + cosine * height,
+    radius: Math.hypot(width, height) / 2,
+  };
 }
 
 /** Width and height of the box of an object before it is turned. @param {{[name: string]: any}} fields */
@@ -221,7 +237,8 @@ export function boxOf({ shape, points = '', width, height }) {
   if (shape !== 'polygon' && shape !== 'stroke') return { width, height };
   /** @type {number[]} */
   const all = (String(points).match(/[-+.\de]+/g) ?? []).map(Number);
-  const reach = (/** @type {number} */ axis) => 2 * Math.max(0, ...all.filter((_, at) => at % 2 === axis).map(Math.abs));
+  const reach = (/** @type {number} */ axis) =>
+    2 * Math.max(0, ...all.filter((_, at) => at % 2 === axis).map(Math.abs));
   const line = shape === 'stroke' ? height : 0;
   return { width: reach(0) + line, height: reach(1) + line };
 }
@@ -232,7 +249,7 @@ export function distance(object, x, y) {
   const { width, height } = boxOf(object);
   const [right, up] = [x - object.x, y - object.y];
   if (kind !== 'source' && shape === 'circle') return Math.hypot(right, up) - width / 2;
-  const [sine, cosine] = [Math.sin, Math.cos].map((of) => of(angle * Math.PI / 180));
+  const [sine, cosine] = [Math.sin, Math.cos].map((of) => of((angle * Math.PI) / 180));
   const along = Math.abs(cosine * right + sine * up) - width / 2;
   const across = Math.abs(cosine * up - sine * right) - (kind === 'source' ? 0 : height / 2);
   return Math.hypot(Math.max(along, 0), Math.max(across, 0));

@@ -26,9 +26,12 @@ const PICTURE = { width: 120, height: 160 };
 export function ownScenes() {
   try {
     const all = JSON.parse(localStorage.getItem(KEY) ?? '[]');
-    const isScene = (/** @type {any} */ scene) => typeof scene?.name === 'string' && typeof scene.config === 'object' && scene.config !== null;
+    const isScene = (/** @type {any} */ scene) =>
+      typeof scene?.name === 'string' && typeof scene.config === 'object' && scene.config !== null;
     return (Array.isArray(all) ? all : []).filter(isScene).map(({ name, config, picture }) => ({
-      name: name.slice(0, MAX_NAME), config, picture: /^data:image\//.test(picture) ? picture : '',
+      name: name.slice(0, MAX_NAME),
+      config,
+      picture: /^data:image\//.test(picture) ? picture : '',
     }));
   } catch {
     return [];
@@ -41,9 +44,11 @@ function store(all) {
     localStorage.setItem(KEY, JSON.stringify(all));
   } catch (error) {
     const isFull = error instanceof DOMException && /quota/i.test(error.name);
-    throw new Error(isFull
-      ? 'The storage of this site is full: delete a scene, or download this one.'
-      : 'This browser does not let the page store anything: download the scene instead.');
+    throw new Error(
+      isFull
+        ? 'The storage of this site is full: delete a scene, or download this one.'
+        : 'This browser does not let the page store anything: download the scene instead.',
+    );
   }
 }
 
@@ -77,7 +82,10 @@ export function saveScene(name, config, picture) {
  */
 export function renameScene(from, to) {
   const all = ownScenes();
-  const name = unused(to, all.filter((scene) => scene.name !== from));
+  const name = unused(
+    to,
+    all.filter((scene) => scene.name !== from),
+  );
   store(all.map((scene) => (scene.name === from ? { ...scene, name } : scene)));
   return name;
 }
@@ -127,7 +135,10 @@ export function ownScenesOf(fire, replace) {
     },
     download({ name, config }) {
       const text = JSON.stringify({ ...config, label: name }, null, 2);
-      download(new Blob([text], { type: 'application/json' }), `${name.replace(/[^\p{L}\p{N} _-]+/gu, '').trim() || 'hearth'}.json`);
+      download(
+        new Blob([text], { type: 'application/json' }),
+        `${name.replace(/[^\p{L}\p{N} _-]+/gu, '').trim() || 'hearth'}.json`,
+      );
     },
     open: async (file) => replace(await settingsOf(file)),
   };

@@ -78,7 +78,9 @@ function hex(hue, lightness) {
   const channel = (/** @type {number} */ n) => {
     const k = (n + hue / 30) % 12;
     const value = lightness - Math.min(lightness, 1 - lightness) * Math.max(-1, Math.min(k - 3, 9 - k, 1));
-    return Math.round(255 * value).toString(16).padStart(2, '0');
+    return Math.round(255 * value)
+      .toString(16)
+      .padStart(2, '0');
   };
   return `#${channel(0)}${channel(8)}${channel(4)}`;
 }

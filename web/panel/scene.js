@@ -57,7 +57,7 @@ export function sceneValue(fire, id) {
   const domain = domains[fire.params?.model ?? DEFAULT_MODEL];
   const sceneDomain = domains[values.model ?? DEFAULT_MODEL];
   const shared = sceneDomain && FIELDS.every((field) => sceneDomain[field] === domain?.[field]);
-  return domain && ((domain === sceneDomain || shared) ? values[id] ?? domain.default : domain.default);
+  return domain && (domain === sceneDomain || shared ? (values[id] ?? domain.default) : domain.default);
 }
 
 /**
@@ -78,7 +78,8 @@ export function sceneObjects(fire) {
  */
 export function sceneProperty(fire, { id, kind }, name) {
   const [first, ...others] = sceneObjects(fire);
-  if (id === first.id && kind === first.kind && name in SOURCE) return sceneValue(fire, /** @type {Id} */ (SOURCE[/** @type {keyof typeof SOURCE} */ (name)]));
+  if (id === first.id && kind === first.kind && name in SOURCE)
+    return sceneValue(fire, /** @type {Id} */ (SOURCE[/** @type {keyof typeof SOURCE} */ (name)]));
   const same = others.find((other) => other.id === id && other.kind === kind);
   const entry = entriesOf(kind).find((property) => property.name === name);
   return same?.[name] ?? entry?.domain(fire.params?.model ?? DEFAULT_MODEL)?.default;
@@ -88,13 +89,18 @@ export function sceneProperty(fire, { id, kind }, name) {
 export function hasSceneObjects(fire) {
   const scene = sceneObjects(fire);
   const objects = /** @type {Fields[]} */ (fire.objects ?? scene.slice(0, 1));
-  return objects.length === scene.length && objects.every((object, index) => {
-    const { id, kind } = scene[index];
-    if (object.id !== id || object.kind !== kind) return false;
-    return index === 0 ? !object.name : Object.keys(object).every((name) => (
-      name === 'id' || name === 'kind' || isSame(object[name], sceneProperty(fire, object, name))
-    ));
-  });
+  return (
+    objects.length === scene.length &&
+    objects.every((object, index) => {
+      const { id, kind } = scene[index];
+      if (object.id !== id || object.kind !== kind) return false;
+      return index === 0
+        ? !object.name
+        : Object.keys(object).every(
+            (name) => name === 'id' || name === 'kind' || isSame(object[name], sceneProperty(fire, object, name)),
+          );
+    })
+  );
 }
 
 /** The label of the scene, with a note if the fire has changed since. @param {Fire} fire */

@@ -80,7 +80,8 @@ export function showScenes({ host, scenes, pictureOf, current, choose, own }) {
   mark();
   const showOwn = ownSection(card, own);
   card.button('save', 'Save', () => showOwn(own.save)).title = 'Save this fire in the browser';
-  card.button('open', 'Open', () => chooseFile((file) => showOwn(() => own.open(file)))).title = 'Show the fire of a file';
+  card.button('open', 'Open', () => chooseFile((file) => showOwn(() => own.open(file)))).title =
+    'Show the fire of a file';
   card.button('close', 'Close', card.close);
   const first = tiles.find((tile) => tile.hasAttribute('aria-current')) ?? tiles[0];
   focus(first);
@@ -123,33 +124,49 @@ function ownSection(card, own) {
     if (listed === shown) return;
     shown = listed;
     rows.hidden = all.length === 0;
-    rows.replaceChildren(...all.map((scene) => {
-      const row = document.createElement('li');
-      const start = document.createElement('button');
-      start.type = 'button';
-      start.dataset.own = scene.name;
-      start.setAttribute('aria-label', `Show ${scene.name}`);
-      const image = Object.assign(document.createElement('img'), { alt: '', width: 30, height: 40, src: scene.picture });
-      image.hidden = !scene.picture;
-      start.append(image);
-      start.addEventListener('click', () => act(() => own.choose(scene)));
-      const name = Object.assign(document.createElement('input'), { value: scene.name, maxLength: MAX_NAME, spellcheck: false });
-      name.setAttribute('aria-label', `Name of ${scene.name}`);
-      name.addEventListener('change', async () => {
-        await act(() => own.rename(scene.name, name.value));
-        name.value = scene.name;
-      });
-      /** @type {(label: string, sign: string, action: () => void) => HTMLButtonElement} */
-      const button = (label, sign, action) => {
-        const node = Object.assign(document.createElement('button'), { textContent: sign, title: label });
-        node.type = 'button';
-        node.setAttribute('aria-label', `${label} ${scene.name}`);
-        node.addEventListener('click', () => act(action));
-        return node;
-      };
-      row.append(start, name, button('Download', '⤓', () => own.download(scene)), button('Delete', '✕', () => own.remove(scene.name)));
-      return row;
-    }));
+    rows.replaceChildren(
+      ...all.map((scene) => {
+        const row = document.createElement('li');
+        const start = document.createElement('button');
+        start.type = 'button';
+        start.dataset.own = scene.name;
+        start.setAttribute('aria-label', `Show ${scene.name}`);
+        const image = Object.assign(document.createElement('img'), {
+          alt: '',
+          width: 30,
+          height: 40,
+          src: scene.picture,
+        });
+        image.hidden = !scene.picture;
+        start.append(image);
+        start.addEventListener('click', () => act(() => own.choose(scene)));
+        const name = Object.assign(document.createElement('input'), {
+          value: scene.name,
+          maxLength: MAX_NAME,
+          spellcheck: false,
+        });
+        name.setAttribute('aria-label', `Name of ${scene.name}`);
+        name.addEventListener('change', async () => {
+          await act(() => own.rename(scene.name, name.value));
+          name.value = scene.name;
+        });
+        /** @type {(label: string, sign: string, action: () => void) => HTMLButtonElement} */
+        const button = (label, sign, action) => {
+          const node = Object.assign(document.createElement('button'), { textContent: sign, title: label });
+          node.type = 'button';
+          node.setAttribute('aria-label', `${label} ${scene.name}`);
+          node.addEventListener('click', () => act(action));
+          return node;
+        };
+        row.append(
+          start,
+          name,
+          button('Download', '⤓', () => own.download(scene)),
+          button('Delete', '✕', () => own.remove(scene.name)),
+        );
+        return row;
+      }),
+    );
   };
   show();
   return act;

@@ -33,8 +33,8 @@ export function addSheet(host, fire) {
   grip.setAttribute('aria-valuemax', String(SHARES[1] * 100));
   host.append(grip);
 
-  const outer = () => fire?.getBoundingClientRect()
-    ?? new DOMRect(0, 0, document.documentElement.clientWidth, window.innerHeight);
+  const outer = () =>
+    fire?.getBoundingClientRect() ?? new DOMRect(0, 0, document.documentElement.clientWidth, window.innerHeight);
   const root = /** @type {ShadowRoot} */ (host.getRootNode());
   const styled = () => /** @type {HTMLElement[]} */ (fire ? [...root.children] : [document.documentElement]);
 

@@ -44,10 +44,12 @@ function add(parent, href) {
   const link = document.createElement('link');
   link.rel = 'stylesheet';
   link.href = href;
-  const styled = /** @type {Promise<void>} */ (new Promise((resolve) => {
-    link.onload = link.onerror = () => resolve();
-    setTimeout(resolve, STYLE_MS);
-  }));
+  const styled = /** @type {Promise<void>} */ (
+    new Promise((resolve) => {
+      link.onload = link.onerror = () => resolve();
+      setTimeout(resolve, STYLE_MS);
+    })
+  );
   added.set(link, { users: 0, styled });
   parent.appendChild(link);
   return link;

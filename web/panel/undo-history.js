@@ -111,7 +111,12 @@ export class UndoHistory {
 
   /** @type {(id: Id, value: Value) => Promise<void>} */
   set(id, value) {
-    return this.#value(id, true, () => value, () => this.#fire.set(id, value));
+    return this.#value(
+      id,
+      true,
+      () => value,
+      () => this.#fire.set(id, value),
+    );
   }
 
   /**
@@ -139,15 +144,17 @@ export class UndoHistory {
     // A step before this one may have removed some.
     const target = [...changes].filter(([id]) => find(id));
     if (target.length === 0) return;
-    const latest = (/** @type {number} */ id, /** @type {string} */ name) => this.#latest(`${id}.${name}`, find(id)?.[name]);
+    const latest = (/** @type {number} */ id, /** @type {string} */ name) =>
+      this.#latest(`${id}.${name}`, find(id)?.[name]);
     /** @type {[number, Properties][]} */
-    const before = target.map(([id, properties]) => (
-      [id, Object.fromEntries(Object.keys(properties).map((name) => [name, latest(id, name)]))]
-    ));
+    const before = target.map(([id, properties]) => [
+      id,
+      Object.fromEntries(Object.keys(properties).map((name) => [name, latest(id, name)])),
+    ]);
     /** @type {Change['sent']} */
-    const sent = target.flatMap(([id, properties]) => (
-      Object.entries(properties).map(([name, value]) => /** @type {[string, unknown]} */ ([`${id}.${name}`, value]))
-    ));
+    const sent = target.flatMap(([id, properties]) =>
+      Object.entries(properties).map(([name, value]) => /** @type {[string, unknown]} */ ([`${id}.${name}`, value])),
+    );
     await this.#change({
       key: target.map(([id, properties]) => `${id}.${Object.keys(properties)}`).join(),
       gesture,
@@ -171,10 +178,13 @@ export class UndoHistory {
     const last = this.#done.at(-1);
     if (last?.key === POINTER && last.gesture === this.#gesture) this.#done.pop();
     const now = objectsOf(this.#fire);
-    const pairs = objects.map((old) => [old, now.find(({ id }) => id === old.id) ?? old])
+    const pairs = objects
+      .map((old) => [old, now.find(({ id }) => id === old.id) ?? old])
       .filter(([old, moved]) => old.x !== moved.x || old.y !== moved.y);
     const [before, after] = [0, 1].map((side) => {
-      const changed = pairs.map((pair) => /** @type {[number, Properties]} */ ([pair[side].id, { x: pair[side].x, y: pair[side].y }]));
+      const changed = pairs.map(
+        (pair) => /** @type {[number, Properties]} */ ([pair[side].id, { x: pair[side].x, y: pair[side].y }]),
+      );
       return { value: changed, changed };
     });
     this.#record({ key: POINTER, gesture: this.#gesture, before, after });
@@ -209,9 +219,9 @@ export class UndoHistory {
       await act();
       if (replaces) this.#kept.clear();
       const after = await this.#snapshot();
-      const [old, now] = [before, after].map(({ values, config, compared, kept = [] }) => (
-        JSON.stringify([values, config, compared, [...kept]])
-      ));
+      const [old, now] = [before, after].map(({ values, config, compared, kept = [] }) =>
+        JSON.stringify([values, config, compared, [...kept]]),
+      );
       if (old !== now) this.#record({ gesture, before, after });
     });
   }
@@ -247,7 +257,11 @@ export class UndoHistory {
       const config = ofResolution(id) ? this.#fire.exportConfig() : undefined;
       const value = target();
       const wasNamed = async () => !ofResolution(id) || (await config)?.values[id] !== undefined;
-      const side = (/** @type {Value | undefined} */ value) => ({ value, values: { [MODEL]: model, [id]: value }, named });
+      const side = (/** @type {Value | undefined} */ value) => ({
+        value,
+        values: { [MODEL]: model, [id]: value },
+        named,
+      });
       const before = side(this.#latest(id, now[id]));
       return this.#change({ key: id, gesture, before, after: side(value), sent: [[id, value]], act }, wasNamed);
     };
@@ -291,8 +305,12 @@ export class UndoHistory {
   /** @param {Step} step */
   #record(step) {
     const last = this.#done.at(-1);
-    const continues = last && this.#undone.length === 0 && last.gesture === step.gesture
-      && step.key !== undefined && last.key === step.key;
+    const continues =
+      last &&
+      this.#undone.length === 0 &&
+      last.gesture === step.gesture &&
+      step.key !== undefined &&
+      last.key === step.key;
     if (continues) {
       last.after = step.after;
       if (isSame(last)) this.#done.pop();
@@ -327,7 +345,9 @@ export class UndoHistory {
     if (objects) {
       // Objects that are there keep what a page has changed meanwhile.
       const now = objectsOf(fire);
-      const list = objects.map((object) => now.find(({ id, kind }) => id === object.id && kind === object.kind) ?? object);
+      const list = objects.map(
+        (object) => now.find(({ id, kind }) => id === object.id && kind === object.kind) ?? object,
+      );
       await fire.set({ objects: /** @type {any[]} */ (list) });
     }
     if (!values) return;
@@ -368,9 +388,14 @@ export class UndoHistory {
   #alone(act) {
     const earlier = [...this.#running, this.#gate];
     const done = Promise.allSettled(earlier).then(act);
-    const gate = done.then(() => {}, () => {}).then(() => {
-      if (this.#gate === gate) this.#gate = undefined;
-    });
+    const gate = done
+      .then(
+        () => {},
+        () => {},
+      )
+      .then(() => {
+        if (this.#gate === gate) this.#gate = undefined;
+      });
     this.#gate = gate;
     return done;
   }
@@ -390,5 +415,7 @@ export class UndoHistory {
 
 /** Whether a step that changes one value changes nothing. @param {Step} step */
 function isSame({ key, before, after }) {
-  return key !== undefined && JSON.stringify(before.value) === JSON.stringify(after.value) && before.named === after.named;
+  return (
+    key !== undefined && JSON.stringify(before.value) === JSON.stringify(after.value) && before.named === after.named
+  );
 }

@@ -24,7 +24,13 @@ export function zoomKey(fire, { key, shiftKey }) {
   const { zoom } = fire;
   if (shiftKey && Object.hasOwn(ARROWS, key)) {
     // A share of what is hidden: a picture that is not enlarged hides nothing.
-    return zoom > 1 ? () => setPan(fire, panOf(fire).map((at, axis) => at + (MOVE * ARROWS[key][axis]) / (zoom - 1))) : undefined;
+    return zoom > 1
+      ? () =>
+          setPan(
+            fire,
+            panOf(fire).map((at, axis) => at + (MOVE * ARROWS[key][axis]) / (zoom - 1)),
+          )
+      : undefined;
   }
   switch (key) {
     case '+':

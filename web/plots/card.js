@@ -61,9 +61,9 @@ export class Card {
     const bar = element('header', {});
     bar.append(
       this.#head,
-      button('CSV', 'Download the series, the spectrum and the profiles as CSV', () => (
-        download(new Blob([record.csv()], { type: 'text/csv' }), 'hearth.csv')
-      )),
+      button('CSV', 'Download the series, the spectrum and the profiles as CSV', () =>
+        download(new Blob([record.csv()], { type: 'text/csv' }), 'hearth.csv'),
+      ),
       button('Close', 'Close the plots', close),
     );
     // Readers and keys reach all of it.
@@ -101,8 +101,10 @@ export class Card {
       alongX: [`−${SHOWN} s`, 'now'],
       alongY: ['0', `${top} ${unit}`],
       now: now === undefined ? '' : inUnit(now),
-      description: now === undefined ? ''
-        : `now ${inUnit(now)}; in the last ${Math.min(SHOWN, end - rows[0].time).toFixed(0)} s from ${inUnit(Math.min(...values))} to ${inUnit(Math.max(...values))}`,
+      description:
+        now === undefined
+          ? ''
+          : `now ${inUnit(now)}; in the last ${Math.min(SHOWN, end - rows[0].time).toFixed(0)} s from ${inUnit(Math.min(...values))} to ${inUnit(Math.max(...values))}`,
     });
   }
 
@@ -125,21 +127,29 @@ export class Card {
   /** @param {Profile} profile */
   #profile({ field, mean, unit, digits }) {
     const { levels, x } = this.#record;
-    const height = levels.length > 1 ? levels.at(-1)?.y ?? 1 : 1;
+    const height = levels.length > 1 ? (levels.at(-1)?.y ?? 1) : 1;
     const known = levels.filter((level) => level[mean] !== undefined);
     const values = levels.flatMap((level) => [level[field] ?? 0, level[mean] ?? 0]);
     const [low, high] = [Math.min(0, ...values), Math.max(...values)];
     const [left, right] = [low < -0.05 * high ? -roundUp(-low) : 0, roundUp(high)];
-    const most = known.length > 0 ? known.reduce((best, level) => (Number(level[mean]) > Number(best[mean]) ? level : best)) : undefined;
+    const most =
+      known.length > 0
+        ? known.reduce((best, level) => (Number(level[mean]) > Number(best[mean]) ? level : best))
+        : undefined;
     const at = most && `${Number(most[mean]).toFixed(digits)} ${unit}`;
     this.#charts[field].show({
-      lines: [levels.map((level) => pointOf(level[field], level.y)), levels.map((level) => pointOf(level[mean], level.y))],
+      lines: [
+        levels.map((level) => pointOf(level[field], level.y)),
+        levels.map((level) => pointOf(level[mean], level.y)),
+      ],
       across: [left, right],
       up: [0, height],
       alongX: [String(left), `${right} ${unit}`],
       alongY: ['', `${height.toFixed(1)} m`],
       now: at ? `≤ ${at}` : '',
-      description: most ? `over the height at x = ${x.toFixed(2)} m, on average at most ${at}, at ${most.y.toFixed(2)} m` : 'there is no gas',
+      description: most
+        ? `over the height at x = ${x.toFixed(2)} m, on average at most ${at}, at ${most.y.toFixed(2)} m`
+        : 'there is no gas',
     });
   }
 }

@@ -39,7 +39,9 @@ export class Chart {
   element = element('div', { role: 'img' });
   #now = element('b', {});
   /** @type {{[side: string]: HTMLElement}} */
-  #labels = Object.fromEntries(['top', 'bottom', 'left', 'right'].map((side) => [side, element('span', { class: side })]));
+  #labels = Object.fromEntries(
+    ['top', 'bottom', 'left', 'right'].map((side) => [side, element('span', { class: side })]),
+  );
   #drawing = document.createElementNS(SVG, 'svg');
   #title;
 
@@ -50,7 +52,8 @@ export class Chart {
     const caption = element('p', {});
     caption.append(Object.assign(element('span', {}), { textContent: title }), this.#now);
     const area = element('div', {});
-    for (const [name, value] of Object.entries({ viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: 'none' })) this.#drawing.setAttribute(name, value);
+    for (const [name, value] of Object.entries({ viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: 'none' }))
+      this.#drawing.setAttribute(name, value);
     area.append(this.#drawing, ...Object.values(this.#labels));
     this.element.append(caption, area);
   }
@@ -62,7 +65,10 @@ export class Chart {
       return `${right.toFixed(1)},${above.toFixed(1)}`;
     };
     const middle = `M0,${HEIGHT / 2}H${WIDTH}M${WIDTH / 2},0V${HEIGHT}`;
-    const paths = [path('grid', middle), ...lines.map((line, at) => path(at === lines.length - 1 ? 'main' : 'beside', pathOf(line, coordinates)))];
+    const paths = [
+      path('grid', middle),
+      ...lines.map((line, at) => path(at === lines.length - 1 ? 'main' : 'beside', pathOf(line, coordinates))),
+    ];
     if (mark !== undefined) paths.push(path('mark', `M${(share(mark, across) * WIDTH).toFixed(1)},0V${HEIGHT}`));
     this.#drawing.replaceChildren(...paths);
     this.#now.textContent = now;
@@ -88,9 +94,11 @@ function path(name, d) {
 /** @type {(line: (Point | undefined)[], coordinates: (point: Point) => string) => string} */
 function pathOf(line, coordinates) {
   let pen = 'M';
-  return line.map((point) => {
-    const drawn = point && pen + coordinates(point);
-    pen = point ? 'L' : 'M';
-    return drawn ?? '';
-  }).join('');
+  return line
+    .map((point) => {
+      const drawn = point && pen + coordinates(point);
+      pen = point ? 'L' : 'M';
+      return drawn ?? '';
+    })
+    .join('');
 }

@@ -137,7 +137,10 @@ export class Instruments {
     const pixel = this.#at && fire.toPixels(this.#at.x, this.#at.y);
     if (!pixel) return;
     const [inner, outer] = [fire.getBoundingClientRect(), host.getBoundingClientRect()];
-    this.#readout.move({ x: pixel.x + inner.left - outer.left, y: pixel.y + inner.top - outer.top }, this.#card !== undefined);
+    this.#readout.move(
+      { x: pixel.x + inner.left - outer.left, y: pixel.y + inner.top - outer.top },
+      this.#card !== undefined,
+    );
   }
 
   /** Shows the values of the probe. @type {(place: import('./readout.js').Place, at: Point, now: number) => void} */
@@ -150,9 +153,9 @@ export class Instruments {
     this.#move();
     if (!this.#announces || at !== this.#at) return;
     this.#announces = false;
-    const phrases = Object.entries(valuesOf(place)).map(([name, value]) => (
-      name === 'place' ? value : `${name} ${value.replace(/[^\d\w\s./³%-]/g, '')}`
-    ));
+    const phrases = Object.entries(valuesOf(place)).map(([name, value]) =>
+      name === 'place' ? value : `${name} ${value.replace(/[^\d\w\s./³%-]/g, '')}`,
+    );
     showStatus(`${phrases.join(', ')}.`);
   }
 }

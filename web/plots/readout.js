@@ -34,8 +34,10 @@ export function valuesOf({ gas, solid, temperature, u = 0, v = 0, density, fuel,
   if (!gas) return { place: 'no gas' };
   const speed = Math.hypot(u, v);
   const along = eighth(u, v);
-  const inUnit = (/** @type {number | undefined} */ value, /** @type {number} */ digits, unit = '') => value?.toFixed(digits).concat(unit);
-  const share = (/** @type {number | undefined} */ fraction) => (fraction === undefined ? fraction : inUnit(100 * fraction, fraction > 0 && fraction < 0.095 ? 1 : 0, ' %'));
+  const inUnit = (/** @type {number | undefined} */ value, /** @type {number} */ digits, unit = '') =>
+    value?.toFixed(digits).concat(unit);
+  const share = (/** @type {number | undefined} */ fraction) =>
+    fraction === undefined ? fraction : inUnit(100 * fraction, fraction > 0 && fraction < 0.095 ? 1 : 0, ' %');
   const all = {
     temperature: inUnit(temperature, 0, ' K'),
     velocity: speed < STILL ? 'at rest' : `${inUnit(speed, 2, ' m/s')} ${ARROWS[along]} ${DIRECTIONS[along]}`,
@@ -44,7 +46,9 @@ export function valuesOf({ gas, solid, temperature, u = 0, v = 0, density, fuel,
     fuel: share(fuel),
     soot: inUnit(soot, 2),
   };
-  return Object.fromEntries(Object.entries(all).flatMap(([name, value]) => (value === undefined ? [] : [[name, value]])));
+  return Object.fromEntries(
+    Object.entries(all).flatMap(([name, value]) => (value === undefined ? [] : [[name, value]])),
+  );
 }
 
 /** The values of one probe. */
@@ -62,7 +66,10 @@ export class Readout {
     const values = { ...(place && valuesOf(place)), at: `${x.toFixed(2)}, ${y.toFixed(2)} m` };
     const rows = Object.entries(values).map(([name, value]) => {
       const row = element('div', {});
-      row.append(Object.assign(element('dt', {}), { textContent: name }), Object.assign(element('dd', {}), { textContent: value }));
+      row.append(
+        Object.assign(element('dt', {}), { textContent: name }),
+        Object.assign(element('dd', {}), { textContent: value }),
+      );
       return row;
     });
     this.#list.replaceChildren(...rows);

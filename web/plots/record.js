@@ -47,13 +47,25 @@ export class Record {
     this.x = x;
     const passed = time - (this.rows.at(-1)?.time ?? -Infinity);
     if (passed === 0) this.rows.pop();
-    this.rows.push({ time, ...(stats?.fps ? { frameTime: 1000 / stats.fps } : {}), flame: flameHeight, ...(power === undefined ? {} : { power }), luminosity });
+    this.rows.push({
+      time,
+      ...(stats?.fps ? { frameTime: 1000 / stats.fps } : {}),
+      flame: flameHeight,
+      ...(power === undefined ? {} : { power }),
+      luminosity,
+    });
     const first = this.rows.findIndex((row) => row.time >= time - KEPT);
     this.rows.splice(0, first);
     const share = 1 - Math.exp(-passed / AVERAGED);
     this.levels = profile.map(({ y, temperature, v }, at) => {
       const { meanTemperature, meanV } = this.levels[at] ?? {};
-      return { y, temperature, v, meanTemperature: towards(meanTemperature, temperature, share), meanV: towards(meanV, v, share) };
+      return {
+        y,
+        temperature,
+        v,
+        meanTemperature: towards(meanTemperature, temperature, share),
+        meanV: towards(meanV, v, share),
+      };
     });
   }
 
@@ -71,7 +83,11 @@ export class Record {
   csv() {
     const columns = [
       ...columnsOf(this.rows, {
-        'time [s]': 'time', 'frame time [ms]': 'frameTime', 'flame height [m]': 'flame', 'power [kW/m]': 'power', 'luminosity [m²]': 'luminosity',
+        'time [s]': 'time',
+        'frame time [ms]': 'frameTime',
+        'flame height [m]': 'flame',
+        'power [kW/m]': 'power',
+        'luminosity [m²]': 'luminosity',
       }),
       ...columnsOf(this.spectrum(), { 'frequency [Hz]': 'frequency', 'luminosity spectrum [1]': 'power' }),
       ...columnsOf(this.levels, {

@@ -29,9 +29,17 @@ export function spectrumOf(samples) {
   const length = Math.min(SEGMENT, end - start);
   const step = FINE / length;
   const highest = Math.min(HIGHEST, (NYQUIST * samples.length) / (end - start));
-  const lines = Array.from({ length: Math.floor(highest / step) }, (_, at) => ({ frequency: (at + 1) * step, power: 0 }));
+  const lines = Array.from({ length: Math.floor(highest / step) }, (_, at) => ({
+    frequency: (at + 1) * step,
+    power: 0,
+  }));
   for (let from = end - length; from > start - 1e-6; from -= length / 2) {
-    add(lines, samples.filter(({ time }) => time > from - 1e-6 && time <= from + length), from, length);
+    add(
+      lines,
+      samples.filter(({ time }) => time > from - 1e-6 && time <= from + length),
+      from,
+      length,
+    );
   }
   const most = Math.max(...lines.map(({ power }) => power));
   return most > 0 ? lines.map(({ frequency, power }) => ({ frequency, power: power / most })) : [];
@@ -59,7 +67,8 @@ function add(lines, samples, from, length) {
 
 /** The line of least squares. @param {Sample[]} samples */
 function trendOf(samples) {
-  const mean = (/** @type {(sample: Sample) => number} */ of) => samples.reduce((sum, sample) => sum + of(sample), 0) / samples.length;
+  const mean = (/** @type {(sample: Sample) => number} */ of) =>
+    samples.reduce((sum, sample) => sum + of(sample), 0) / samples.length;
   const [at, value] = [mean(({ time }) => time), mean((sample) => sample.value)];
   const spread = mean(({ time }) => (time - at) ** 2);
   return { at, value, slope: spread > 0 ? mean((sample) => (sample.time - at) * (sample.value - value)) / spread : 0 };

@@ -33,10 +33,12 @@ export function loaded(wasm, parts) {
 /** @type {(wasm: unknown, parts: [string, any][]) => Promise<any>} */
 async function load(wasm, parts) {
   const compiled = compiling('wasm', wasm ?? new URL('../wasm/hearth-sim_bg.wasm', import.meta.url));
-  const others = parts.filter(([, source]) => source !== undefined).map(([name, source]) => {
-    known('wasmParts', name, Object.keys(PARTS));
-    return /** @type {const} */ ([name, compiling(`wasmParts.${name}`, source)]);
-  });
+  const others = parts
+    .filter(([, source]) => source !== undefined)
+    .map(([name, source]) => {
+      known('wasmParts', name, Object.keys(PARTS));
+      return /** @type {const} */ ([name, compiling(`wasmParts.${name}`, source)]);
+    });
   try {
     const glue = await import('../wasm/hearth-sim.js');
     const ready = await compiled();
@@ -73,14 +75,17 @@ const PARTS = {
 };
 
 /** @type {(name: string, cause: unknown) => Error} */
-const missingPart = (name, cause) => new Error(`the part "${name}" of the wasm could not be loaded: ${cause}`, { cause });
+const missingPart = (name, cause) =>
+  new Error(`the part "${name}" of the wasm could not be loaded: ${cause}`, { cause });
 
 /** Loads a part. After a failure, the next call tries again. @param {string} name */
 export function add(name) {
-  adding[name] ??= compiledFrom(PARTS[name]()).then((part) => extend(name, part)).catch((cause) => {
-    delete adding[name];
-    throw missingPart(name, cause);
-  });
+  adding[name] ??= compiledFrom(PARTS[name]())
+    .then((part) => extend(name, part))
+    .catch((cause) => {
+      delete adding[name];
+      throw missingPart(name, cause);
+    });
   return adding[name];
 }
 

@@ -63,9 +63,7 @@ export function fuelsOf(numbers) {
 export function numbersOf(particles, airTemperature) {
   const given = fields('particles', particles);
   for (const [name] of given) known('property of particles', name, Object.keys(PARTICLE));
-  const { positions, ...others } = Object.fromEntries(
-    given.filter(([, value]) => value !== undefined),
-  );
+  const { positions, ...others } = Object.fromEntries(given.filter(([, value]) => value !== undefined));
   const count = list('positions', positions).length / 2;
   if (!Number.isInteger(count)) {
     throw new RangeError(`positions has ${2 * count} numbers: it must have two for each particle`);

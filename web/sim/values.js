@@ -39,9 +39,9 @@ function isPlain(/** @type {any} */ object) {
  * @param {[string, any][]} values
  */
 export function columns(values) {
-  return columnsOf(values, (id, value) => (
-    id === 'objects' && Array.isArray(value) ? objects(value) : scalar(id, value)
-  ));
+  return columnsOf(values, (id, value) =>
+    id === 'objects' && Array.isArray(value) ? objects(value) : scalar(id, value),
+  );
 }
 
 /** @param {[string, any][]} values @param {(id: string, value: any) => any} each */
@@ -53,7 +53,11 @@ function columnsOf(values, each) {
 function scalar(/** @type {string} */ id, /** @type {any} */ value) {
   if (id === 'points' && Array.isArray(value)) {
     const pairs = value.slice(0, MAX_FIELDS);
-    return pairs.map((pair) => (Array.isArray(pair) && pair.length === 2 ? pair.map((x) => (typeof x === 'number' ? x : words(x))) : 'no pair')).join(' ');
+    return pairs
+      .map((pair) =>
+        Array.isArray(pair) && pair.length === 2 ? pair.map((x) => (typeof x === 'number' ? x : words(x))) : 'no pair',
+      )
+      .join(' ');
   }
   return ['string', 'number', 'boolean', 'undefined'].includes(typeof value) ? value : words(value);
 }

@@ -66,7 +66,8 @@ function arrow(tip, { x, y }, perPixel) {
 
 /** Throws sparks at the press and along the way. @type {(context: ToolContext, from: Point) => Gesture} */
 export function throwSparks({ fire }, from) {
-  const sparks = (/** @type {Point} */ { x, y }, /** @type {number} */ count) => fire.sparks(x, y, count).catch(() => {});
+  const sparks = (/** @type {Point} */ { x, y }, /** @type {number} */ count) =>
+    fire.sparks(x, y, count).catch(() => {});
   sparks(from, FIRST);
   let last = from;
   return {

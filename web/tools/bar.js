@@ -26,11 +26,20 @@ const MATERIALS = ['stone', 'wood', 'iron', 'brick', 'coal', 'wax', 'glass', 'no
 
 /** The bar of one toolbar. */
 export class Bar {
-  element = element('div', { class: 'hearth-toolbar', role: 'toolbar', 'aria-label': 'Tools', 'aria-orientation': 'vertical' });
+  element = element('div', {
+    class: 'hearth-toolbar',
+    role: 'toolbar',
+    'aria-label': 'Tools',
+    'aria-orientation': 'vertical',
+  });
   /** Shown while several objects are selected. */
   align = element('div', { class: 'hearth-align', role: 'toolbar', 'aria-label': 'Align', hidden: '' });
-  #list = /** @type {HTMLSelectElement} */ (element('select', { 'aria-label': 'Selected object', title: 'Selected object' }));
-  #material = /** @type {HTMLSelectElement} */ (element('select', { 'aria-label': 'Material of new solids', title: 'Material of new solids' }));
+  #list = /** @type {HTMLSelectElement} */ (
+    element('select', { 'aria-label': 'Selected object', title: 'Selected object' })
+  );
+  #material = /** @type {HTMLSelectElement} */ (
+    element('select', { 'aria-label': 'Material of new solids', title: 'Material of new solids' })
+  );
   #burns = /** @type {HTMLInputElement} */ (element('input', { type: 'checkbox' }));
   /** @type {Map<string, HTMLButtonElement>} */
   #buttons = new Map();
@@ -51,11 +60,14 @@ export class Bar {
       // The same file can be chosen again.
       file.value = '';
     });
-    this.#button('picture', 'Picture', ICONS.picture, () => file.click()).title = 'A picture from a file; it may also be dropped or pasted';
+    this.#button('picture', 'Picture', ICONS.picture, () => file.click()).title =
+      'A picture from a file; it may also be dropped or pasted';
     this.#material.append(...MATERIALS.map((name) => new Option(name === 'none' ? 'invisible' : name, name)));
     const burns = element('label', { title: 'New solids burn all around' });
     burns.append(this.#burns, 'on fire');
-    this.#list.addEventListener('change', () => acts.select(this.#list.value === '' ? undefined : Number(this.#list.value)));
+    this.#list.addEventListener('change', () =>
+      acts.select(this.#list.value === '' ? undefined : Number(this.#list.value)),
+    );
     const settings = element('div', { class: 'settings' });
     settings.append(this.#material, burns, this.#list, file);
     this.element.append(settings);
@@ -71,7 +83,8 @@ export class Bar {
     this.#button('undo', 'Undo (Ctrl Z)', ICONS.undo, acts.undo);
     this.#button('redo', 'Redo (Ctrl Y)', ICONS.redo, acts.redo);
     this.#button('close', 'Close the tools', ICONS.close, acts.close);
-    for (const [to, icon] of ALIGNMENTS) this.#button(`align-${to}`, `Align: ${to}`, icon, () => acts.align(to), this.align);
+    for (const [to, icon] of ALIGNMENTS)
+      this.#button(`align-${to}`, `Align: ${to}`, icon, () => acts.align(to), this.align);
   }
 
   /** The material of new solids. */
@@ -124,12 +137,22 @@ export class Bar {
     const names = [none, ...all.map((object) => `${object.id}:${nameOf(object)}`)].join();
     if (this.#names !== names) {
       this.#names = names;
-      this.#list.replaceChildren(new Option(none, ''), ...all.map((object) => new Option(nameOf(object), String(object.id))));
+      this.#list.replaceChildren(
+        new Option(none, ''),
+        ...all.map((object) => new Option(nameOf(object), String(object.id))),
+      );
     }
     this.#list.value = first && more.length === 0 ? String(first.id) : '';
     this.align.hidden = more.length === 0;
     const solid = selected.some(isBody);
-    for (const [name, works] of Object.entries({ undo: canUndo, redo: canRedo, duplicate: first, remove: first, back: solid, front: solid })) {
+    for (const [name, works] of Object.entries({
+      undo: canUndo,
+      redo: canRedo,
+      duplicate: first,
+      remove: first,
+      back: solid,
+      front: solid,
+    })) {
       this.#buttons.get(name)?.setAttribute('aria-disabled', String(!works));
     }
   }

@@ -84,13 +84,19 @@ export class Edits {
   #surfaceOf(id, solid) {
     const { points, closed } = outlineOf(solid);
     const ends = closed ? [...points, points[0]] : [...points, ...points.slice(0, -1).reverse()];
-    const around = ends.reduce((sum, point, at) => sum + (at ? Math.hypot(point.x - ends[at - 1].x, point.y - ends[at - 1].y) : 0), 0);
+    const around = ends.reduce(
+      (sum, point, at) => sum + (at ? Math.hypot(point.x - ends[at - 1].x, point.y - ends[at - 1].y) : 0),
+      0,
+    );
     return { kind: 'source', shape: 'solid', solid: id, power: rounded(this.#inRange('power', POWER * around)) };
   }
 
   /** @type {(name: string, value: number, kind?: 'source' | 'solid') => number} */
   #inRange(name, value, kind = 'source') {
-    const { min = value, max = value } = entriesOf(kind).find((entry) => entry.name === name)?.domain(this.#fire.params.model) ?? {};
+    const { min = value, max = value } =
+      entriesOf(kind)
+        .find((entry) => entry.name === name)
+        ?.domain(this.#fire.params.model) ?? {};
     return Math.min(max, Math.max(min, value));
   }
 
@@ -123,8 +129,15 @@ export class Edits {
   order(front) {
     const solids = this.#editing.all.filter(isBody);
     if (solids.length === 0) return;
-    this.#showStatus(`${this.#named} ${solids.length > 1 ? 'are' : 'is'} ${front ? 'before' : 'behind'} the other solids.`);
-    this.attempt(() => this.#editing.order(solids.map(({ id }) => id), front));
+    this.#showStatus(
+      `${this.#named} ${solids.length > 1 ? 'are' : 'is'} ${front ? 'before' : 'behind'} the other solids.`,
+    );
+    this.attempt(() =>
+      this.#editing.order(
+        solids.map(({ id }) => id),
+        front,
+      ),
+    );
   }
 
   /** Aligns the selected objects. @param {import('./geometry.js').Alignment} to */
@@ -132,7 +145,10 @@ export class Edits {
     const { all } = this.#editing;
     const objects = placed(this.#objects()).filter(({ id }) => all.some((chosen) => chosen.id === id));
     const by = aligned(objects, to);
-    this.change(objects.map((object, at) => moved(object, { x: 0, y: 0 }, by[at])), objects);
+    this.change(
+      objects.map((object, at) => moved(object, { x: 0, y: 0 }, by[at])),
+      objects,
+    );
     this.#showStatus(`${this.#named} are aligned: ${to}.`);
   }
 
@@ -147,12 +163,20 @@ export class Edits {
    * @type {(objects: Fields[], fields: Drawn[], held?: boolean) => Map<number, Drawn>}
    */
   changes(objects, fields, held = false) {
-    return new Map(objects.map(({ id, kind, motion, x, y, angle }, at) => {
-      const all = { ...(motion === 'free' && { x, y, angle, motion: held ? 'still' : motion }), ...fields[at] };
-      return [id, Object.fromEntries(Object.entries(all).map(([name, value]) => (
-        [name, typeof value === 'number' ? this.#inRange(name, value, kind) : value]
-      )))];
-    }));
+    return new Map(
+      objects.map(({ id, kind, motion, x, y, angle }, at) => {
+        const all = { ...(motion === 'free' && { x, y, angle, motion: held ? 'still' : motion }), ...fields[at] };
+        return [
+          id,
+          Object.fromEntries(
+            Object.entries(all).map(([name, value]) => [
+              name,
+              typeof value === 'number' ? this.#inRange(name, value, kind) : value,
+            ]),
+          ),
+        ];
+      }),
+    );
   }
 
   /** Adds an object to the selection, or takes it out. @param {number} id */

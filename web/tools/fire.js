@@ -46,7 +46,8 @@ export function ignite(context, from, pressed) {
     needCombustion(fire, 'fuels');
     if (at === from && pressed && isBody(pressed)) await giveFuel(editing, pressed);
     // A source there may be wet.
-    if (!context.objects().some((source) => source.kind === 'source' && distance(source, at.x, at.y) <= REACH)) needFuel(context, at, REACH);
+    if (!context.objects().some((source) => source.kind === 'source' && distance(source, at.x, at.y) <= REACH))
+      needFuel(context, at, REACH);
     await fire.ignite(at.x, at.y);
   });
 }

@@ -80,7 +80,12 @@ export function lineBetween(a, b, thickness) {
 export function sourceBetween(a, b) {
   // Drawn from right to left, it is the same: fuel rises from its upper side.
   const [left, right] = a.x <= b.x ? [a, b] : [b, a];
-  return { kind: 'source', ...between(a, b), angle: angleOf(left, right, false), width: rounded(Math.max(SMALLEST, apart(a, b))) };
+  return {
+    kind: 'source',
+    ...between(a, b),
+    angle: angleOf(left, right, false),
+    width: rounded(Math.max(SMALLEST, apart(a, b))),
+  };
 }
 
 /**
@@ -90,7 +95,8 @@ export function sourceBetween(a, b) {
 export function strokeAlong(path, thickness) {
   let few = simplified(path, DEVIATION * thickness);
   for (let error = thickness; few.length > MAX_POINTS; error *= 2) few = simplified(path, error);
-  if (few.length < 2) return { kind: 'solid', shape: 'circle', x: rounded(path[0].x), y: rounded(path[0].y), width: thickness };
+  if (few.length < 2)
+    return { kind: 'solid', shape: 'circle', x: rounded(path[0].x), y: rounded(path[0].y), width: thickness };
   return { kind: 'solid', shape: 'stroke', height: thickness, ...outlined(few) };
 }
 
@@ -154,13 +160,13 @@ export const isTurned = ({ kind, shape }) => kind === 'source' || shape !== 'cir
  * @type {(object: Fields, local: Point) => Point}
  */
 function outOf(object, { x, y }) {
-  const axis = direction(isTurned(object) ? object.angle ?? 0 : 0);
+  const axis = direction(isTurned(object) ? (object.angle ?? 0) : 0);
   return { x: object.x + axis.x * x - axis.y * y, y: object.y + axis.y * x + axis.x * y };
 }
 
 /** The reverse of {@link outOf}. @type {(object: Fields, point: Point) => Point} */
 function into(object, point) {
-  const axis = direction(isTurned(object) ? object.angle ?? 0 : 0);
+  const axis = direction(isTurned(object) ? (object.angle ?? 0) : 0);
   const [x, y] = [point.x - object.x, point.y - object.y];
   return { x: axis.x * x + axis.y * y, y: axis.x * y - axis.y * x };
 }
@@ -186,10 +192,23 @@ export function outlineOf(object) {
   }
   if (object.shape === 'circle') {
     const points = Array.from({ length: CORNERS }, (_, at) => direction((360 * at) / CORNERS));
-    return { points: points.map(({ x, y }) => outOf(object, { x: (x * width) / 2, y: (y * width) / 2 })), closed: true };
+    return {
+      points: points.map(({ x, y }) => outOf(object, { x: (x * width) / 2, y: (y * width) / 2 })),
+      closed: true,
+    };
   }
   const [right, up] = [width / 2, height / 2];
-  const corners = isBody(object) ? [[-right, -up], [right, -up], [right, up], [-right, up]] : [[-right, 0], [right, 0]];
+  const corners = isBody(object)
+    ? [
+        [-right, -up],
+        [right, -up],
+        [right, up],
+        [-right, up],
+      ]
+    : [
+        [-right, 0],
+        [right, 0],
+      ];
   return { points: corners.map(([x, y]) => outOf(object, { x, y })), closed: isBody(object) };
 }
 
@@ -200,14 +219,20 @@ export function boundsOf(objects) {
   const points = objects.flatMap((object) => {
     // A stroke is as thick as its ends.
     const reach = object.shape === 'stroke' ? object.height / 2 : 0;
-    return outlineOf(object).points.flatMap(({ x, y }) => [{ x: x - reach, y: y - reach }, { x: x + reach, y: y + reach }]);
+    return outlineOf(object).points.flatMap(({ x, y }) => [
+      { x: x - reach, y: y - reach },
+      { x: x + reach, y: y + reach },
+    ]);
   });
   const [xs, ys] = [points.map(({ x }) => x), points.map(({ y }) => y)];
   return { left: Math.min(...xs), right: Math.max(...xs), bottom: Math.min(...ys), top: Math.max(...ys) };
 }
 
 /** The edges and the middle of a box in one direction. @type {(box: Bounds) => {[axis in 'x' | 'y']: number[]}} */
-const linesOf = ({ left, right, bottom, top }) => ({ x: [left, (left + right) / 2, right], y: [bottom, (bottom + top) / 2, top] });
+const linesOf = ({ left, right, bottom, top }) => ({
+  x: [left, (left + right) / 2, right],
+  y: [bottom, (bottom + top) / 2, top],
+});
 
 /**
  * How far a moved box has to go so that an edge or its middle is at one of another box, at most `near` in each
@@ -232,7 +257,9 @@ export function snapTo(box, others, near) {
     by[axis] = best.away;
     const { at, other } = best;
     const both = [linesOf(box), linesOf(other)].flatMap((lines) => lines[axis === 'x' ? 'y' : 'x']);
-    guides.push([Math.min(...both), Math.max(...both)].map((end) => (axis === 'x' ? { x: at, y: end } : { x: end, y: at })));
+    guides.push(
+      [Math.min(...both), Math.max(...both)].map((end) => (axis === 'x' ? { x: at, y: end } : { x: end, y: at })),
+    );
   }
   return { by, guides };
 }
@@ -260,7 +287,17 @@ export function aligned(objects, to) {
 export function handlesOf(object, perPixel) {
   const { width, height } = sizeOf(object);
   const [right, up] = [width / 2, height / 2];
-  const corners = isBody(object) ? [[-right, -up], [right, -up], [right, up], [-right, up]] : [[-right, 0], [right, 0]];
+  const corners = isBody(object)
+    ? [
+        [-right, -up],
+        [right, -up],
+        [right, up],
+        [-right, up],
+      ]
+    : [
+        [-right, 0],
+        [right, 0],
+      ];
   /** @type {{does: 'size' | 'turn', at: Point}[]} */
   const handles = corners.map(([x, y]) => ({ does: 'size', at: outOf(object, { x, y }) }));
   if (isTurned(object)) handles.push({ does: 'turn', at: outOf(object, { x: 0, y: up + ARM * perPixel }) });
@@ -311,7 +348,9 @@ export function scaled(object, factor) {
   const by = (/** @type {number} */ length) => rounded(Math.max(0.002, length * factor));
   if (object.kind === 'source' || object.shape === 'circle') return { width: by(object.width) };
   if (object.shape === 'polygon' || object.shape === 'stroke') {
-    const points = pointsOf(object).map(({ x, y }) => `${rounded(x * factor)},${rounded(y * factor)}`).join(' ');
+    const points = pointsOf(object)
+      .map(({ x, y }) => `${rounded(x * factor)},${rounded(y * factor)}`)
+      .join(' ');
     return object.shape === 'stroke' ? { points, height: by(object.height) } : { points };
   }
   return { width: by(object.width), height: by(object.height) };

@@ -40,7 +40,19 @@ import { distance, isBody } from '../panel/objects.js';
 import { blow, spray, throwSparks } from './air.js';
 import { extinguish, ignite } from './fire.js';
 import {
-  boundsOf, boxBetween, circleAround, lineBetween, moved, outlineOf, polygonOf, sized, snapped, snapTo, sourceBetween, strokeAlong, turned,
+  boundsOf,
+  boxBetween,
+  circleAround,
+  lineBetween,
+  moved,
+  outlineOf,
+  polygonOf,
+  sized,
+  snapped,
+  snapTo,
+  sourceBetween,
+  strokeAlong,
+  turned,
 } from './geometry.js';
 
 /** How near to an object or to the first corner of a polygon a press is on it [px]. */
@@ -58,9 +70,11 @@ const SNAP_PX = 6;
  * @param {Owned[]} objects
  */
 export function placed(objects) {
-  return objects.filter(({ kind, shape, solid, enabled }) => enabled !== false && (
-    kind !== 'source' || shape !== 'solid' || !objects.some((other) => isBody(other) && other.id === solid)
-  ));
+  return objects.filter(
+    ({ kind, shape, solid, enabled }) =>
+      enabled !== false &&
+      (kind !== 'source' || shape !== 'solid' || !objects.some((other) => isBody(other) && other.id === solid)),
+  );
 }
 
 /**
@@ -137,7 +151,9 @@ function dragObjects(context, objects, change) {
 function moveObjects(context, objects, from, click) {
   const box = boundsOf(objects);
   const ids = objects.map(({ id }) => id);
-  const others = placed(context.objects()).filter(({ id }) => !ids.includes(id)).map((object) => boundsOf([object]));
+  const others = placed(context.objects())
+    .filter(({ id }) => !ids.includes(id))
+    .map((object) => boundsOf([object]));
   const drag = dragObjects(context, objects, (to, { free, perPixel }) => {
     const [x, y] = [to.x - from.x, to.y - from.y];
     const target = { left: box.left + x, right: box.right + x, bottom: box.bottom + y, top: box.top + y };
@@ -166,7 +182,9 @@ function select(context, from, { perPixel, adds }) {
   const handle = more.length === 0 && context.handleAt(chosen, from);
   if (handle && chosen) {
     const before = /** @type {Owned & Placed} */ ({ ...chosen });
-    return dragObjects(context, [before], (to, { snaps }) => [handle.does === 'turn' ? turned(before, to, snaps) : sized(before, handle.at, to)]);
+    return dragObjects(context, [before], (to, { snaps }) => [
+      handle.does === 'turn' ? turned(before, to, snaps) : sized(before, handle.at, to),
+    ]);
   }
   const object = objectAt(context, from, NEAR_PX * perPixel);
   const isChosen = editing.all.some(({ id }) => id === object?.id);
@@ -194,7 +212,11 @@ function erase(context, from, { perPixel }) {
     await Promise.allSettled(removals);
   });
   const rub = (/** @type {Point} */ at) => {
-    const object = objectAt({ ...context, objects: () => context.objects().filter(({ id }) => !gone.has(id)) }, at, NEAR_PX * perPixel);
+    const object = objectAt(
+      { ...context, objects: () => context.objects().filter(({ id }) => !gone.has(id)) },
+      at,
+      NEAR_PX * perPixel,
+    );
     if (!object) return;
     gone.add(object.id);
     removals.push(context.remove(object.id));
@@ -233,7 +255,8 @@ export class PolygonDrawing {
 
   /** A click adds a corner; one at the first corner or the last one closes it. @type {(at: Point, how: How) => void} */
   press(at, { perPixel }) {
-    const near = (/** @type {Point | undefined} */ corner) => corner && Math.hypot(corner.x - at.x, corner.y - at.y) <= NEAR_PX * perPixel;
+    const near = (/** @type {Point | undefined} */ corner) =>
+      corner && Math.hypot(corner.x - at.x, corner.y - at.y) <= NEAR_PX * perPixel;
     if (this.#corners.length > 2 && (near(this.#corners[0]) || near(this.#corners.at(-1)))) this.close();
     else if (!near(this.#corners.at(-1))) this.#corners.push(at);
   }
@@ -262,19 +285,34 @@ export class PolygonDrawing {
  */
 export function begin(tool, context, from, how) {
   switch (tool) {
-    case 'blow': return blow(context, from);
-    case 'sparks': return throwSparks(context, from);
-    case 'ignite': return ignite(context, from, objectAt(context, from, NEAR_PX * how.perPixel));
-    case 'extinguish': return extinguish(context, from);
-    case 'water': return spray(context, from);
-    case 'select': return select(context, from, how);
-    case 'erase': return erase(context, from, how);
-    case 'brush': return brush(context, from);
-    case 'line': return drawBetween(context, from, (a, b) => lineBetween(a, b, context.thickness()), true);
-    case 'box': return drawBetween(context, from, boxBetween);
-    case 'circle': return drawBetween(context, from, circleAround);
-    case 'source': return drawBetween(context, from, sourceBetween, true);
-    case 'text': context.askForText(from); return undefined;
-    default: return undefined;
+    case 'blow':
+      return blow(context, from);
+    case 'sparks':
+      return throwSparks(context, from);
+    case 'ignite':
+      return ignite(context, from, objectAt(context, from, NEAR_PX * how.perPixel));
+    case 'extinguish':
+      return extinguish(context, from);
+    case 'water':
+      return spray(context, from);
+    case 'select':
+      return select(context, from, how);
+    case 'erase':
+      return erase(context, from, how);
+    case 'brush':
+      return brush(context, from);
+    case 'line':
+      return drawBetween(context, from, (a, b) => lineBetween(a, b, context.thickness()), true);
+    case 'box':
+      return drawBetween(context, from, boxBetween);
+    case 'circle':
+      return drawBetween(context, from, circleAround);
+    case 'source':
+      return drawBetween(context, from, sourceBetween, true);
+    case 'text':
+      context.askForText(from);
+      return undefined;
+    default:
+      return undefined;
   }
 }

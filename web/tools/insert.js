@@ -16,7 +16,17 @@ const MAX_PIXELS = 40e6;
 const MAX_LETTERS = 60;
 
 /** Families that every browser has, and some that most computers have. */
-const FAMILIES = ['serif', 'sans-serif', 'monospace', 'cursive', 'Georgia', 'Impact', 'Arial Black', 'Courier New', 'Brush Script MT'];
+const FAMILIES = [
+  'serif',
+  'sans-serif',
+  'monospace',
+  'cursive',
+  'Georgia',
+  'Impact',
+  'Arial Black',
+  'Courier New',
+  'Brush Script MT',
+];
 
 /** Width of a letter [m], and the largest share of the visible width that a word or a picture takes. */
 const LETTER = 0.13;
@@ -51,9 +61,13 @@ export class Inserts {
   listen(targets, signal) {
     document.addEventListener('paste', (event) => this.#paste(event), { signal });
     for (const target of targets) {
-      target.addEventListener('dragover', (event) => {
-        if (/** @type {DragEvent} */ (event).dataTransfer?.types.includes('Files')) event.preventDefault();
-      }, { signal });
+      target.addEventListener(
+        'dragover',
+        (event) => {
+          if (/** @type {DragEvent} */ (event).dataTransfer?.types.includes('Files')) event.preventDefault();
+        },
+        { signal },
+      );
       target.addEventListener('drop', (event) => this.#drop(/** @type {DragEvent} */ (event)), { signal });
     }
   }
@@ -89,7 +103,9 @@ export class Inserts {
 
   /** @param {ClipboardEvent} event */
   #paste(event) {
-    const typing = event.composedPath().some((node) => /** @type {Partial<Element>} */ (node).matches?.('input, textarea'));
+    const typing = event
+      .composedPath()
+      .some((node) => /** @type {Partial<Element>} */ (node).matches?.('input, textarea'));
     const [file] = event.clipboardData?.files ?? [];
     if (!file || typing) return;
     event.preventDefault();
@@ -153,7 +169,12 @@ function wordForm(host, across, add, closed) {
 /** @type {(label: string, value: string, maxLength: number) => {label: HTMLLabelElement, input: HTMLInputElement}} */
 function field(name, value, maxLength) {
   const label = document.createElement('label');
-  const input = Object.assign(document.createElement('input'), { value, maxLength, spellcheck: false, autocomplete: 'off' });
+  const input = Object.assign(document.createElement('input'), {
+    value,
+    maxLength,
+    spellcheck: false,
+    autocomplete: 'off',
+  });
   label.append(name, input);
   return { label, input };
 }
@@ -168,7 +189,10 @@ function field(name, value, maxLength) {
  */
 async function textOf(word, family, across) {
   if (word.trim() === '') throw new Error('A word has at least one letter.');
-  const names = family.split(',').map((name) => name.trim().replace(/^(["'])(.*)\1$/, '$2')).filter(Boolean);
+  const names = family
+    .split(',')
+    .map((name) => name.trim().replace(/^(["'])(.*)\1$/, '$2'))
+    .filter(Boolean);
   const absent = names.find((name) => !isPresent(name));
   if (absent !== undefined || names.length === 0) throw new Error(`This computer has no font “${absent ?? family}”.`);
   const font = `700 100px ${names.map((name) => (GENERIC.includes(name) ? name : JSON.stringify(name))).join(', ')}`;
@@ -201,7 +225,8 @@ function isPresent(name) {
 async function pictureOf(file, across) {
   const name = 'name' in file && file.name ? `“${file.name}”` : 'What was pasted';
   if (!file.type.startsWith('image/')) throw new Error(`${name} is no image.`);
-  if (file.size > MAX_BYTES) throw new Error(`${name} has ${Math.round(file.size / 1e6)} MB; an image has at most ${MAX_BYTES / 1e6} MB.`);
+  if (file.size > MAX_BYTES)
+    throw new Error(`${name} has ${Math.round(file.size / 1e6)} MB; an image has at most ${MAX_BYTES / 1e6} MB.`);
   const image = new Image();
   const url = URL.createObjectURL(file);
   try {
@@ -212,7 +237,8 @@ async function pictureOf(file, across) {
       image.onerror = () => reject(new Error(`${name} cannot be read as an image.`));
     });
     const pixels = image.naturalWidth * image.naturalHeight;
-    if (pixels > MAX_PIXELS) throw new Error(`${name} has ${Math.round(pixels / 1e6)} megapixels; an image has at most ${MAX_PIXELS / 1e6}.`);
+    if (pixels > MAX_PIXELS)
+      throw new Error(`${name} has ${Math.round(pixels / 1e6)} megapixels; an image has at most ${MAX_PIXELS / 1e6}.`);
     return { kind: 'solid', ...maskOfImage(image, 0.4 * across) };
   } finally {
     URL.revokeObjectURL(url);

@@ -86,10 +86,12 @@ export class Overlay {
   select(objects, handled) {
     this.#outline.setAttribute('d', objects.map((object) => this.#path(outlineOf(object))).join(''));
     const all = handled ? handlesOf(handled, this.perPixel) : [];
-    this.#handles.replaceChildren(...all.flatMap(({ does, at }) => {
-      const { x, y } = this.#pixels(at);
-      return [svg('circle', { class: `handle ${does}`, cx: x, cy: y, r: HANDLE_PX })];
-    }));
+    this.#handles.replaceChildren(
+      ...all.flatMap(({ does, at }) => {
+        const { x, y } = this.#pixels(at);
+        return [svg('circle', { class: `handle ${does}`, cx: x, cy: y, r: HANDLE_PX })];
+      }),
+    );
   }
 
   /**

@@ -24,7 +24,10 @@ export function offerTools({ button, host, fire, page, shown = () => {}, failed 
     const tools = mounted;
     mounted = undefined;
     show(false);
-    tools?.then((toolbar) => toolbar.destroy(), () => {});
+    tools?.then(
+      (toolbar) => toolbar.destroy(),
+      () => {},
+    );
   };
   const open = () => {
     show(true);

@@ -9,16 +9,35 @@ const MODULE = 'hearth-fire.js';
 const CLASS = 'HearthFire';
 
 /** @param {Element} element */
-export function manifest({ doc, properties, methods, parameters, events, slots, parts, cssProperties, states, children }) {
+export function manifest({
+  doc,
+  properties,
+  methods,
+  parameters,
+  events,
+  slots,
+  parts,
+  cssProperties,
+  states,
+  children,
+}) {
   const own = properties.filter(({ attribute }) => attribute);
   const others = properties.filter(({ attribute }) => !attribute);
   const lists = {
     attributes: [
       ...own.map((property) => ({
-        name: property.attribute, fieldName: property.name, type: kind(property.accepts ?? property.type), default: property.default, description: property.doc,
+        name: property.attribute,
+        fieldName: property.name,
+        type: kind(property.accepts ?? property.type),
+        default: property.default,
+        description: property.doc,
       })),
       ...parameters.map((parameter) => ({
-        name: parameter.attribute, fieldName: parameter.property, type: kind(parameter.type), default: parameter.default, description: parameter.about,
+        name: parameter.attribute,
+        fieldName: parameter.property,
+        type: kind(parameter.type),
+        default: parameter.default,
+        description: parameter.about,
       })),
     ],
     members: [
@@ -40,24 +59,42 @@ export function manifest({ doc, properties, methods, parameters, events, slots, 
         description: property.doc,
       })),
       ...methods.map(({ name, signatures }) => {
-        const { parameters: all, returns, template, doc: description } = /** @type {import('../element.mjs').Signature} */ (signatures.at(-1));
+        const {
+          parameters: all,
+          returns,
+          template,
+          doc: description,
+        } = /** @type {import('../element.mjs').Signature} */ (signatures.at(-1));
         // The format has no generics.
-        const plain = (/** @type {string} */ type) => (template ? type.replace(new RegExp(`\\b${template.name}\\b`, 'g'), template.type) : type);
+        const plain = (/** @type {string} */ type) =>
+          template ? type.replace(new RegExp(`\\b${template.name}\\b`, 'g'), template.type) : type;
         return {
           kind: 'method',
           name,
           parameters: all.map((parameter) => ({
-            name: parameter.name, optional: parameter.optional || undefined, rest: parameter.rest || undefined, type: kind(plain(parameter.type)),
+            name: parameter.name,
+            optional: parameter.optional || undefined,
+            rest: parameter.rest || undefined,
+            type: kind(plain(parameter.type)),
           })),
           return: { type: kind(plain(returns)) },
           description,
         };
       }),
       ...parameters.map((parameter) => ({
-        kind: 'field', name: parameter.property, attribute: parameter.attribute, type: kind(parameter.type), default: parameter.default, description: parameter.doc,
+        kind: 'field',
+        name: parameter.property,
+        attribute: parameter.attribute,
+        type: kind(parameter.type),
+        default: parameter.default,
+        description: parameter.doc,
       })),
     ],
-    events: events.map((event) => ({ name: event.name, type: kind(`CustomEvent<${event.type}>`), description: event.doc })),
+    events: events.map((event) => ({
+      name: event.name,
+      type: kind(`CustomEvent<${event.type}>`),
+      description: event.doc,
+    })),
     slots: slots.map(named),
     cssParts: parts.map(named),
     cssProperties: cssProperties.map(named),
@@ -77,31 +114,54 @@ export function manifest({ doc, properties, methods, parameters, events, slots, 
   /** @type {{[name: string]: object[]}} */
   const all = { ...lists };
   for (const { type, attributes, members } of children) {
-    all[`${type}Attributes`] = attributes.map((attribute) => ({ name: attribute.name, type: kind(attribute.type), description: attribute.doc }));
-    all[`${type}Members`] = members.map((member) => ({ kind: 'field', name: member.name, readonly: true, type: kind(member.type), description: member.doc }));
+    all[`${type}Attributes`] = attributes.map((attribute) => ({
+      name: attribute.name,
+      type: kind(attribute.type),
+      description: attribute.doc,
+    }));
+    all[`${type}Members`] = members.map((member) => ({
+      kind: 'field',
+      name: member.name,
+      readonly: true,
+      type: kind(member.type),
+      description: member.doc,
+    }));
   }
-  const text = JSON.stringify({
-    schemaVersion: '2.1.0',
-    readme: 'README.md',
-    modules: [{
-      kind: 'javascript-module',
-      path: MODULE,
-      declarations: [{
-        kind: 'class',
-        customElement: true,
-        tagName: 'hearth-fire',
-        name: CLASS,
-        superclass: { name: 'HTMLElement' },
-        description: doc,
-        ...Object.fromEntries(Object.keys(lists).map((name) => [name, `list of ${name}`])),
-      }, ...ofChildren],
-      exports: [
-        { kind: 'js', name: CLASS, declaration },
-        { kind: 'custom-element-definition', name: 'hearth-fire', declaration },
-        ...children.map(({ tag, type: name }) => ({ kind: 'custom-element-definition', name: tag, declaration: { name, module: MODULE } })),
+  const text = JSON.stringify(
+    {
+      schemaVersion: '2.1.0',
+      readme: 'README.md',
+      modules: [
+        {
+          kind: 'javascript-module',
+          path: MODULE,
+          declarations: [
+            {
+              kind: 'class',
+              customElement: true,
+              tagName: 'hearth-fire',
+              name: CLASS,
+              superclass: { name: 'HTMLElement' },
+              description: doc,
+              ...Object.fromEntries(Object.keys(lists).map((name) => [name, `list of ${name}`])),
+            },
+            ...ofChildren,
+          ],
+          exports: [
+            { kind: 'js', name: CLASS, declaration },
+            { kind: 'custom-element-definition', name: 'hearth-fire', declaration },
+            ...children.map(({ tag, type: name }) => ({
+              kind: 'custom-element-definition',
+              name: tag,
+              declaration: { name, module: MODULE },
+            })),
+          ],
+        },
       ],
-    }],
-  }, null, 2);
+    },
+    null,
+    2,
+  );
   // One entry a line, so that a change is a line.
   return `${text.replace(/"list of (\w+)"/g, (_, name) => listed(all[name]))}\n`;
 }

@@ -9,9 +9,10 @@ import { seen } from './types.mjs';
 /** @param {Element} element */
 export function reference({ methods }) {
   const rows = methods.flatMap((method) => methodRows(method, '')).join('');
-  const buttons = methods.flatMap(({ examples }) => examples).map(({ label, code }) => (
-    `<button onclick="${code}">${label}</button>\n`
-  )).join('');
+  const buttons = methods
+    .flatMap(({ examples }) => examples)
+    .map(({ label, code }) => `<button onclick="${code}">${label}</button>\n`)
+    .join('');
   return `| method | |\n|---|---|\n${rows}
 \`\`\`html
 <!doctype html>
@@ -28,8 +29,13 @@ ${buttons}\`\`\`
  */
 export function methodRows({ name, signatures, see }, page) {
   return seen(signatures).map(({ doc, parameters }) => {
-    const names = parameters.map((parameter) => (parameter.rest ? `…${parameter.name}` : parameter.name) + (parameter.optional ? '?' : ''));
-    const described = parameters.filter((parameter) => parameter.doc).map((parameter) => `\`${parameter.name}\`: ${parameter.doc}`).join('; ');
+    const names = parameters.map(
+      (parameter) => (parameter.rest ? `…${parameter.name}` : parameter.name) + (parameter.optional ? '?' : ''),
+    );
+    const described = parameters
+      .filter((parameter) => parameter.doc)
+      .map((parameter) => `\`${parameter.name}\`: ${parameter.doc}`)
+      .join('; ');
     const section = see && `See [${see}](${page}#${see.toLowerCase()}).`;
     return row(`${name}(${names.join(', ')})`, [doc, described && `${described}.`, section].filter(Boolean).join(' '));
   });

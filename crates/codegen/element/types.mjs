@@ -38,7 +38,9 @@ ${children.map(({ tag, type }) => `    '${tag}': ${type};\n`).join('')}  }
 }
 `;
   return `${HEADER}
-${Object.entries(types).map(([file, names]) => `${imports(names, file, body)}\n`).join('')}
+${Object.entries(types)
+  .map(([file, names]) => `${imports(names, file, body)}\n`)
+  .join('')}
 export type * from './element/types.js';
 export type * from './parameters.js';
 
@@ -52,15 +54,25 @@ export function reactTypes({ properties, parameters, events, children, types }) 
     ...own.map((attribute) => entry(attribute.doc, String(attribute.attribute), attribute.accepts ?? attribute.type)),
     ...parameters.map((parameter) => entry(parameter.about, parameter.attribute, asText(parameter))),
   ].join('');
-  const listens = events.map((event) => entry(event.doc, `on${event.name}`, `((event: CustomEvent<${event.type}>) => void)`)).join('');
-  const ofChildren = children.map(({ tag, attributes: all }) => `
+  const listens = events
+    .map((event) => entry(event.doc, `on${event.name}`, `((event: CustomEvent<${event.type}>) => void)`))
+    .join('');
+  const ofChildren = children
+    .map(
+      ({ tag, attributes: all }) => `
 /** The attributes of \`<${tag}>\`; one that is taken away is back at its default. */
 export interface ${attributesOf(tag)} {
 ${all.map(({ name, type, doc }) => entry(doc, name, type === 'number' ? NUMBER : type)).join('')}}
-`).join('');
-  const elements = children.map(({ tag, type }) => `\
+`,
+    )
+    .join('');
+  const elements = children
+    .map(
+      ({ tag, type }) => `\
       '${tag}': DetailedHTMLProps<${attributesOf(tag)} & HTMLAttributes<${type}>, ${type}>;
-`).join('');
+`,
+    )
+    .join('');
   const names = [...Object.values(types).flat(), 'HearthFire'].sort();
   return `${HEADER}
 /**
@@ -107,9 +119,10 @@ function property({ name, type, accepts, ofClass, readonly }) {
  * @param {import('../element.mjs').Method} method
  */
 export function declarations({ name, signatures }) {
-  return seen(signatures).map((signature) => (
-    `${described(signature)}  ${name}${signature.template ? `<${signature.template.name} extends ${signature.template.type}>` : ''}(${signature.parameters.map(argument).join(', ')}): ${signature.returns};\n`
-  ));
+  return seen(signatures).map(
+    (signature) =>
+      `${described(signature)}  ${name}${signature.template ? `<${signature.template.name} extends ${signature.template.type}>` : ''}(${signature.parameters.map(argument).join(', ')}): ${signature.returns};\n`,
+  );
 }
 
 /**
@@ -138,9 +151,10 @@ function argument({ name, type, optional, rest }) {
  * @param {string} type
  */
 export function listeners(type) {
-  return ['add', 'remove'].map((verb) => {
-    const options = `options?: boolean | ${verb === 'add' ? 'AddEventListenerOptions' : 'EventListenerOptions'},`;
-    return `\
+  return ['add', 'remove']
+    .map((verb) => {
+      const options = `options?: boolean | ${verb === 'add' ? 'AddEventListenerOptions' : 'EventListenerOptions'},`;
+      return `\
   ${verb}EventListener<Type extends keyof ${type}EventMap>(
     type: Type,
     listener: (this: ${type}, event: ${type}EventMap[Type]) => unknown,
@@ -152,7 +166,8 @@ export function listeners(type) {
     ${options}
   ): void;
 `;
-  }).join('');
+    })
+    .join('');
 }
 
 /**

@@ -47,7 +47,10 @@ for (const name of DOCS) {
   await writeFile(path.join(out, name), withoutLinksOut(name, text));
 }
 await writeFile(path.join(out, 'package.json'), `${JSON.stringify(built, null, 2)}\n`);
-await writeFile(path.join(out, 'hearth-fire.inline.js'), await inlined(path.join(ROOT, 'web'), path.join(out, 'wasm'), built));
+await writeFile(
+  path.join(out, 'hearth-fire.inline.js'),
+  await inlined(path.join(ROOT, 'web'), path.join(out, 'wasm'), built),
+);
 
 /** @type {(from: string, to: string) => Promise<void>} */
 async function put(from, to) {
@@ -63,7 +66,7 @@ async function put(from, to) {
  */
 function withoutLinksOut(name, text) {
   const inside = text.replaceAll('](../web/', '](../');
-  return inside.replace(/\[([^\]]*)\]\(([^)#:]+)(?:#[^)]*)?\)/g, (link, label, to) => (
-    [...DOCS, ...shown].includes(path.posix.join(path.posix.dirname(name), to)) ? link : label
-  ));
+  return inside.replace(/\[([^\]]*)\]\(([^)#:]+)(?:#[^)]*)?\)/g, (link, label, to) =>
+    [...DOCS, ...shown].includes(path.posix.join(path.posix.dirname(name), to)) ? link : label,
+  );
 }

@@ -9,7 +9,8 @@ import { order } from './crates.mjs';
 async function filesOf(folder) {
   const found = new Map();
   const entries = await readdir(folder, { withFileTypes: true });
-  for (const { name } of entries.filter((entry) => entry.isFile())) found.set(name, await readFile(path.join(folder, name)));
+  for (const { name } of entries.filter((entry) => entry.isFile()))
+    found.set(name, await readFile(path.join(folder, name)));
   for (const { name } of entries.filter((entry) => entry.isDirectory())) {
     for (const [below, bytes] of await filesOf(path.join(folder, name))) found.set(`${name}/${below}`, bytes);
   }
@@ -45,7 +46,9 @@ export async function machinePaths(folder) {
 function machineFolders() {
   const checkout = fileURLToPath(new URL('../../..', import.meta.url));
   const { CARGO_HOME, CARGO_TARGET_DIR, RUSTUP_HOME } = process.env;
-  const folders = [os.homedir(), CARGO_HOME, CARGO_TARGET_DIR, RUSTUP_HOME, checkout].filter((name) => name !== undefined);
+  const folders = [os.homedir(), CARGO_HOME, CARGO_TARGET_DIR, RUSTUP_HOME, checkout].filter(
+    (name) => name !== undefined,
+  );
   // A folder at the root of a disk is too short to be sought.
   return [...new Set(folders.map((name) => path.resolve(name) + path.sep))].filter((name) => name.length > 3);
 }

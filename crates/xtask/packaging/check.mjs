@@ -55,11 +55,18 @@ async function entryPointsAreThere() {
 
 /** npm's own list of what it would publish, and its warnings. */
 async function packsExactly() {
-  const { stdout, stderr } = await run(npm(), ['pack', '--dry-run', '--json'], { cwd: folder, shell: process.platform === 'win32' });
+  const { stdout, stderr } = await run(npm(), ['pack', '--dry-run', '--json'], {
+    cwd: folder,
+    shell: process.platform === 'win32',
+  });
   // Warnings about the settings of this user or this environment are not the package's.
-  const warnings = stderr.split('\n').filter((line) => /^npm (warn|error)/i.test(line) && !/Unknown \w+ config/.test(line));
+  const warnings = stderr
+    .split('\n')
+    .filter((line) => /^npm (warn|error)/i.test(line) && !/Unknown \w+ config/.test(line));
   assert.deepEqual(warnings, []);
-  const packed = JSON.parse(stdout)[0].files.map((file) => file.path).sort();
+  const packed = JSON.parse(stdout)[0]
+    .files.map((file) => file.path)
+    .sort();
   const wanted = [
     ...DOCUMENTS,
     'hearth-fire.inline.js',
@@ -111,10 +118,7 @@ async function typesCompile() {
         types: [],
       },
       // The declarations themselves too: what an import pulls in, some compilers skip.
-      files: [
-        'use.ts', 'react.tsx', 'manifest.ts',
-        ...shipped.map((file) => `node_modules/${manifest.name}/${file}`),
-      ],
+      files: ['use.ts', 'react.tsx', 'manifest.ts', ...shipped.map((file) => `node_modules/${manifest.name}/${file}`)],
     };
     const name = path.join(scratch, `tsconfig.${resolution}.json`);
     await writeFile(name, JSON.stringify(config));
@@ -136,9 +140,7 @@ function manifestProgram(elements) {
   const { members, events } = declaration;
   // The types of the format give a custom element the members of a plain class.
   declaration.members = [];
-  const table = (/** @type {{name: string}[]} */ list) => (
-    `{ ${list.map(({ name }) => `'${name}': true`).join(', ')} }`
-  );
+  const table = (/** @type {{name: string}[]} */ list) => `{ ${list.map(({ name }) => `'${name}': true`).join(', ')} }`;
   return `
     import type { ClassMethod, CustomElementField, Package } from 'custom-elements-manifest';
     import type { HearthFire, HearthFireEventMap } from 'hearth-fire';

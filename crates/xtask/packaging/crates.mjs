@@ -21,11 +21,24 @@ const MODULES = ['hearth-engine', 'hearth-panel', 'hearth-sim'];
 
 /** The crates, by name and version. @param {string} root  The checkout. @returns {Crate[]} */
 export function compiled(root) {
-  const cargo = (/** @type {string[]} */ ...options) => (
-    execFileSync('cargo', options, { cwd: root, encoding: 'utf8', maxBuffer: 2 ** 28, stdio: ['ignore', 'pipe', 'inherit'] })
-  );
+  const cargo = (/** @type {string[]} */ ...options) =>
+    execFileSync('cargo', options, {
+      cwd: root,
+      encoding: 'utf8',
+      maxBuffer: 2 ** 28,
+      stdio: ['ignore', 'pipe', 'inherit'],
+    });
   const tree = cargo(
-    'tree', '--target', WASM, '--edges', 'normal,no-proc-macro', '--prefix', 'none', '--no-dedupe', '--format', '{p}',
+    'tree',
+    '--target',
+    WASM,
+    '--edges',
+    'normal,no-proc-macro',
+    '--prefix',
+    'none',
+    '--no-dedupe',
+    '--format',
+    '{p}',
     ...MODULES.flatMap((name) => ['--package', name]),
   );
   // A line is `name v1.2.3`, with a folder behind it for a crate of the workspace.

@@ -43,7 +43,10 @@ export async function reached(folder, beginnings, later = () => false) {
  */
 export async function pictures(folder) {
   const found = await readdir(path.join(folder, 'scenes')).catch(() => []);
-  return found.filter((name) => name.endsWith('.jpg')).map((name) => `scenes/${name}`).sort();
+  return found
+    .filter((name) => name.endsWith('.jpg'))
+    .map((name) => `scenes/${name}`)
+    .sort();
 }
 
 /**
@@ -86,7 +89,10 @@ async function imports(folder, file) {
     });
     for (const [input, { imports: all }] of Object.entries(metafile.inputs)) {
       const inside = all.filter(({ external }) => !external);
-      known.set(path.join(root, input), inside.map(({ path: to, kind }) => ({ to, dynamic: kind === 'dynamic-import' })));
+      known.set(
+        path.join(root, input),
+        inside.map(({ path: to, kind }) => ({ to, dynamic: kind === 'dynamic-import' })),
+      );
     }
   }
   return known.get(path.join(root, file));

@@ -34,7 +34,8 @@ const COMMON = /** @type {const} */ ({
  * @param {{name: string, version: string, license: string}} about
  */
 export async function inlined(sources, wasm, { name, version, license }) {
-  const deflated = async (/** @type {string} */ name) => deflateRawSync(await readFile(path.join(wasm, name)), { level: 9 }).toString('base64');
+  const deflated = async (/** @type {string} */ name) =>
+    deflateRawSync(await readFile(path.join(wasm, name)), { level: 9 }).toString('base64');
   const [worker] = await built({
     entryPoints: [path.join(sources, 'engine/worker.js')],
     format: 'iife',
@@ -44,12 +45,14 @@ export async function inlined(sources, wasm, { name, version, license }) {
     entryPoints: [path.join(sources, 'hearth-fire.js')],
     format: 'esm',
     banner: { js: `/* ${name} ${version}, ${license} */` },
-    plugins: [filesInside(sources, wasm, {
-      classic: await deflated('hearth-engine_classic.wasm'),
-      bodies: await deflated('hearth-engine_bodies.wasm'),
-      wasm: await deflated('hearth-engine_bg.wasm'),
-      worker: worker.text,
-    })],
+    plugins: [
+      filesInside(sources, wasm, {
+        classic: await deflated('hearth-engine_classic.wasm'),
+        bodies: await deflated('hearth-engine_bodies.wasm'),
+        wasm: await deflated('hearth-engine_bg.wasm'),
+        worker: worker.text,
+      }),
+    ],
   });
   return script.text;
 }
@@ -72,7 +75,10 @@ function filesInside(sources, wasm, texts = {}) {
   return {
     name: 'files-inside',
     setup({ onLoad, onResolve }) {
-      onResolve({ filter: /\/(panel|tools)\.js$/ }, ({ path: name }) => ({ path: `./${path.basename(name)}`, external: true }));
+      onResolve({ filter: /\/(panel|tools)\.js$/ }, ({ path: name }) => ({
+        path: `./${path.basename(name)}`,
+        external: true,
+      }));
       onResolve({ filter: /\/files\.js$/ }, () => ({ path: FILES, namespace: 'files' }));
       onLoad({ filter: /.*/, namespace: 'files' }, async () => ({
         contents: await readFile(FILES, 'utf8'),

@@ -18,14 +18,21 @@ const FONT = { name: 'Ubuntu Light derivative Hearth', licence: 'LicenseRef-UFL-
  */
 const STANDARD = [
   { name: 'Rust standard library', licence: 'MIT OR Apache-2.0', authors: ['The Rust Project contributors'] },
-  { name: 'compiler_builtins', licence: 'MIT AND Apache-2.0 WITH LLVM-exception', authors: ['The Rust Project contributors'] },
+  {
+    name: 'compiler_builtins',
+    licence: 'MIT AND Apache-2.0 WITH LLVM-exception',
+    authors: ['The Rust Project contributors'],
+  },
   { name: 'cfg-if', licence: 'MIT OR Apache-2.0', authors: ['Alex Crichton'] },
   { name: 'dlmalloc', licence: 'MIT OR Apache-2.0', authors: ['Alex Crichton'] },
   { name: 'hashbrown', licence: 'MIT OR Apache-2.0', authors: ["Amanieu d'Antras"] },
 ];
 
 const crates = compiled(ROOT);
-for (const [file, content] of [['web/THIRD-PARTY.txt', notices()], ['web/hearth-fire.cdx.json', materials()]]) {
+for (const [file, content] of [
+  ['web/THIRD-PARTY.txt', notices()],
+  ['web/hearth-fire.cdx.json', materials()],
+]) {
   const target = path.join(ROOT, file);
   if (readdirSync(path.dirname(target)).includes(path.basename(file)) && text(file) === content) continue;
   writeFileSync(target, content);
@@ -47,14 +54,14 @@ function notices() {
     for (const licence of textsOf(crate)) add(licence, `${crate.name} ${crate.version}, ${crate.licence}${by}`);
   }
   add(text('crates/hearth-panel/font/LICENCE.txt'), `${FONT.name}, the font of the panel, a part of Ubuntu Light`);
-  const parts = [...owners.values()].map(({ licence, names }) => (
-    `${names.sort(order).join('\n')}\n\n${licence.replace(/^\n+/, '').trimEnd()}\n`
-  ));
+  const parts = [...owners.values()].map(
+    ({ licence, names }) => `${names.sort(order).join('\n')}\n\n${licence.replace(/^\n+/, '').trimEnd()}\n`,
+  );
   const rule = `\n${'='.repeat(80)}\n\n`;
   return [
-    'Third-party notices of Hearth\n\n'
-    + 'Hearth is licensed under MIT or Apache-2.0, at your option. Its wasm modules contain\n'
-    + 'the code below. Each licence follows the names of what it covers.\n',
+    'Third-party notices of Hearth\n\n' +
+      'Hearth is licensed under MIT or Apache-2.0, at your option. Its wasm modules contain\n' +
+      'the code below. Each licence follows the names of what it covers.\n',
     ...parts.sort(order),
   ].join(rule);
 }
@@ -69,7 +76,10 @@ function textsOf({ name, licence, folder }) {
   const choice = / OR /.test(licence);
   const mit = choice && files.some((file) => /MIT/i.test(file));
   const unneeded = mit ? /APACHE|GPL|UNLICENSE|0BSD|ZLIB|BSD/i : /GPL/i;
-  const texts = files.filter((file) => !choice || !unneeded.test(file)).sort(order).map((file) => tidy(readFileSync(path.join(folder, file), 'utf8')));
+  const texts = files
+    .filter((file) => !choice || !unneeded.test(file))
+    .sort(order)
+    .map((file) => tidy(readFileSync(path.join(folder, file), 'utf8')));
   if (texts.length) return texts;
   if (!/Apache-2\.0/.test(licence)) throw new Error(`${name}: no file with its licence, ${licence}`);
   return [APACHE];
@@ -85,18 +95,42 @@ function materials() {
     specVersion: '1.6',
     version: 1,
     metadata: {
-      component: { type: 'library', 'bom-ref': `pkg:npm/${name}@${version}`, name, version, licenses: licences(license), purl: `pkg:npm/${name}@${version}` },
+      component: {
+        type: 'library',
+        'bom-ref': `pkg:npm/${name}@${version}`,
+        name,
+        version,
+        licenses: licences(license),
+        purl: `pkg:npm/${name}@${version}`,
+      },
     },
     components: [
       ...crates.map(({ name: crate, version: released, licence, checksum }) => {
         const purl = `pkg:cargo/${crate}@${released}`;
         const hashes = [{ alg: 'SHA-256', content: checksum }];
         return {
-          type: 'library', 'bom-ref': purl, name: crate, version: released, hashes, licenses: licences(licence), purl,
+          type: 'library',
+          'bom-ref': purl,
+          name: crate,
+          version: released,
+          hashes,
+          licenses: licences(licence),
+          purl,
         };
       }),
-      ...STANDARD.map(({ name: part, licence }) => ({ type: 'library', 'bom-ref': `rust:${part}`, name: part, group: 'rust', licenses: licences(licence) })),
-      { type: 'data', 'bom-ref': 'font', name: FONT.name, licenses: [{ license: { name: 'Ubuntu Font Licence 1.0' } }] },
+      ...STANDARD.map(({ name: part, licence }) => ({
+        type: 'library',
+        'bom-ref': `rust:${part}`,
+        name: part,
+        group: 'rust',
+        licenses: licences(licence),
+      })),
+      {
+        type: 'data',
+        'bom-ref': 'font',
+        name: FONT.name,
+        licenses: [{ license: { name: 'Ubuntu Font Licence 1.0' } }],
+      },
     ],
   };
   return `${JSON.stringify(content, null, 1)}\n`;

@@ -11,7 +11,9 @@ const INLINE = './hearth-fire.inline.js';
 /** What users of the package read. */
 export const DOCS = [
   'SECURITY.md',
-  ...['element', 'embedding', 'iframe', 'package', 'parameters', 'scenes', 'simulation'].map((name) => `docs/${name}.md`),
+  ...['element', 'embedding', 'iframe', 'package', 'parameters', 'scenes', 'simulation'].map(
+    (name) => `docs/${name}.md`,
+  ),
 ];
 
 /**
@@ -43,7 +45,7 @@ export function typesOf(manifest) {
  * @returns {{entry: string, target: string, types?: string}[]}
  */
 export function entries(manifest) {
-  return Object.entries(manifest.exports).map(([entry, target]) => (
-    typeof target === 'string' ? { entry, target } : { entry, target: target.default, types: target.types }
-  ));
+  return Object.entries(manifest.exports).map(([entry, target]) =>
+    typeof target === 'string' ? { entry, target } : { entry, target: target.default, types: target.types },
+  );
 }

@@ -27,7 +27,8 @@ const [here, there] = [path.join(scratch, 'here'), path.join(scratch, 'there')];
 await release(ROOT, here);
 await release(copy, there);
 const found = await differences(here, there);
-if (found.length) throw new Error(`another folder gives other bytes; both releases are in ${scratch}:\n${found.join('\n')}`);
+if (found.length)
+  throw new Error(`another folder gives other bytes; both releases are in ${scratch}:\n${found.join('\n')}`);
 console.log('Another folder gives the same bytes: site, npm package, archive, crates.');
 await rm(scratch, { recursive: true, force: true });
 
@@ -35,10 +36,20 @@ await rm(scratch, { recursive: true, force: true });
 async function release(checkout, to) {
   const archives = path.join(to, 'archives');
   await mkdir(archives, { recursive: true });
-  for (const built of ['site', 'npm']) await cp(path.join(checkout, 'dist', built), path.join(to, built), { recursive: true });
+  for (const built of ['site', 'npm'])
+    await cp(path.join(checkout, 'dist', built), path.join(to, built), { recursive: true });
   run(path.join(checkout, 'dist/npm'), 'npm', 'pack', '--silent', '--pack-destination', archives);
   const target = path.join(to, 'target');
-  run(checkout, 'cargo', 'package', '--quiet', '--no-verify', '--target-dir', target, ...CRATES.flatMap((name) => ['--package', name]));
+  run(
+    checkout,
+    'cargo',
+    'package',
+    '--quiet',
+    '--no-verify',
+    '--target-dir',
+    target,
+    ...CRATES.flatMap((name) => ['--package', name]),
+  );
   await cp(path.join(target, 'package'), archives, { recursive: true, filter: (file) => !file.includes('tmp-') });
   await rm(target, { recursive: true });
 }
@@ -47,5 +58,11 @@ async function release(checkout, to) {
 function run(cwd, program, ...options) {
   const { CARGO_TARGET_DIR: _, ...env } = process.env;
   if (!cwd.startsWith(ROOT)) env.CARGO_HOME = path.join(scratch, 'cargo');
-  return execFileSync(program, options, { cwd, env, encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'], shell: process.platform === 'win32' }).trim();
+  return execFileSync(program, options, {
+    cwd,
+    env,
+    encoding: 'utf8',
+    stdio: ['ignore', 'pipe', 'inherit'],
+    shell: process.platform === 'win32',
+  }).trim();
 }

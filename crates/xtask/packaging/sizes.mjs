@@ -31,7 +31,9 @@ const always = await loaded(ELEMENT);
 const requested = (await reached(folder, [ELEMENT], isEntry)).filter((file) => !always.includes(file));
 const library = await reached(folder, ['sim.js']);
 const tools = await loaded('tools.js');
-const plots = (await reached(folder, ['tools.js'], isEntry)).filter((file) => ![...tools, ...always, ...requested].includes(file));
+const plots = (await reached(folder, ['tools.js'], isEntry)).filter(
+  (file) => ![...tools, ...always, ...requested].includes(file),
+);
 
 /** Files that a browser loads for one purpose, and the most that they may ever be. */
 const DOWNLOADS = [

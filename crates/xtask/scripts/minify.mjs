@@ -34,13 +34,15 @@ await build({
   charset: 'utf8',
   target: 'es2022',
   legalComments: 'inline',
-  plugins: [{
-    name: 'owners',
-    setup({ onLoad, onResolve }) {
-      onResolve({ filter: /.*/ }, resolved);
-      onLoad({ filter: /\.js$/ }, moved);
+  plugins: [
+    {
+      name: 'owners',
+      setup({ onLoad, onResolve }) {
+        onResolve({ filter: /.*/ }, resolved);
+        onLoad({ filter: /\.js$/ }, moved);
+      },
     },
-  }],
+  ],
 });
 const merged = [...owners].filter(([file, owner]) => owner !== file);
 await Promise.all(merged.map(([file]) => rm(path.join(folder, file))));
@@ -64,18 +66,21 @@ function resolved({ path: name, kind, importer, resolveDir }) {
 async function moved({ path: script }) {
   const from = posix(path.relative(folder, script));
   const text = await readFile(script, 'utf8');
-  const contents = text.replace(/(new URL\(')(\.\.?\/[^']*)(?=',)/g, (_, before, name) => (
-    before + relative(owners.get(from) ?? from, path.posix.join(path.posix.dirname(from), name))
-  ));
+  const contents = text.replace(
+    /(new URL\(')(\.\.?\/[^']*)(?=',)/g,
+    (_, before, name) => before + relative(owners.get(from) ?? from, path.posix.join(path.posix.dirname(from), name)),
+  );
   return { contents: await withSmallSheets(contents), loader: 'js' };
 }
 
 /** A script whose style sheets, which stand in it as `/* css *\/` templates, are small. @param {string} script */
 async function withSmallSheets(script) {
   const parts = script.split(/\/\* css \*\/ `([^`$\\]*)`/);
-  const small = parts.map(async (part, at) => (
-    at % 2 === 0 ? part : JSON.stringify((await transform(part, { loader: 'css', minify: true, target: 'es2022' })).code.trim())
-  ));
+  const small = parts.map(async (part, at) =>
+    at % 2 === 0
+      ? part
+      : JSON.stringify((await transform(part, { loader: 'css', minify: true, target: 'es2022' })).code.trim()),
+  );
   return (await Promise.all(small)).join('');
 }
 
@@ -88,7 +93,12 @@ function relative(from, to) {
 /** @returns {Promise<Map<string, string>>} */
 async function ownersOf() {
   const { metafile } = await build({
-    ...COMMON, entryPoints: scripts, outdir: folder, write: false, metafile: true, external: ['node:*'],
+    ...COMMON,
+    entryPoints: scripts,
+    outdir: folder,
+    write: false,
+    metafile: true,
+    external: ['node:*'],
   });
   if (!metafile) throw new Error('esbuild lists no imports');
   const own = new Set(beginningsOf(manifest).map((file) => path.posix.normalize(file)));
@@ -105,7 +115,7 @@ async function ownersOf() {
     }
   }
   const found = new Map(scripts.map((file) => [file, file]));
-  for (let changed = true; changed;) {
+  for (let changed = true; changed; ) {
     changed = false;
     for (const [file, by] of importers) {
       const wanting = new Set(by.map((from) => found.get(from)));
@@ -121,10 +131,12 @@ async function ownersOf() {
 /** Every file below a folder of the site. @type {(below: string) => Promise<string[]>} */
 async function filesOf(below) {
   const entries = await readdir(path.join(folder, below), { withFileTypes: true });
-  const found = await Promise.all(entries.map((entry) => {
-    const name = path.posix.join(below, entry.name);
-    return entry.isDirectory() ? filesOf(name) : [name];
-  }));
+  const found = await Promise.all(
+    entries.map((entry) => {
+      const name = path.posix.join(below, entry.name);
+      return entry.isDirectory() ? filesOf(name) : [name];
+    }),
+  );
   return found.flat();
 }
 

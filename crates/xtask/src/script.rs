@@ -22,9 +22,12 @@ pub(crate) fn minify(web: &Path) -> Result<()> {
     Ok(cmd!(sh, "node {scripts}/minify.mjs {web}").run()?)
 }
 
-/// Lints scripts and style sheets, by `biome.json`.
+/// Checks the format of scripts, and lints scripts and style sheets, by `biome.json`.
 pub(crate) fn lint() -> Result<()> {
-    node_program("@biomejs/biome/bin/biome", &["lint", "--error-on-warnings"])
+    node_program(
+        "@biomejs/biome/bin/biome",
+        &["check", "--error-on-warnings"],
+    )
 }
 
 /// Checks the types of scripts: strictly those of `web/` (`tsconfig.json`), then those that

@@ -66,7 +66,7 @@ const STAGES: &[Stage] = stages! {
     Quick "generated": "generated files match the parameter table", generated;
     Quick "lint": "clippy accepts the native code", code::lint;
     Quick "lint-wasm": "clippy accepts the code for the browser", code::lint_wasm;
-    Quick "lint-web": "biome accepts the scripts and style sheets", script::lint;
+    Quick "lint-web": "biome accepts the format of scripts, and lints scripts and style sheets", script::lint;
     All "docs": "the libraries' documentation builds without a warning", code::docs;
     Quick "site": "the static site builds", site::build;
     Quick "types" needs "site": "the compiler accepts the types of the scripts", script::check_types;

@@ -39,34 +39,59 @@ const dialog = (name) => async (tab) => {
   await tab.until('the dialog', () => document.querySelector('dialog[open]') !== null);
 };
 const leave = (tab) => tab.key('Escape');
-const openPanel = async (tab) => void await new Panel(tab).mounted();
+const openPanel = async (tab) => void (await new Panel(tab).mounted());
 
-for (const [about, size, states] of /** @type {[string, typeof WIDE, [string, (tab: any) => Promise<unknown>][]][]} */ ([
-  ['on a screen', WIDE, [
-    ['with its panel', openPanel],
-    ['with the scenes of the panel', async (tab) => {
-      await new Panel(tab).openScenes();
-    }],
-    ['with what Hearth is', async (tab) => {
-      await tab.page.click('[data-card="close"]');
-      await dialog('about')(tab);
-    }],
-    ['with the code to embed it', async (tab) => {
-      await leave(tab);
-      await dialog('embed')(tab);
-    }],
-    ['with its tools', async (tab) => {
-      await leave(tab);
-      await tools(tab);
-    }],
-  ]],
-  ['on a phone', PHONE, [
-    ['as it is', async () => {}],
-    ['whose links have stepped back', (tab) => (
-      tab.until('the links step back', () => document.documentElement.dataset.chrome === 'back')
-    )],
-    ['with the sheet', openPanel],
-  ]],
+for (const [
+  about,
+  size,
+  states,
+] of /** @type {[string, typeof WIDE, [string, (tab: any) => Promise<unknown>][]][]} */ ([
+  [
+    'on a screen',
+    WIDE,
+    [
+      ['with its panel', openPanel],
+      [
+        'with the scenes of the panel',
+        async (tab) => {
+          await new Panel(tab).openScenes();
+        },
+      ],
+      [
+        'with what Hearth is',
+        async (tab) => {
+          await tab.page.click('[data-card="close"]');
+          await dialog('about')(tab);
+        },
+      ],
+      [
+        'with the code to embed it',
+        async (tab) => {
+          await leave(tab);
+          await dialog('embed')(tab);
+        },
+      ],
+      [
+        'with its tools',
+        async (tab) => {
+          await leave(tab);
+          await tools(tab);
+        },
+      ],
+    ],
+  ],
+  [
+    'on a phone',
+    PHONE,
+    [
+      ['as it is', async () => {}],
+      [
+        'whose links have stepped back',
+        (tab) => tab.until('the links step back', () => document.documentElement.dataset.chrome === 'back'),
+      ],
+      ['with the sheet', openPanel],
+    ],
+  ],
   ['on a phone, with its tools', PHONE, [['', tools]]],
   ['on a phone that lies', LYING, [['as it is', async () => {}]]],
 ])) {
@@ -83,9 +108,9 @@ for (const [about, size, states] of /** @type {[string, typeof WIDE, [string, (t
 
 test('the page whose fire cannot burn', async () => {
   const tab = await browser.open('index.html', { ...WIDE, without: 'hearth-engine_bg.wasm' });
-  await tab.until('words', () => (
-    /\S/.test(document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.message')?.textContent ?? '')
-  ));
+  await tab.until('words', () =>
+    /\S/.test(document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.message')?.textContent ?? ''),
+  );
   assert.deepEqual(await violations(tab), []);
 });
 
@@ -100,8 +125,12 @@ const examples = (await readdir(path.join(SITE, 'examples'))).filter((name) => n
 for (const page of ['web/embed.html', ...examples.map((name) => `examples/${name}`)]) {
   test(page, async () => {
     const tab = await browser.open(page, WIDE);
-    await tab.until('its first picture', () => document.querySelector('hearth-fire')?.shadowRoot
-      ?.querySelector('[data-drawn]') ?? !document.querySelector('hearth-fire'));
+    await tab.until(
+      'its first picture',
+      () =>
+        document.querySelector('hearth-fire')?.shadowRoot?.querySelector('[data-drawn]') ??
+        !document.querySelector('hearth-fire'),
+    );
     assert.deepEqual(await violations(tab), []);
   });
 }

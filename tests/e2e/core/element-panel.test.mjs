@@ -35,18 +35,19 @@ async function openFire(width, height, options = {}) {
 }
 
 /** Where the parts stand, in pixels of the element. */
-const layout = (panel) => panel.in((root) => {
-  const of = (element) => {
-    const { x, y, width, height } = element.getBoundingClientRect();
-    const outer = root.host.getBoundingClientRect();
-    return { x: x - outer.x, y: y - outer.y, width, height };
-  };
-  return {
-    panel: of(root.querySelector('.hearth-panel')),
-    fire: of(root.querySelector('[part="canvas"]')),
-    button: of(root.querySelector('.hearth-fold')),
-  };
-});
+const layout = (panel) =>
+  panel.in((root) => {
+    const of = (element) => {
+      const { x, y, width, height } = element.getBoundingClientRect();
+      const outer = root.host.getBoundingClientRect();
+      return { x: x - outer.x, y: y - outer.y, width, height };
+    };
+    return {
+      panel: of(root.querySelector('.hearth-panel')),
+      fire: of(root.querySelector('[part="canvas"]')),
+      button: of(root.querySelector('.hearth-fold')),
+    };
+  });
 
 const pressFold = async (tab, panel) => {
   const { button } = await layout(panel);
@@ -55,7 +56,11 @@ const pressFold = async (tab, panel) => {
 };
 
 describe('its position', () => {
-  for (const [width, height] of [[400, 500], [360, 640], [320, 400]]) {
+  for (const [width, height] of [
+    [400, 500],
+    [360, 640],
+    [320, 400],
+  ]) {
     test(`in ${width} × ${height} is a sheet below the fire`, async () => {
       const { tab, panel } = await openFire(width, height);
       const { panel: sheet, fire, button } = await layout(panel);
@@ -85,8 +90,14 @@ describe('its position', () => {
     assert.equal(folded.panel.height, 0);
     assert.equal(folded.fire.height, 500);
     assert.ok(folded.button.y + folded.button.height <= 500);
-    assert.equal(await panel.in((root) => root.querySelector('canvas[aria-hidden]').checkVisibility()
-      && root.querySelector('.hearth-controls').checkVisibility()), false);
+    assert.equal(
+      await panel.in(
+        (root) =>
+          root.querySelector('canvas[aria-hidden]').checkVisibility() &&
+          root.querySelector('.hearth-controls').checkVisibility(),
+      ),
+      false,
+    );
     await pressFold(tab, panel);
     assert.deepEqual(await layout(panel), before);
     await panel.dragSlider('buoyancy', 0.3, 0.7);
@@ -166,7 +177,10 @@ describe('under pointer and keys', () => {
     assert.equal(await focused(), 'before');
     assert.equal(await tab.evaluate(() => window.scrollY), 0);
 
-    for (const [backwards, end] of [[false, 'after'], [true, 'before']]) {
+    for (const [backwards, end] of [
+      [false, 'after'],
+      [true, 'before'],
+    ]) {
       await tab.click(along(await panel.reveal('buoyancy'), 0.5));
       assert.equal(await focused(), 'HEARTH-FIRE');
       if (backwards) await tab.page.keyboard.down('Shift');
@@ -185,9 +199,9 @@ describe('under pointer and keys', () => {
     const { tab, panel } = await openFire(400, 500, {
       before: () => {
         /** @type {any} */ (window).received = [];
-        window.addEventListener('DOMContentLoaded', () => document.addEventListener('keydown', (event) => (
-          /** @type {any} */ (window).received.push(event.key)
-        )));
+        window.addEventListener('DOMContentLoaded', () =>
+          document.addEventListener('keydown', (event) => /** @type {any} */ (window).received.push(event.key)),
+        );
       },
     });
     const received = () => tab.evaluate(() => /** @type {any} */ (window).received.splice(0));
@@ -233,38 +247,57 @@ describe('on a page', () => {
   test('two panels move each its own fire and undo each its own steps', async () => {
     const fire = `<hearth-fire controls max-particles="1000" ${sized(340, 420)}></hearth-fire>`;
     const tab = await browser.show(`<div style="display: flex; gap: 10px">${fire}${fire}</div>`, {
-      width: 720, height: 440,
+      width: 720,
+      height: 440,
     });
-    const values = () => tab.evaluate(() => [...document.querySelectorAll('hearth-fire')].map(
-      (fire) => /** @type {any} */ (fire).params.buoyancy,
-    ));
-    await tab.until('both panels', () => [...document.querySelectorAll('hearth-fire')].every(
-      (fire) => fire.shadowRoot?.querySelector('[data-action="pause"][data-rect]'),
-    ));
+    const values = () =>
+      tab.evaluate(() =>
+        [...document.querySelectorAll('hearth-fire')].map((fire) => /** @type {any} */ (fire).params.buoyancy),
+      );
+    await tab.until('both panels', () =>
+      [...document.querySelectorAll('hearth-fire')].every((fire) =>
+        fire.shadowRoot?.querySelector('[data-action="pause"][data-rect]'),
+      ),
+    );
     const second = await (await tab.page.$$('hearth-fire'))[1].evaluateHandle((fire) => fire.shadowRoot);
     await second.evaluate((root) => /** @type {any} */ (root).querySelector('[data-parameter="buoyancy"]').focus());
     await tab.key('ArrowRight');
-    await tab.until('the second fire alone has another value', (old) => {
-      const [first, second] = [...document.querySelectorAll('hearth-fire')].map((fire) => /** @type {any} */ (fire).params.buoyancy);
-      return first === old && second !== old;
-    }, DEFAULTS.buoyancy);
-    const undo = (at) => tab.evaluate((which) => /** @type {any} */ (
-      document.querySelectorAll('hearth-fire')[which].shadowRoot
-    ).querySelector('[data-action="undo"]').click(), at);
+    await tab.until(
+      'the second fire alone has another value',
+      (old) => {
+        const [first, second] = [...document.querySelectorAll('hearth-fire')].map(
+          (fire) => /** @type {any} */ (fire).params.buoyancy,
+        );
+        return first === old && second !== old;
+      },
+      DEFAULTS.buoyancy,
+    );
+    const undo = (at) =>
+      tab.evaluate(
+        (which) =>
+          /** @type {any} */ (document.querySelectorAll('hearth-fire')[which].shadowRoot)
+            .querySelector('[data-action="undo"]')
+            .click(),
+        at,
+      );
     const [, changed] = await values();
     await undo(0);
     await tab.frames(10);
     assert.deepEqual(await values(), [DEFAULTS.buoyancy, changed]);
     await undo(1);
-    await tab.until('it is back', (old) => (
-      /** @type {any} */ (document.querySelectorAll('hearth-fire')[1]).params.buoyancy === old
-    ), DEFAULTS.buoyancy);
+    await tab.until(
+      'it is back',
+      (old) => /** @type {any} */ (document.querySelectorAll('hearth-fire')[1]).params.buoyancy === old,
+      DEFAULTS.buoyancy,
+    );
     assert.deepEqual(tab.problems, []);
   });
 
   test('leaves nothing behind when it is removed', async () => {
     const tab = await browser.open(`<hearth-fire ${sized(400, 500)}></hearth-fire>`, {
-      width: 420, height: 520, before: countListeners,
+      width: 420,
+      height: 520,
+      before: countListeners,
     });
     await tab.ready();
     await tab.burnt(0.5);
@@ -275,7 +308,13 @@ describe('on a page', () => {
       styles: await tab.evaluate(() => document.head.querySelectorAll('link').length),
     });
     const first = await left();
-    const same = () => eventually(`as before: ${JSON.stringify(first)}`, left, (now) => isDeepStrictEqual(now, first), () => tab.frames(1));
+    const same = () =>
+      eventually(
+        `as before: ${JSON.stringify(first)}`,
+        left,
+        (now) => isDeepStrictEqual(now, first),
+        () => tab.frames(1),
+      );
     for (let round = 0; round < 3; round += 1) {
       await tab.fire((fire) => fire.toggleAttribute('controls', true));
       await new Panel(tab, { inside: true }).mounted();
@@ -287,7 +326,9 @@ describe('on a page', () => {
     await tab.fire(async (fire) => {
       for (let round = 0; round < 4; round += 1) {
         fire.toggleAttribute('controls');
-        await new Promise((resolve) => { setTimeout(resolve, 30 * round); });
+        await new Promise((resolve) => {
+          setTimeout(resolve, 30 * round);
+        });
       }
     });
     await tab.frames(60);
@@ -296,22 +337,26 @@ describe('on a page', () => {
   });
 
   test('works with a strict policy for scripts and styles', async () => {
-    const policy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; "
-      + "connect-src 'self'; style-src 'self'; img-src 'self' data: blob:";
+    const policy =
+      "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; " +
+      "connect-src 'self'; style-src 'self'; img-src 'self' data: blob:";
     const tab = await browser.open(`<hearth-fire width="400"></hearth-fire>`, {
       width: 500,
       height: 700,
       headers: { 'content-security-policy': policy },
       before: () => {
-        const violations = (/** @type {any} */ (window).violations = []);
-        document.addEventListener('securitypolicyviolation', (event) => (
-          violations.push(`${event.violatedDirective} ${event.sourceFile} ${event.sample}`)
-        ));
+        const violations = [];
+        /** @type {any} */ (window).violations = violations;
+        document.addEventListener('securitypolicyviolation', (event) =>
+          violations.push(`${event.violatedDirective} ${event.sourceFile} ${event.sample}`),
+        );
       },
     });
     await tab.ready();
     // The test's own page has styles in it, which the policy forbids.
-    await tab.evaluate(() => { /** @type {any} */ (window).violations.length = 0; });
+    await tab.evaluate(() => {
+      /** @type {any} */ (window).violations.length = 0;
+    });
     await tab.fire((fire) => {
       fire.style.blockSize = '600px';
       fire.toggleAttribute('controls', true);
@@ -337,9 +382,8 @@ function countListeners() {
     return number.get(object);
   };
   const watched = (target) => target === window || target === document || target?.tagName === 'HEARTH-FIRE';
-  const key = (target, name, listener, options) => (
-    `${of(target)} ${name} ${of(listener)} ${typeof options === 'object' ? Boolean(options?.capture) : Boolean(options)}`
-  );
+  const key = (target, name, listener, options) =>
+    `${of(target)} ${name} ${of(listener)} ${typeof options === 'object' ? Boolean(options?.capture) : Boolean(options)}`;
   const { addEventListener, removeEventListener } = EventTarget.prototype;
   EventTarget.prototype.addEventListener = function add(name, listener, options) {
     const once = typeof options === 'object' && options?.once;

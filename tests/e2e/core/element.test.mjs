@@ -19,7 +19,10 @@ after(() => browser?.close());
 
 const FIRE = '<hearth-fire id="fire"></hearth-fire>';
 
-for (const [about, style] of [['of no size', 'width: 0; height: 0'], ['that is not displayed', 'display: none']]) {
+for (const [about, style] of [
+  ['of no size', 'width: 0; height: 0'],
+  ['that is not displayed', 'display: none'],
+]) {
   test(`a fire ${about} breaks nothing and burns once it is shown`, async () => {
     const tab = await browser.show(`<hearth-fire style="${style}"></hearth-fire>`);
     await tab.ready();
@@ -41,7 +44,9 @@ test('calls to a removed fire take effect when it is inserted again', async () =
   const tab = await browser.show(FIRE);
   await tab.ready();
   const seen = await tab.fire(async (fire) => {
-    const wait = async () => { for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame); };
+    const wait = async () => {
+      for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
+    };
     fire.remove();
     await wait();
     let ready = false;
@@ -115,16 +120,21 @@ test('a fire that is moved in the document burns on', async () => {
 test('the drawing follows the size of the element', async () => {
   const tab = await browser.open(FIRE, { ratio: 2 });
   await tab.burnt(0.2);
-  for (const [width, height] of [[240, 240], [400, 120], [100, 300]]) {
-    await tab.fire((fire, size) => {
-      fire.style.cssText = `width: ${size[0]}px; height: ${size[1]}px`;
-    }, [width, height]);
+  for (const [width, height] of [
+    [240, 240],
+    [400, 120],
+    [100, 300],
+  ]) {
+    await tab.fire(
+      (fire, size) => {
+        fire.style.cssText = `width: ${size[0]}px; height: ${size[1]}px`;
+      },
+      [width, height],
+    );
     await tab.until(
       `${2 * width} × ${2 * height} pixels`,
       (size) => {
-        const canvas = /** @type {any} */ (
-          document.querySelector('hearth-fire')?.shadowRoot?.querySelector('canvas')
-        );
+        const canvas = /** @type {any} */ (document.querySelector('hearth-fire')?.shadowRoot?.querySelector('canvas'));
         return canvas.width === 2 * size[0] && canvas.height === 2 * size[1];
       },
       [width, height],
@@ -141,17 +151,25 @@ for (const model of ['classic', 'combustion']) {
     await tab.fire((fire, changes) => {
       for (const { attribute, value } of changes) fire.setAttribute(attribute, String(value));
     }, wanted);
-    await tab.until('every attribute is taken', (changes) => {
-      const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
-      return changes.every(({ id, value }) => params[id] === value);
-    }, wanted);
+    await tab.until(
+      'every attribute is taken',
+      (changes) => {
+        const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
+        return changes.every(({ id, value }) => params[id] === value);
+      },
+      wanted,
+    );
     await tab.fire((fire, changes) => {
       for (const { attribute } of changes) fire.removeAttribute(attribute);
     }, wanted);
-    await tab.until('every default is back', (defaults) => {
-      const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
-      return defaults.every(([id, value]) => params[id] === value);
-    }, Object.entries(defaultsOf(model)));
+    await tab.until(
+      'every default is back',
+      (defaults) => {
+        const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
+        return defaults.every(([id, value]) => params[id] === value);
+      },
+      Object.entries(defaultsOf(model)),
+    );
     assert.deepEqual(tab.problems, []);
   });
 }
@@ -195,10 +213,14 @@ test('a preset brings its values, and the defaults for all others', async () => 
   await tab.fire((fire) => {
     fire.preset = 'default';
   });
-  await tab.until('the defaults', (all) => {
-    const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
-    return Object.entries(all).every(([id, value]) => params[id] === value);
-  }, DEFAULTS);
+  await tab.until(
+    'the defaults',
+    (all) => {
+      const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
+      return Object.entries(all).every(([id, value]) => params[id] === value);
+    },
+    DEFAULTS,
+  );
 });
 
 test('restoring everything leaves no preset, restoring one value leaves it', async () => {
@@ -222,7 +244,10 @@ test('a change is reported with its value', async () => {
   const changes = await events(tab, 'params-change');
   assert.deepEqual(
     changes.map(({ id, value }) => [id, value]),
-    [['viscosity', 0.02], ['viscosity', DEFAULTS.viscosity]],
+    [
+      ['viscosity', 0.02],
+      ['viscosity', DEFAULTS.viscosity],
+    ],
   );
 });
 

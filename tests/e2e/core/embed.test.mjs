@@ -18,7 +18,7 @@ after(() => fixture?.close());
 
 describe('a fire in an iframe', () => {
   test('is the one of its address, and fills its iframe', async () => {
-    const query = { scene: 'seed', viscosity: '0.02', quality: 'low', 'max_particles': '300', paused: '', alt: 'Embers' };
+    const query = { scene: 'seed', viscosity: '0.02', quality: 'low', max_particles: '300', paused: '', alt: 'Embers' };
     const tab = await fixture.burning(query);
     const { value: params } = await call(tab, 'params');
     const scene = { ...defaultsOf('classic'), ...PRESETS.find(({ name }) => name === 'seed').values };
@@ -42,7 +42,10 @@ describe('a fire in an iframe', () => {
     for (const words of ['viscosty.*viscosity', 'exposure.*99', 'src']) assert.match(warnings, new RegExp(words));
     // A name that is no fire's, as a link's tracking adds, is no warning.
     assert.doesNotMatch(warnings, /wings/);
-    assert.ok(tab.problems.every((problem) => problem.startsWith('console.warn')), warnings);
+    assert.ok(
+      tab.problems.every((problem) => problem.startsWith('console.warn')),
+      warnings,
+    );
   });
 
   test('burns alone in a window too, accepts every attribute but those that fetch a file, and runs no other script or style', async () => {
@@ -123,12 +126,17 @@ describe('the client of the embedding page', () => {
   </script>`;
 
   test('offers methods and events before the fire is loaded', async () => {
-    const tab = await fixture.open({ allow: fixture.pageOrigin }, { more: script(`
+    const tab = await fixture.open(
+      { allow: fixture.pageOrigin },
+      {
+        more: script(`
       window.changes = [];
       window.early = fire.set('exposure', 1).then(() => fire.get('exposure'));
       fire.addEventListener('params-change', ({ detail }) => changes.push(detail.id));
       fire.addEventListener('ready', () => (window.reported = true));
-    `) });
+    `),
+      },
+    );
     await tab.until('the client is there', () => 'fire' in window);
     assert.equal(await tab.evaluate(() => /** @type {any} */ (window).early), 1);
     const { value, refused } = await tab.evaluate(async () => {
@@ -149,7 +157,10 @@ describe('the client of the embedding page', () => {
       const names = (await fire.call('hello')).methods;
       return { methods: names, same: names.filter((name) => typeof fire[name] === 'function') };
     });
-    assert.deepEqual(same, methods.filter((name) => !['hello', 'subscribe', 'unsubscribe'].includes(name)));
+    assert.deepEqual(
+      same,
+      methods.filter((name) => !['hello', 'subscribe', 'unsubscribe'].includes(name)),
+    );
   });
 
   /** Ten seconds pass in half a second. */
@@ -169,14 +180,17 @@ describe('the client of the embedding page', () => {
   test('rejects calls while the fire does not answer, until another page is loaded', async () => {
     const tab = await fixture.open({}, { more: hurry + script(outcomes) });
     await tab.until('the client is there', () => 'loads' in window);
-    const [first, second, third] = await tab.evaluate(async (address) => {
-      const { fire, outcome, loads } = /** @type {any} */ (window);
-      const iframe = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
-      const silent = [await outcome(fire.get('seed')), await outcome(fire.get('seed'))];
-      iframe.src = address;
-      await loads(iframe);
-      return [...silent, await outcome(fire.option('quality'))];
-    }, fixture.address({ allow: fixture.pageOrigin, quality: 'low' }));
+    const [first, second, third] = await tab.evaluate(
+      async (address) => {
+        const { fire, outcome, loads } = /** @type {any} */ (window);
+        const iframe = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
+        const silent = [await outcome(fire.get('seed')), await outcome(fire.get('seed'))];
+        iframe.src = address;
+        await loads(iframe);
+        return [...silent, await outcome(fire.option('quality'))];
+      },
+      fixture.address({ allow: fixture.pageOrigin, quality: 'low' }),
+    );
     assert.match(first, new RegExp(`does not answer.*allow ${fixture.pageOrigin}`));
     assert.equal(second, first);
     assert.equal(third, 'low');
@@ -206,7 +220,12 @@ describe('the client of the embedding page', () => {
   });
 
   test('rejects a call that cannot be cloned, and continues with others', async () => {
-    const tab = await fixture.open({ allow: fixture.pageOrigin }, { more: hurry + script(`
+    const tab = await fixture.open(
+      { allow: fixture.pageOrigin },
+      {
+        more:
+          hurry +
+          script(`
       ${outcomes}
       const values = { exposure: 1 };
       window.asked = Promise.all([
@@ -214,7 +233,9 @@ describe('the client of the embedding page', () => {
         outcome(fire.set(values).then(() => fire.get('exposure'))),
       ]);
       values.exposure = 99;
-    `) });
+    `),
+      },
+    );
     await tab.until('the client has asked', () => 'asked' in window);
     const [refused, done] = await tab.evaluate(() => /** @type {any} */ (window).asked);
     assert.match(refused, /could not be cloned/);
@@ -222,12 +243,17 @@ describe('the client of the embedding page', () => {
   });
 
   test('loses no event because of one that there is not, not even in the next page', async () => {
-    const tab = await fixture.open({ allow: fixture.pageOrigin }, { more: script(`
+    const tab = await fixture.open(
+      { allow: fixture.pageOrigin },
+      {
+        more: script(`
       ${outcomes}
       window.changes = [];
       fire.addEventListener('sauce', () => changes.push('sauce'));
       fire.addEventListener('params-change', ({ detail }) => changes.push(detail.value));
-    `) });
+    `),
+      },
+    );
     await tab.until('the client is there', () => 'changes' in window);
     await tab.evaluate(async () => {
       const { fire } = /** @type {any} */ (window);
@@ -235,14 +261,17 @@ describe('the client of the embedding page', () => {
       await fire.set('exposure', 1);
     });
     await tab.until('an event comes', () => /** @type {any} */ (window).changes.includes(1));
-    await tab.evaluate(async (address) => {
-      const { fire, loads } = /** @type {any} */ (window);
-      const iframe = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
-      iframe.src = address;
-      await loads(iframe);
-      await fire.ready();
-      await fire.set('exposure', 2);
-    }, fixture.address({ allow: fixture.pageOrigin }));
+    await tab.evaluate(
+      async (address) => {
+        const { fire, loads } = /** @type {any} */ (window);
+        const iframe = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
+        iframe.src = address;
+        await loads(iframe);
+        await fire.ready();
+        await fire.set('exposure', 2);
+      },
+      fixture.address({ allow: fixture.pageOrigin }),
+    );
     await tab.until('an event of the next page comes', () => /** @type {any} */ (window).changes.includes(2));
     const rejected = tab.problems.filter((problem) => /no event “sauce”.*stats/.test(problem));
     // The page that is left may abort a download.
@@ -291,21 +320,24 @@ describe('the client of the embedding page', () => {
 
   test('connects to a fire that has burnt for long, and to the next one in its iframe', async () => {
     const tab = await fixture.burning({}, { more: '<p>' });
-    const numbers = await tab.evaluate(async (address) => {
-      const load = (/** @type {string} */ url) => import(url);
-      const { connectFire } = await load('/web/embed-client.js');
-      const iframe = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
-      const fire = connectFire(iframe);
-      const first = await fire.get('seed');
-      const loaded = new Promise((resolve) => iframe.addEventListener('load', resolve, { once: true }));
-      iframe.src = address;
-      await loaded;
-      await fire.ready();
-      const second = await fire.get('seed');
-      fire.close();
-      const closed = await fire.get('seed').catch((error) => error.message);
-      return [first, second, closed];
-    }, fixture.address({ allow: fixture.pageOrigin, seed: '7' }));
+    const numbers = await tab.evaluate(
+      async (address) => {
+        const load = (/** @type {string} */ url) => import(url);
+        const { connectFire } = await load('/web/embed-client.js');
+        const iframe = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
+        const fire = connectFire(iframe);
+        const first = await fire.get('seed');
+        const loaded = new Promise((resolve) => iframe.addEventListener('load', resolve, { once: true }));
+        iframe.src = address;
+        await loaded;
+        await fire.ready();
+        const second = await fire.get('seed');
+        fire.close();
+        const closed = await fire.get('seed').catch((error) => error.message);
+        return [first, second, closed];
+      },
+      fixture.address({ allow: fixture.pageOrigin, seed: '7' }),
+    );
     assert.deepEqual(numbers, [entry.seed.default, 7, 'the connection is closed']);
   });
 });

@@ -14,7 +14,10 @@ before(async () => {
 });
 after(() => browser?.close());
 
-const TWO = [{ kind: 'source', id: 1, x: -0.3, width: 0.2 }, { kind: 'source', id: 7, x: 0.3, power: 50 }];
+const TWO = [
+  { kind: 'source', id: 1, x: -0.3, width: 0.2 },
+  { kind: 'source', id: 7, x: 0.3, power: 50 },
+];
 
 /** Where the objects stand, by their ids. */
 function places(tab) {
@@ -23,14 +26,17 @@ function places(tab) {
 
 /** The error of a refused `act`. */
 function refusal(tab, act, given) {
-  return tab.fire(async (fire, [source, given]) => {
-    try {
-      await new Function('fire', 'given', `return (${source})(fire, given)`)(fire, given);
-      return null;
-    } catch ({ name, message, id, value, min, max }) {
-      return { name, message, id, value, min, max };
-    }
-  }, [String(act), given]);
+  return tab.fire(
+    async (fire, [source, given]) => {
+      try {
+        await new Function('fire', 'given', `return (${source})(fire, given)`)(fire, given);
+        return null;
+      } catch ({ name, message, id, value, min, max }) {
+        return { name, message, id, value, min, max };
+      }
+    },
+    [String(act), given],
+  );
 }
 
 test('a fire has one source, which its parameters describe', async () => {
@@ -48,7 +54,8 @@ test('objects are added, changed and removed, and each change is reported once',
   const tab = await browser.show(recording('<hearth-fire paused></hearth-fire>'));
   await tab.ready();
   const ids = await tab.fire(async (fire) => [
-    await fire.addObject({ kind: 'source', x: 0.3 }), await fire.addObject({ kind: 'source', id: 7 }),
+    await fire.addObject({ kind: 'source', x: 0.3 }),
+    await fire.addObject({ kind: 'source', id: 7 }),
   ]);
   assert.deepEqual(ids, [2, 7]);
   await tab.fire((fire) => fire.changeObject(7, { x: -0.3 }));
@@ -58,8 +65,16 @@ test('objects are added, changed and removed, and each change is reported once',
   assert.deepEqual(await places(tab), { 2: 0.3, 7: -0.3 });
   assert.equal(await tab.fire((fire) => fire.params.source_x), 0.3);
   const counts = (await events(tab, 'objects-change')).map(({ objects, source }) => [objects.length, source]);
-  assert.deepEqual(counts, [[2, 'property'], [3, 'property'], [3, 'property'], [2, 'property']]);
-  assert.deepEqual((await events(tab, 'params-change')).map(({ id }) => id), ['source_x']);
+  assert.deepEqual(counts, [
+    [2, 'property'],
+    [3, 'property'],
+    [3, 'property'],
+    [2, 'property'],
+  ]);
+  assert.deepEqual(
+    (await events(tab, 'params-change')).map(({ id }) => id),
+    ['source_x'],
+  );
   // Without a source nothing burns; the parameters are kept for the next one.
   await tab.fire(async (fire) => {
     await fire.removeObject(2);
@@ -76,7 +91,11 @@ test('an invalid object is rejected with its mistake, and nothing changes', asyn
   const wrong = [
     [(fire) => fire.addObject({ kind: 'stone' }), 'objects[1].kind', /it must be source or solid/],
     [(fire) => fire.addObject({ kind: 'source', power: 700 }), 'objects[1].power', /from 0 to 600 kW\/m/],
-    [(fire) => fire.addObject({ kind: 'source', pwer: 7 }), 'objects[1].property', /one of name, enabled, shape, solid, x, y, angle, width, power/],
+    [
+      (fire) => fire.addObject({ kind: 'source', pwer: 7 }),
+      'objects[1].property',
+      /one of name, enabled, shape, solid, x, y, angle, width, power/,
+    ],
     [(fire) => fire.addObject('source'), 'object', /.*/],
     [(fire) => fire.addObject(), 'object', /.*/],
     [(fire) => fire.changeObject(9, { x: 0 }), 'id', /the id of an object/],
@@ -131,7 +150,8 @@ test('objects go with settings, and come back when the element does', async () =
 
 test('names and objects that are off go with settings and addresses', async () => {
   const objects = [
-    { kind: 'source', name: 'Wick', enabled: false }, { kind: 'source', x: 0.3, name: 'Über, "quoted"' },
+    { kind: 'source', name: 'Wick', enabled: false },
+    { kind: 'source', x: 0.3, name: 'Über, "quoted"' },
     { kind: 'solid', name: 'Back log', enabled: false },
   ];
   const tab = await browser.show('<hearth-fire paused></hearth-fire>');
@@ -154,10 +174,15 @@ test('attributes of a child set its name and switch it off', async () => {
     <hearth-source name="Wick" enabled="false"></hearth-source><hearth-solid name="Wax"></hearth-solid>
   </hearth-fire>`);
   await tab.ready();
-  const listed = (/** @type {string} */ wanted) => tab.until(`the objects are ${wanted}`, (wanted) => {
-    const { objects } = document.querySelector('hearth-fire');
-    return objects.map(({ name, enabled }) => `${name} ${enabled}`).join() === wanted;
-  }, wanted);
+  const listed = (/** @type {string} */ wanted) =>
+    tab.until(
+      `the objects are ${wanted}`,
+      (wanted) => {
+        const { objects } = document.querySelector('hearth-fire');
+        return objects.map(({ name, enabled }) => `${name} ${enabled}`).join() === wanted;
+      },
+      wanted,
+    );
   await listed('Wick false,Wax true');
   await tab.fire((fire) => fire.lastElementChild.setAttribute('enabled', 'false'));
   await listed('Wick false,Wax false');
@@ -170,7 +195,10 @@ test('attributes of a child set its name and switch it off', async () => {
 });
 
 test('every source is seen to burn', async () => {
-  const objects = [{ kind: 'source', x: -0.35, width: 0.15 }, { kind: 'source', x: 0.35, width: 0.15 }];
+  const objects = [
+    { kind: 'source', x: -0.35, width: 0.15 },
+    { kind: 'source', x: 0.35, width: 0.15 },
+  ];
   const tab = await browser.show(
     `<hearth-fire autoplay="false" max-pixels="40000" ember-rate="0" objects='${JSON.stringify(objects)}'
       style="width: 400px; height: 600px"></hearth-fire>`,

@@ -49,11 +49,14 @@ test('values in the address set the fire, and bad ones are rejected with a warni
   await tab.ready();
   await tab.burnt(1);
   const { viscosity, buoyancy, seed } = await tab.fire((fire) => fire.params);
-  assert.deepEqual({ viscosity, buoyancy, seed }, {
-    viscosity: 0.02,
-    buoyancy: defaultsOf('classic').buoyancy,
-    seed: 7,
-  });
+  assert.deepEqual(
+    { viscosity, buoyancy, seed },
+    {
+      viscosity: 0.02,
+      buoyancy: defaultsOf('classic').buoyancy,
+      seed: 7,
+    },
+  );
   const [warning, ...more] = tab.problems;
   assert.match(warning, /^console\.warn.*buoyancy.*99.*0.*1/);
   assert.deepEqual(more, []);
@@ -65,11 +68,8 @@ test('the address follows the fire: its scene and its changed values, and nothin
   await tab.ready();
   const opened = await tab.evaluate(() => [location.search + location.hash, history.length]);
   assert.equal(opened[0], '?quality=low#hearth');
-  const follows = (/** @type {string} */ address) => tab.until(
-    `the address ends in ${address}`,
-    (end) => location.href.endsWith(`/index.html${end}`),
-    address,
-  );
+  const follows = (/** @type {string} */ address) =>
+    tab.until(`the address ends in ${address}`, (end) => location.href.endsWith(`/index.html${end}`), address);
   await tab.fire((fire) => fire.set({ exposure: 0.25, seed: 7 }));
   await follows('?scene=fireside&exposure=0.25&seed=7&quality=low#hearth');
   await tab.fire((fire) => fire.importConfig({ hearth: 2, values: { seed: 7 } }));
@@ -118,7 +118,10 @@ test('an address with mistakes breaks nothing, and each is reported on the page 
     assert.match(console, words);
     assert.match(toast, words);
   }
-  assert.ok(tab.problems.every((problem) => problem.startsWith('console.warn')), console);
+  assert.ok(
+    tab.problems.every((problem) => problem.startsWith('console.warn')),
+    console,
+  );
   assert.equal(await tab.evaluate(() => document.querySelectorAll('#toast *, img[src=x]').length), 0);
   assert.equal(await tab.fire((fire) => fire.params.seed), 7);
   await tab.burnt(0.1);
@@ -132,7 +135,11 @@ test('unrelated names in the address cause no message and stay in the address', 
   await tab.fire((fire) => fire.set('exposure', 1));
   await tab.until('the address follows', () => new URLSearchParams(location.search).get('exposure') === '1');
   const found = await tab.evaluate(() => [...new URLSearchParams(location.search)]);
-  for (const entry of new URLSearchParams(foreign)) assert.ok(found.some((other) => `${other}` === `${entry}`), `${entry} in ${found}`);
+  for (const entry of new URLSearchParams(foreign))
+    assert.ok(
+      found.some((other) => `${other}` === `${entry}`),
+      `${entry} in ${found}`,
+    );
   assert.deepEqual(tab.problems, []);
 });
 
@@ -150,7 +157,14 @@ test('?autoplay=false in the address pauses the fire', async () => {
 
 for (const [about, sizes] of /** @type {[string, number[][]][]} */ ([
   ['a phone', [[360, 640, 3]]],
-  ['a tablet and screens', [[768, 1024, 2], [1280, 720, 1], [2560, 1440, 1]]],
+  [
+    'a tablet and screens',
+    [
+      [768, 1024, 2],
+      [1280, 720, 1],
+      [2560, 1440, 1],
+    ],
+  ],
 ])) {
   test(`the page fits ${about}`, async () => {
     const [[width, height, ratio]] = sizes;
@@ -165,12 +179,16 @@ for (const [about, sizes] of /** @type {[string, number[][]][]} */ ([
 async function assertFits(tab, width, height, ratio) {
   const { isMobile, hasTouch } = tab.page.viewport();
   await tab.page.setViewport({ width, height, deviceScaleFactor: ratio, isMobile, hasTouch });
-  await tab.until('the fire is drawn at this size', (pixels) => {
-    const fire = /** @type {Element} */ (document.querySelector('hearth-fire'));
-    const canvas = /** @type {any} */ (fire.shadowRoot?.querySelector('canvas'));
-    const { width: across, height: up } = fire.getBoundingClientRect();
-    return innerWidth === pixels && Math.abs(canvas.width / canvas.height / (across / up) - 1) < 0.02;
-  }, width);
+  await tab.until(
+    'the fire is drawn at this size',
+    (pixels) => {
+      const fire = /** @type {Element} */ (document.querySelector('hearth-fire'));
+      const canvas = /** @type {any} */ (fire.shadowRoot?.querySelector('canvas'));
+      const { width: across, height: up } = fire.getBoundingClientRect();
+      return innerWidth === pixels && Math.abs(canvas.width / canvas.height / (across / up) - 1) < 0.02;
+    },
+    width,
+  );
   const seen = await tab.evaluate(() => {
     const root = document.documentElement;
     const fire = /** @type {Element} */ (document.querySelector('hearth-fire'));

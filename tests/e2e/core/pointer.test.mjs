@@ -17,13 +17,14 @@ after(() => browser?.close());
 const CALM = 'paused interactive ember-rate="0" ember-size="0.02"';
 
 /** Where the middle of the source's foot is on the screen. */
-const source = (tab) => tab.fire(async (fire) => {
-  // The engine answers in order: every earlier drag counts.
-  await fire.exportConfig();
-  const { left, top } = fire.getBoundingClientRect();
-  const { x, y } = fire.toPixels(fire.params.source_x, fire.params.source_height);
-  return { x: left + x, y: top + y };
-});
+const source = (tab) =>
+  tab.fire(async (fire) => {
+    // The engine answers in order: every earlier drag counts.
+    await fire.exportConfig();
+    const { left, top } = fire.getBoundingClientRect();
+    const { x, y } = fire.toPixels(fire.params.source_x, fire.params.source_height);
+    return { x: left + x, y: top + y };
+  });
 
 /** Waits until the fire is ready, and listens to pointers. */
 const listens = async (tab) => {
@@ -32,14 +33,17 @@ const listens = async (tab) => {
 };
 
 /** The number of embers, which the fire reports when it changes. */
-const embers = (tab, count) => tab.until(
-  `${count} embers`,
-  (wanted) => /** @type {any} */ (document.querySelector('hearth-fire')).stats?.embers === wanted,
-  count,
-);
+const embers = (tab, count) =>
+  tab.until(
+    `${count} embers`,
+    (wanted) => /** @type {any} */ (document.querySelector('hearth-fire')).stats?.embers === wanted,
+    count,
+  );
 
 test('a pointer stirs only an interactive fire, and more while it is pressed', async () => {
-  const tab = await browser.show('<hearth-fire paused model="classic" quality="low" seed="3"></hearth-fire>', { draws: true });
+  const tab = await browser.show('<hearth-fire paused model="classic" quality="low" seed="3"></hearth-fire>', {
+    draws: true,
+  });
   await tab.ready();
   // Each way of the pointer takes 50 ms and is followed by as much fire.
   const swept = async (buttons) => {
@@ -50,7 +54,13 @@ test('a pointer stirs only an interactive fire, and more while it is pressed', a
         const { left, top } = fire.getBoundingClientRect();
         for (const [at, x] of [110, 122].entries()) {
           const event = new PointerEvent('pointermove', {
-            bubbles: true, composed: true, pointerId: 7, pointerType: 'mouse', buttons: pressed, clientX: left + x, clientY: top + 190,
+            bubbles: true,
+            composed: true,
+            pointerId: 7,
+            pointerType: 'mouse',
+            buttons: pressed,
+            clientX: left + x,
+            clientY: top + 190,
           });
           Object.defineProperty(event, 'timeStamp', { value: 1000 + 50 * at });
           fire.dispatchEvent(event);
@@ -77,7 +87,10 @@ test('a pointer stirs only an interactive fire, and more while it is pressed', a
   const blown = await swept(0);
   assert.ok(blown > still + 0.004, `the glow stands at ${blown} of the width, at ${still} unstirred`);
   const pressed = await swept(1);
-  assert.ok(pressed > blown + 0.004, `the glow stands at ${pressed} of the width, at ${blown} with a pointer that hovers`);
+  assert.ok(
+    pressed > blown + 0.004,
+    `the glow stands at ${pressed} of the width, at ${blown} with a pointer that hovers`,
+  );
   assert.deepEqual(tab.problems, []);
 });
 
@@ -92,7 +105,12 @@ test('a click throws sparks at its place, and a drag throws none', async () => {
   await tab.frames(2);
   const picture = await tab.firePicture();
   const { x, y, width, height } = await tab.rectangle('hearth-fire');
-  const near = picture.crop((90 - x - 40) / width, (80 - y - 40) / height, (90 - x + 40) / width, (80 - y + 40) / height);
+  const near = picture.crop(
+    (90 - x - 40) / width,
+    (80 - y - 40) / height,
+    (90 - x + 40) / width,
+    (80 - y + 40) / height,
+  );
   assert.ok(before === 0 && near.glowing() > 0.002, `${near.glowing()} glows, ${before} before`);
   await tab.drag({ x: 60, y: 60 }, { x: 160, y: 60 });
   await tab.fire((fire) => fire.step(1));
@@ -111,11 +129,15 @@ for (const style of ['', 'transform: scale(0.6); transform-origin: 0 0']) {
     await tab.frames();
     assert.equal(await cursor(), 'grab');
     await tab.drag(from, { x: from.x + 20, y: from.y - 20 });
-    await tab.until('the source is there', (x) => {
-      const fire = /** @type {any} */ (document.querySelector('hearth-fire'));
-      const { params } = fire;
-      return Math.abs(fire.getBoundingClientRect().left + fire.toPixels(params.source_x, 0).x - x) < 1;
-    }, from.x + 20);
+    await tab.until(
+      'the source is there',
+      (x) => {
+        const fire = /** @type {any} */ (document.querySelector('hearth-fire'));
+        const { params } = fire;
+        return Math.abs(fire.getBoundingClientRect().left + fire.toPixels(params.source_x, 0).x - x) < 1;
+      },
+      from.x + 20,
+    );
     const to = await source(tab);
     const changes = await events(tab, 'params-change');
     assert.ok(changes.length > 2);
@@ -132,31 +154,40 @@ for (const style of ['', 'transform: scale(0.6); transform-origin: 0 0']) {
 }
 
 test('a drag of a campfire moves its logs and stones with it, and nothing else', async () => {
-  const tab = await browser.show(recording('<hearth-fire preset="fireside" warm interactive ember-rate="0" style="width: 400px"></hearth-fire>'));
+  const tab = await browser.show(
+    recording('<hearth-fire preset="fireside" warm interactive ember-rate="0" style="width: 400px"></hearth-fire>'),
+  );
   await listens(tab);
   await tab.fire(async (fire) => {
     await fire.addObject({ kind: 'solid', shape: 'box', x: 0.3, y: 0.9, width: 0.1, height: 0.1 });
     await fire.addObject({ kind: 'solid', shape: 'box', x: 0.05, y: 0.2, width: 0.05, height: 0.05, fuel: 'wood' });
     await fire.addObject({ kind: 'solid', shape: 'box', x: -0.05, y: 0.2, width: 0.05, height: 0.05, motion: 'sway' });
   });
-  const places = () => tab.fire(async (fire) => {
-    await fire.exportConfig();
-    return fire.objects.map(({ x, y }) => [x, y]);
-  });
+  const places = () =>
+    tab.fire(async (fire) => {
+      await fire.exportConfig();
+      return fire.objects.map(({ x, y }) => [x, y]);
+    });
   const before = await places();
   /** The drag of a place of the fire to the left [m]. */
   const drag = async (x, y) => {
-    const [from, to] = await tab.fire((fire, at, up) => {
-      const { left, top } = fire.getBoundingClientRect();
-      return [at, at - 0.2].map((place) => {
-        const point = fire.toPixels(place, up);
-        return { x: left + point.x, y: top + point.y };
-      });
-    }, x, y);
+    const [from, to] = await tab.fire(
+      (fire, at, up) => {
+        const { left, top } = fire.getBoundingClientRect();
+        return [at, at - 0.2].map((place) => {
+          const point = fire.toPixels(place, up);
+          return { x: left + point.x, y: top + point.y };
+        });
+      },
+      x,
+      y,
+    );
     await tab.drag(from, to);
-    await tab.until('the things are there', (wanted) => (
-      Math.abs(/** @type {any} */ (document.querySelector('hearth-fire')).params.source_x - wanted) < 0.02
-    ), x < 0.1 ? -0.2 : -0.4);
+    await tab.until(
+      'the things are there',
+      (wanted) => Math.abs(/** @type {any} */ (document.querySelector('hearth-fire')).params.source_x - wanted) < 0.02,
+      x < 0.1 ? -0.2 : -0.4,
+    );
     return places();
   };
   // By the fire itself, then by a stone.
@@ -164,14 +195,20 @@ test('a drag of a campfire moves its logs and stones with it, and nothing else',
   const by = first[0][0];
   first.forEach(([x, y], at) => {
     const moved = at < 5 ? by : 0;
-    assert.ok(Math.abs(x - before[at][0] - moved) < 2e-3 && y === before[at][1], `object ${at}: from ${before[at]} to ${x}, ${y}`);
+    assert.ok(
+      Math.abs(x - before[at][0] - moved) < 2e-3 && y === before[at][1],
+      `object ${at}: from ${before[at]} to ${x}, ${y}`,
+    );
   });
   const second = await drag(first[4][0], first[4][1]);
   assert.ok(Math.abs(second[4][0] - first[4][0] - second[0][0] + first[0][0]) < 2e-3, 'a stone takes the fire along');
   // The moved solids push the gas aside and crush none.
-  const { removed, particles } = await tab.fire((fire) => new Promise((resolve) => {
-    fire.addEventListener('stats', ({ detail }) => resolve(detail), { once: true });
-  }));
+  const { removed, particles } = await tab.fire(
+    (fire) =>
+      new Promise((resolve) => {
+        fire.addEventListener('stats', ({ detail }) => resolve(detail), { once: true });
+      }),
+  );
   assert.ok(removed < 0.01 * particles, `${removed} of ${particles} particles are removed`);
   assert.deepEqual(await tab.problemsAfterFrame(), []);
 });
@@ -180,23 +217,35 @@ test('a drag on a source that is on a solid moves the solid', async () => {
   const tab = await browser.show(recording(`<hearth-fire ${CALM}></hearth-fire>`));
   await listens(tab);
   const id = await tab.fire(async (fire) => {
-    const solid = await fire.addObject({ kind: 'solid', shape: 'box', x: 0.1, y: 0.8, width: 0.5, height: 0.05, angle: 90 });
+    const solid = await fire.addObject({
+      kind: 'solid',
+      shape: 'box',
+      x: 0.1,
+      y: 0.8,
+      width: 0.5,
+      height: 0.05,
+      angle: 90,
+    });
     await fire.set({ source_shape: 'solid', source_solid: solid });
     return solid;
   });
-  const solid = () => tab.fire(async (fire, wanted) => {
-    await fire.exportConfig();
-    const { left, top } = fire.getBoundingClientRect();
-    const { x, y } = fire.objects.find((object) => object.id === wanted);
-    const at = fire.toPixels(x, y);
-    return { x: left + at.x, y: top + at.y };
-  }, id);
+  const solid = () =>
+    tab.fire(async (fire, wanted) => {
+      await fire.exportConfig();
+      const { left, top } = fire.getBoundingClientRect();
+      const { x, y } = fire.objects.find((object) => object.id === wanted);
+      const at = fire.toPixels(x, y);
+      return { x: left + at.x, y: top + at.y };
+    }, id);
   const from = await solid();
   // Its upper end, which a box that is not turned would not reach.
   const end = { x: from.x, y: from.y - 30 };
   await tab.drag(end, { x: end.x - 40, y: end.y + 24 });
   const to = await solid();
-  assert.ok(Math.abs(to.x - from.x + 40) < 1 && Math.abs(to.y - from.y - 24) < 1, `${JSON.stringify(from)} to ${JSON.stringify(to)}`);
+  assert.ok(
+    Math.abs(to.x - from.x + 40) < 1 && Math.abs(to.y - from.y - 24) < 1,
+    `${JSON.stringify(from)} to ${JSON.stringify(to)}`,
+  );
   const changes = await events(tab, 'objects-change');
   assert.ok(changes.some(({ source: by }) => by === 'pointer'));
   assert.equal(await tab.fire((fire) => fire.params.source_x), 0);
@@ -207,10 +256,9 @@ test('a drag on a source that is on a solid moves the solid', async () => {
 });
 
 test('a finger moves the source across, and scrolls the page up and down from it and from anywhere else', async () => {
-  const tab = await browser.open(
-    `<hearth-fire ${CALM}></hearth-fire><div style="height: 3000px"></div>`,
-    { touch: true },
-  );
+  const tab = await browser.open(`<hearth-fire ${CALM}></hearth-fire><div style="height: 3000px"></div>`, {
+    touch: true,
+  });
   await listens(tab);
   await tab.fire((fire) => fire.step(4));
   const from = await source(tab);
@@ -228,7 +276,9 @@ test('a finger moves the source across, and scrolls the page up and down from it
 });
 
 test('a mouse drag from the fire selects text, and one from its source does not', async () => {
-  const tab = await browser.show(`<hearth-fire ${CALM}></hearth-fire><p style="margin: 0">These words may be selected.</p>`);
+  const tab = await browser.show(
+    `<hearth-fire ${CALM}></hearth-fire><p style="margin: 0">These words may be selected.</p>`,
+  );
   await listens(tab);
   await tab.fire((fire) => fire.step(4));
   const words = await tab.rectangle('p');
@@ -249,15 +299,32 @@ test('`stir` and `sparks` act on the fire, and invalid arguments are rejected', 
   await embers(tab, 30);
   const refusals = await tab.fire(async (fire) => {
     const asked = [
-      fire.stir(NaN, 0, 0, 0), fire.stir(0, 0, 'fast', 0), fire.stir(0, 0, 0, 21), fire.stir(),
-      fire.sparks(0, Infinity), fire.sparks(0, 0.5, 0), fire.sparks(0, 0.5, 201), fire.sparks(0, 0.5, 1.5), fire.sparks({}, 1),
+      fire.stir(NaN, 0, 0, 0),
+      fire.stir(0, 0, 'fast', 0),
+      fire.stir(0, 0, 0, 21),
+      fire.stir(),
+      fire.sparks(0, Infinity),
+      fire.sparks(0, 0.5, 0),
+      fire.sparks(0, 0.5, 201),
+      fire.sparks(0, 0.5, 1.5),
+      fire.sparks({}, 1),
     ];
     const settled = await Promise.allSettled(asked);
-    return settled.map((result) => `${result.status} ${/** @type {any} */ (result).reason?.name}: ${/** @type {any} */ (result).reason?.message}`);
+    return settled.map(
+      (result) =>
+        `${result.status} ${/** @type {any} */ (result).reason?.name}: ${/** @type {any} */ (result).reason?.message}`,
+    );
   });
   const words = [
-    /x = NaN .*from -1000 to 1000/, /u = "fast" .*from -20 to 20/, /v = 21 .*from -20 to 20/, /is refused/,
-    /y = inf.*from -1000 to 1000/i, /count = 0 .*from 1 to 200/, /count = 201 .*from 1 to 200/, /count = 1.5 .*whole/, /x = .*number/,
+    /x = NaN .*from -1000 to 1000/,
+    /u = "fast" .*from -20 to 20/,
+    /v = 21 .*from -20 to 20/,
+    /is refused/,
+    /y = inf.*from -1000 to 1000/i,
+    /count = 0 .*from 1 to 200/,
+    /count = 201 .*from 1 to 200/,
+    /count = 1.5 .*whole/,
+    /x = .*number/,
   ];
   for (const [at, refusal] of refusals.entries()) {
     assert.match(refusal, /^rejected RangeError/);

@@ -120,10 +120,12 @@ test('an engine that ends while a fire waits for its file is followed by another
       };
       // The life of an engine without fires is longer than a fire waits for its file.
       const { setTimeout } = window;
-      window.setTimeout = /** @type {any} */ ((act, time, ...rest) => {
-        const ends = time === 5000 && /** @type {any} */ (window).ends;
-        return setTimeout(act, ends ? 0 : time, ...rest);
-      });
+      window.setTimeout = /** @type {any} */ (
+        (act, time, ...rest) => {
+          const ends = time === 5000 && /** @type {any} */ (window).ends;
+          return setTimeout(act, ends ? 0 : time, ...rest);
+        }
+      );
     },
   });
   await tab.burnt(0.2);
@@ -166,11 +168,12 @@ test('with reduced motion a fire is paused again when it is inserted again, and 
   const tab = await browser.open(FIRE, { reducedMotion: true });
   await tab.ready();
   await tab.frames(10);
-  const button = () => tab.fire((fire) => {
-    const found = fire.shadowRoot.querySelector('button');
-    const { x, y, width, height } = found.getBoundingClientRect();
-    return found.hidden ? null : { label: found.ariaLabel, x: x + width / 2, y: y + height / 2 };
-  });
+  const button = () =>
+    tab.fire((fire) => {
+      const found = fire.shadowRoot.querySelector('button');
+      const { x, y, width, height } = found.getBoundingClientRect();
+      return found.hidden ? null : { label: found.ariaLabel, x: x + width / 2, y: y + height / 2 };
+    });
   assert.match((await button()).label, /play/i);
   assert.equal(await tab.fire((fire) => fire.hasAttribute('paused')), false, 'the page has not paused it');
   await tab.fire(async (fire) => {
@@ -187,9 +190,7 @@ test('with reduced motion a fire is paused again when it is inserted again, and 
   const pause = await button();
   assert.match(pause.label, /pause/i);
   await tab.click(pause);
-  await tab.until('it stands still', () => (
-    /** @type {any} */ (document.querySelector('hearth-fire')).paused
-  ));
+  await tab.until('it stands still', () => /** @type {any} */ (document.querySelector('hearth-fire')).paused);
   await tab.frames(10);
   const still = await tab.firePicture();
   await tab.frames(10);
@@ -226,7 +227,12 @@ test('a failed fire tries again when it is inserted again', async () => {
       };
     },
   });
-  const kind = await tab.fire((fire) => fire.ready.then(() => '', (error) => error.kind));
+  const kind = await tab.fire((fire) =>
+    fire.ready.then(
+      () => '',
+      (error) => error.kind,
+    ),
+  );
   assert.equal(kind, 'load');
   await tab.fire((fire) => {
     fire.remove();

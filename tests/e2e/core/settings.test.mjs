@@ -52,7 +52,10 @@ test('the export of a fire holds its changes alone', async () => {
   assert.deepEqual(config, { hearth: 2, values: { exposure: 0.5, background: '#102030' } });
   await tab.fire((fire) => fire.set({ model: 'classic', viscosity: 0.02 }));
   assert.deepEqual((await state(tab)).config.values, {
-    model: 'classic', viscosity: 0.02, exposure: 0.5, background: '#102030',
+    model: 'classic',
+    viscosity: 0.02,
+    exposure: 0.5,
+    background: '#102030',
   });
 });
 
@@ -126,8 +129,19 @@ test('values that throw when they are read are refused, and no others', async ()
   const tab = await browser.show('<hearth-fire paused></hearth-fire>');
   await tab.ready();
   const outcome = await tab.fire(async (fire) => {
-    const thrower = { get exposure() { throw new Error('no'); } };
-    const proxy = new Proxy({}, { ownKeys() { throw new Error('no'); } });
+    const thrower = {
+      get exposure() {
+        throw new Error('no');
+      },
+    };
+    const proxy = new Proxy(
+      {},
+      {
+        ownKeys() {
+          throw new Error('no');
+        },
+      },
+    );
     const given = [
       () => fire.set(thrower),
       () => fire.set(proxy),
@@ -141,27 +155,37 @@ test('values that throw when they are read are refused, and no others', async ()
       () => fire.step({}),
     ];
     const names = [];
-    for (const give of given) names.push(await give().then(() => 'taken', (error) => error.name));
+    for (const give of given)
+      names.push(
+        await give().then(
+          () => 'taken',
+          (error) => error.name,
+        ),
+      );
     return { names, params: fire.params };
   });
   // An empty object sets nothing, which is no error.
-  assert.deepEqual(outcome.names, outcome.names.map((_, at) => (at === 6 ? 'taken' : 'RangeError')));
+  assert.deepEqual(
+    outcome.names,
+    outcome.names.map((_, at) => (at === 6 ? 'taken' : 'RangeError')),
+  );
   assert.deepEqual(outcome.params, DEFAULTS);
 });
 
 test('a fire starts from a settings file, and attributes override it', async () => {
   const body = JSON.stringify({ hearth: 2, preset: 'seed', values: { viscosity: 0.02 } });
-  const files = { 'mine.json': { body, type: JSON_TYPE }, 'other.json': { body: '{"values": {"bloom": 0.5}}', type: JSON_TYPE } };
-  const tab = await browser.show(
-    '<hearth-fire paused src="/mine.json" exposure="0.5"></hearth-fire>',
-    { files },
-  );
+  const files = {
+    'mine.json': { body, type: JSON_TYPE },
+    'other.json': { body: '{"values": {"bloom": 0.5}}', type: JSON_TYPE },
+  };
+  const tab = await browser.show('<hearth-fire paused src="/mine.json" exposure="0.5"></hearth-fire>', { files });
   await tab.ready();
   assert.deepEqual((await state(tab)).params, { ...SEED, viscosity: 0.02, exposure: 0.5 });
   await tab.fire((fire) => (fire.src = '/other.json'));
-  await tab.until('the other file', () => (
-    /** @type {any} */ (document.querySelector('hearth-fire')).params.bloom === 0.5
-  ));
+  await tab.until(
+    'the other file',
+    () => /** @type {any} */ (document.querySelector('hearth-fire')).params.bloom === 0.5,
+  );
   const { params, preset } = await state(tab);
   assert.deepEqual({ params, preset }, { params: { ...DEFAULTS, bloom: 0.5 }, preset: 'default' });
 });
@@ -183,14 +207,20 @@ for (const [what, instead, named] of [
     const errors = await events(tab, 'error');
     assert.equal(errors.length, 1);
     assert.ok(errors[0].message.includes(named), errors[0].message);
-    assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+    assert.deepEqual(
+      tab.problems.filter((problem) => problem.startsWith('uncaught')),
+      [],
+    );
   });
 }
 
 test('a fire that is removed while its file loads starts from it when it is inserted again', async () => {
   const body = JSON.stringify({ values: { model: 'classic', viscosity: 0.02 } });
   const tab = await browser.show('<p>Nothing yet</p>', {
-    files: { 'mine.json': { body, type: JSON_TYPE }, 'other.json': { body: '{"values": {"bloom": 0.5}}', type: JSON_TYPE } },
+    files: {
+      'mine.json': { body, type: JSON_TYPE },
+      'other.json': { body: '{"values": {"bloom": 0.5}}', type: JSON_TYPE },
+    },
   });
   const params = await tab.evaluate(async () => {
     const make = () => {
@@ -232,13 +262,21 @@ test('without a spacing, a number of particles states the resolution of open air
   assert.ok(Math.abs(opened.params.spacing / spacing - 1) < 0.002, `${opened.params.spacing}`);
   assert.deepEqual(opened.config.values, { domain_width: 2.4, seam: 0.03, max_particles: 5000 });
   // A number that is set later means the same, and a named spacing makes it a cap.
-  const attributes = [['max-particles', '3200', Math.sqrt((2.4 * 1.8) / 3200)], ['spacing', '0.05', 0.05], ['max-particles', '900', 0.05]];
+  const attributes = [
+    ['max-particles', '3200', Math.sqrt((2.4 * 1.8) / 3200)],
+    ['spacing', '0.05', 0.05],
+    ['max-particles', '900', 0.05],
+  ];
   for (const [name, value, expected] of attributes) {
-    const { params } = await tab.fire(async (fire, name, value) => {
-      fire.setAttribute(name, value);
-      await fire.exportConfig();
-      return { params: fire.params };
-    }, name, value);
+    const { params } = await tab.fire(
+      async (fire, name, value) => {
+        fire.setAttribute(name, value);
+        await fire.exportConfig();
+        return { params: fire.params };
+      },
+      name,
+      value,
+    );
     assert.ok(Math.abs(params.spacing / expected - 1) < 0.002, `${name}="${value}": ${params.spacing}`);
   }
 });
@@ -246,7 +284,10 @@ test('without a spacing, a number of particles states the resolution of open air
 test('a fire that follows a stopped one keeps whether its spacing is set', async () => {
   const tab = await browser.show('<hearth-fire paused></hearth-fire>');
   await tab.ready();
-  for (const [spacing, stated] of [[undefined, {}], [0.03, { spacing: 0.03 }]]) {
+  for (const [spacing, stated] of [
+    [undefined, {}],
+    [0.03, { spacing: 0.03 }],
+  ]) {
     const values = await tab.fire(async (fire, spacing) => {
       if (spacing !== undefined) await fire.set({ spacing });
       const parent = fire.parentNode;

@@ -24,20 +24,20 @@ async function openPage(query = 'model=classic') {
 const look = (tab) => tab.fire(async (fire) => ({ config: await fire.exportConfig(), params: fire.params }));
 
 /** Waits until a button can be pressed, or cannot, by its accessible control. */
-const can = (panel, action, able) => panel.until(
-  `${action} is ${able ? 'on' : 'off'}`,
-  (root, selector, wanted) => (
-    root.querySelector(selector).getAttribute('aria-disabled') === String(!wanted)
-  ),
-  actionOf(action),
-  able,
-);
+const can = (panel, action, able) =>
+  panel.until(
+    `${action} is ${able ? 'on' : 'off'}`,
+    (root, selector, wanted) => root.querySelector(selector).getAttribute('aria-disabled') === String(!wanted),
+    actionOf(action),
+    able,
+  );
 
-const differs = (panel, from) => panel.until(
-  'the values are others',
-  (root, old) => JSON.stringify(root.querySelector('hearth-fire').params) !== old,
-  JSON.stringify(from.params),
-);
+const differs = (panel, from) =>
+  panel.until(
+    'the values are others',
+    (root, old) => JSON.stringify(root.querySelector('hearth-fire').params) !== old,
+    JSON.stringify(from.params),
+  );
 
 /** Acts of a user, each one step. @type {[string, (panel: Panel, tab: any) => Promise<void>][]} */
 const DEEDS = [
@@ -45,12 +45,15 @@ const DEEDS = [
   ['a drag of the number of particles', (panel) => panel.dragSlider('max_particles', 0.5, 0.2)],
   ['a choice', (panel) => panel.choose('walls', 'solid')],
   ['a flag', async (panel, tab) => tab.click(along(await panel.reveal('printed_kernel'), 0.5))],
-  ['a number that is typed', async (panel, tab) => {
-    await panel.reveal('viscosity');
-    await tab.click(along(await panel.rectangleOf('value:viscosity'), 0.8));
-    await tab.page.keyboard.type('0.03');
-    await tab.key('Enter');
-  }],
+  [
+    'a number that is typed',
+    async (panel, tab) => {
+      await panel.reveal('viscosity');
+      await tab.click(along(await panel.rectangleOf('value:viscosity'), 0.8));
+      await tab.page.keyboard.type('0.03');
+      await tab.key('Enter');
+    },
+  ],
   ['the way back to one default', (panel) => panel.restore('viscosity')],
   ['another model', (panel) => panel.choose('model', 'combustion')],
   ['a slider of that model', (panel) => panel.dragSlider('fuel_power', 0.5, 0.8)],
@@ -92,8 +95,14 @@ describe('one step back and forth', () => {
       for (const key of keys.reverse()) await tab.page.keyboard.up(key);
     };
     for (const [back, forth] of [
-      [['Control', 'z'], ['Control', 'Shift', 'z']],
-      [['Meta', 'z'], ['Control', 'y']],
+      [
+        ['Control', 'z'],
+        ['Control', 'Shift', 'z'],
+      ],
+      [
+        ['Meta', 'z'],
+        ['Control', 'y'],
+      ],
     ]) {
       await press(...back);
       await can(panel, 'redo', true);
@@ -146,10 +155,11 @@ test('a drag of a campfire is one step, which brings back the fire and its logs'
   const tab = await browser.open('index.html', { width: 900, height: 640 });
   await tab.ready();
   const panel = await new Panel(tab).mounted();
-  const places = () => tab.fire(async (fire) => {
-    await fire.exportConfig();
-    return fire.objects.map(({ x }) => x);
-  });
+  const places = () =>
+    tab.fire(async (fire) => {
+      await fire.exportConfig();
+      return fire.objects.map(({ x }) => x);
+    });
   const before = await places();
   const [from, to] = await tab.fire((fire) => {
     const { left, top } = fire.getBoundingClientRect();
@@ -160,11 +170,17 @@ test('a drag of a campfire is one step, which brings back the fire and its logs'
   });
   await tab.drag(from, to);
   await can(panel, 'undo', true);
-  assert.ok((await places()).every((x, at) => x > before[at] + 0.1), 'all moved');
+  assert.ok(
+    (await places()).every((x, at) => x > before[at] + 0.1),
+    'all moved',
+  );
   await panel.press('undo');
   await can(panel, 'undo', false);
   assert.deepEqual(await places(), before);
   await panel.press('redo');
   await can(panel, 'redo', false);
-  assert.ok((await places()).every((x, at) => x > before[at] + 0.1), 'all moved again');
+  assert.ok(
+    (await places()).every((x, at) => x > before[at] + 0.1),
+    'all moved again',
+  );
 });

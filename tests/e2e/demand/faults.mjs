@@ -22,13 +22,18 @@ const SECTIONS = {
   network: { find: network, what: 'files that fail, each in seven ways (Chromium)' },
   graphics: { find: graphics, what: 'WebGL2 functions that fail, in worker and page (Chromium)' },
   calls: { find: calls, what: 'groups of 40 random calls in each browser' },
-  patience: { find: patience, what: 'breakpoint, hidden tab, suspended computer, 20 times slower processor (Chromium)' },
+  patience: {
+    find: patience,
+    what: 'breakpoint, hidden tab, suspended computer, 20 times slower processor (Chromium)',
+  },
 };
 
 const [file, ...names] = process.argv.slice(2);
 const unknown = names.filter((name) => !(name in SECTIONS));
 if (!file || unknown.length > 0) {
-  throw new Error(`the arguments are a file and sections (${Object.keys(SECTIONS).join(', ')}), not ${[file, ...unknown].join(', ')}`);
+  throw new Error(
+    `the arguments are a file and sections (${Object.keys(SECTIONS).join(', ')}), not ${[file, ...unknown].join(', ')}`,
+  );
 }
 const rows = ['| fault | number | burns again | reason shown | silent |', '|---|---:|---:|---:|---:|'];
 for (const [section, { find, what }] of Object.entries(SECTIONS)) {

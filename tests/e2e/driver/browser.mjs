@@ -118,7 +118,14 @@ export class Browser {
    */
   async open(page, options = {}) {
     const { width = 480, height = 480, ratio = 1, touch = false } = options;
-    const { reducedMotion = this.reducedMotion, draws = this.draws, headers, files = {}, without, remember = false } = options;
+    const {
+      reducedMotion = this.reducedMotion,
+      draws = this.draws,
+      headers,
+      files = {},
+      without,
+      remember = false,
+    } = options;
     const ofSite = !page.includes('<');
     const { pixels = ofSite ? FEW_PIXELS : Infinity } = options;
     await this.tab?.close();
@@ -195,7 +202,12 @@ async function replaceBody(body) {
   scrollTo(0, 0);
   const fragment = document.createRange().createContextualFragment(body);
   const modules = /** @type {HTMLScriptElement[]} */ ([...fragment.querySelectorAll('script[type="module"]')]);
-  const ran = modules.map((script) => new Promise((resolve) => { script.onload = resolve; }));
+  const ran = modules.map(
+    (script) =>
+      new Promise((resolve) => {
+        script.onload = resolve;
+      }),
+  );
   document.body.append(fragment);
   await Promise.all(ran);
 }

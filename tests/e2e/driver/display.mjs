@@ -38,7 +38,9 @@ let watched = false;
 export function killAtExit(child) {
   if (!watched) {
     watched = true;
-    process.once('exit', () => { for (const child of running) child.kill('SIGKILL'); });
+    process.once('exit', () => {
+      for (const child of running) child.kill('SIGKILL');
+    });
     // A signal would end this process without an exit event.
     for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.once(signal, () => process.exit(1));
   }

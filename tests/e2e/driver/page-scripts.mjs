@@ -30,7 +30,10 @@ export function rememberContexts() {
   let objects = 0;
   const { prototype } = scope.WebGL2RenderingContext ?? {};
   for (const name of ['Texture', 'Buffer', 'Framebuffer', 'Program', 'VertexArray', 'Query']) {
-    for (const [verb, more] of /** @type {[string, number][]} */ ([['create', 1], ['delete', -1]])) {
+    for (const [verb, more] of /** @type {[string, number][]} */ ([
+      ['create', 1],
+      ['delete', -1],
+    ])) {
       const original = prototype?.[verb + name];
       if (!original) continue;
       prototype[verb + name] = function counted(object) {
@@ -175,7 +178,8 @@ export function followWorkers(origin) {
  * `window.keptProblems`.
  */
 export function keepProblems() {
-  const problems = (/** @type {any} */ (window).keptProblems = []);
+  const problems = [];
+  /** @type {any} */ (window).keptProblems = problems;
   for (const type of ['error', 'warn', 'assert']) {
     const original = console[type];
     console[type] = (...words) => {
@@ -183,12 +187,16 @@ export function keepProblems() {
       original.apply(console, words);
     };
   }
-  addEventListener('error', (event) => {
-    const { target } = /** @type {any} */ (event);
-    // Elements have error events of their own, which are the page's to hear.
-    if (event instanceof ErrorEvent) problems.push(`uncaught: ${event.message}`);
-    else if (target.src ?? target.href) problems.push(`request failed: ${target.src ?? target.href}`);
-  }, true);
+  addEventListener(
+    'error',
+    (event) => {
+      const { target } = /** @type {any} */ (event);
+      // Elements have error events of their own, which are the page's to hear.
+      if (event instanceof ErrorEvent) problems.push(`uncaught: ${event.message}`);
+      else if (target.src ?? target.href) problems.push(`request failed: ${target.src ?? target.href}`);
+    },
+    true,
+  );
   addEventListener('unhandledrejection', (event) => {
     problems.push(`uncaught: ${event.reason}`);
   });

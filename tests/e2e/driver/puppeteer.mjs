@@ -68,17 +68,19 @@ export async function chromium({ shell = false, likeGraphicsCard = false }, serv
 export async function firefox({ reducedMotion = false }) {
   const executablePath = program('HEARTH_FIREFOX', ['firefox-esr', 'firefox'], 'firefox-esr');
   const screen = await display();
-  const browser = await puppeteer.launch({
-    browser: 'firefox',
-    executablePath,
-    headless: false,
-    env: { ...process.env, DISPLAY: screen.name, WAYLAND_DISPLAY: undefined },
-    extraPrefsFirefox: { 'ui.prefersReducedMotion': reducedMotion ? 1 : 0 },
-    protocolTimeout,
-  }).catch((error) => {
-    screen.close();
-    throw error;
-  });
+  const browser = await puppeteer
+    .launch({
+      browser: 'firefox',
+      executablePath,
+      headless: false,
+      env: { ...process.env, DISPLAY: screen.name, WAYLAND_DISPLAY: undefined },
+      extraPrefsFirefox: { 'ui.prefersReducedMotion': reducedMotion ? 1 : 0 },
+      protocolTimeout,
+    })
+    .catch((error) => {
+      screen.close();
+      throw error;
+    });
   return {
     browser,
     async open({ reducedMotion: wanted, ...opening }) {
@@ -153,11 +155,7 @@ export class PuppeteerTab extends Tab {
   /** @override */
   async until(what, holds, ...args) {
     try {
-      const handle = await this.page.waitForFunction(
-        holds,
-        { timeout: PATIENCE, polling: 50 },
-        ...args,
-      );
+      const handle = await this.page.waitForFunction(holds, { timeout: PATIENCE, polling: 50 }, ...args);
       return await handle.jsonValue();
     } catch (error) {
       const why = error instanceof Error ? error.message : String(error);

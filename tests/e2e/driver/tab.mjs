@@ -170,10 +170,7 @@ export class Tab {
    */
   async loseContext(milliseconds) {
     this.shows = undefined;
-    const lost = await this.evaluate(
-      (time) => /** @type {any} */ (window).driver.lose(time),
-      milliseconds ?? null,
-    );
+    const lost = await this.evaluate((time) => /** @type {any} */ (window).driver.lose(time), milliseconds ?? null);
     if (lost === 0) throw new Error('neither the page nor a worker has a context to lose');
   }
 
@@ -212,7 +209,13 @@ export class Tab {
    * @param {(picture: Picture) => boolean} holds
    */
   async pictureUntil(what, holds) {
-    return eventually(what, () => this.firePicture(), holds, () => this.frames(1), () => 'another picture');
+    return eventually(
+      what,
+      () => this.firePicture(),
+      holds,
+      () => this.frames(1),
+      () => 'another picture',
+    );
   }
 
   /**

@@ -142,8 +142,9 @@ export class WebKitTab extends Tab {
 
   /** @param {string} source @param {unknown[]} args */
   async #run(source, args) {
-    const { text, failure, problems } = JSON.parse(await this.session.run(
-      `const done = arguments[arguments.length - 1];
+    const { text, failure, problems } = JSON.parse(
+      await this.session.run(
+        `const done = arguments[arguments.length - 1];
       const answer = (response) => done(JSON.stringify({
         ...response, problems: (window.keptProblems ?? []).splice(0),
       }));
@@ -153,8 +154,9 @@ export class WebKitTab extends Tab {
           (value) => answer({ text: JSON.stringify(value) }),
           (error) => answer({ failure: String(error) }),
         );`,
-      [JSON.stringify(args)],
-    ));
+        [JSON.stringify(args)],
+      ),
+    );
     this.problems.push(...problems);
     if (failure !== undefined) throw new Error(failure);
     return text === undefined ? undefined : JSON.parse(text);
@@ -178,12 +180,7 @@ export class WebKitTab extends Tab {
     const whole = Picture.decode(Buffer.from(await this.session.get('screenshot'), 'base64'));
     if (!clip) return whole;
     const { x, y, width, height } = clip;
-    return whole.crop(
-      x / whole.width,
-      y / whole.height,
-      (x + width) / whole.width,
-      (y + height) / whole.height,
-    );
+    return whole.crop(x / whole.width, y / whole.height, (x + width) / whole.width, (y + height) / whole.height);
   }
 
   /** @override */
@@ -197,9 +194,7 @@ export class WebKitTab extends Tab {
       up: { type: 'pointerUp', button: 0 },
     };
     return this.session.post('actions', {
-      actions: [
-        { type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions: [actions[what]] },
-      ],
+      actions: [{ type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions: [actions[what]] }],
     });
   }
 
@@ -207,11 +202,16 @@ export class WebKitTab extends Tab {
   async press(key) {
     const value = KEYS[key] ?? key;
     await this.session.post('actions', {
-      actions: [{
-        type: 'key',
-        id: 'keyboard',
-        actions: [{ type: 'keyDown', value }, { type: 'keyUp', value }],
-      }],
+      actions: [
+        {
+          type: 'key',
+          id: 'keyboard',
+          actions: [
+            { type: 'keyDown', value },
+            { type: 'keyUp', value },
+          ],
+        },
+      ],
     });
   }
 

@@ -37,26 +37,35 @@ const sharePage = sharedPage(() => browser);
 
 test('every parameter of the model has an accessible control with a name', async () => {
   const { tab, panel } = await sharePage();
-  const names = await tab.page.$$eval('[data-parameter]', (found) => found.map((control) => {
-    const { labels, ariaLabel } = /** @type {HTMLInputElement} */ (control);
-    return ariaLabel || labels?.[0]?.textContent?.trim();
-  }));
+  const names = await tab.page.$$eval('[data-parameter]', (found) =>
+    found.map((control) => {
+      const { labels, ariaLabel } = /** @type {HTMLInputElement} */ (control);
+      return ariaLabel || labels?.[0]?.textContent?.trim();
+    }),
+  );
   for (const [at, { id, label }] of PARAMETERS.entries()) {
     assert.ok(names[at]?.includes(label), `${id} is called ${names[at]}`);
   }
-  for (const [model, edges] of [['combustion', 'open'], ['combustion', 'periodic'], ['classic', 'periodic']]) {
+  for (const [model, edges] of [
+    ['combustion', 'open'],
+    ['combustion', 'periodic'],
+    ['classic', 'periodic'],
+  ]) {
     await tab.fire((fire, values) => fire.set(values), { model, edges });
-    const used = Object.values(entriesOf(PARAMETERS, model, edges)).filter((entry) => entry.used).map(({ id }) => id);
+    const used = Object.values(entriesOf(PARAMETERS, model, edges))
+      .filter((entry) => entry.used)
+      .map(({ id }) => id);
     assert.deepEqual(await panel.controls(), used);
   }
 });
 
 test('accessible sliders have the ranges of the model, also for keys', async () => {
   const { tab, panel } = await sharePage();
-  const range = (id) => tab.page.$eval(controlOf(id), (control) => {
-    const { min, max, value } = /** @type {HTMLInputElement} */ (control);
-    return [min, max, value].map(Number);
-  });
+  const range = (id) =>
+    tab.page.$eval(controlOf(id), (control) => {
+      const { min, max, value } = /** @type {HTMLInputElement} */ (control);
+      return [min, max, value].map(Number);
+    });
   for (const model of ['combustion', 'classic']) {
     const entries = entriesOf(PARAMETERS, model);
     await tab.page.select(controlOf('model'), model);
@@ -84,7 +93,13 @@ test('an arrow key on an accessible slider changes the value, and egui shows it'
   await tab.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
   const slider = async () => tab.picture(await panel.reveal('buoyancy'));
   const moved = (after) => after.difference(picture) > 0.5;
-  await eventually('egui’s slider moves', slider, moved, () => tab.frames(1), () => 'the same picture');
+  await eventually(
+    'egui’s slider moves',
+    slider,
+    moved,
+    () => tab.frames(1),
+    () => 'the same picture',
+  );
 });
 
 test('accessible choices, flags, colours and seeds set the fire', async () => {
@@ -95,13 +110,17 @@ test('accessible choices, flags, colours and seeds set the fire', async () => {
     ['background', '#204060'],
     ['seed', '4711'],
   ]) {
-    await tab.page.$eval(controlOf(String(id)), (control, to) => {
-      const input = /** @type {HTMLInputElement} */ (control);
-      if (typeof to === 'boolean') input.checked = to;
-      else input.value = String(to);
-      input.dispatchEvent(new Event('input', { bubbles: true }));
-      input.dispatchEvent(new Event('change', { bubbles: true }));
-    }, value);
+    await tab.page.$eval(
+      controlOf(String(id)),
+      (control, to) => {
+        const input = /** @type {HTMLInputElement} */ (control);
+        if (typeof to === 'boolean') input.checked = to;
+        else input.value = String(to);
+        input.dispatchEvent(new Event('input', { bubbles: true }));
+        input.dispatchEvent(new Event('change', { bubbles: true }));
+      },
+      value,
+    );
     await panel.value(String(id), String(value), (now) => String(now) === String(value));
   }
 });
@@ -114,9 +133,7 @@ test('accessible controls follow attributes of the fire', async () => {
     fire.setAttribute('seed', '99');
   });
   await tab.until('the accessible controls show them', () => {
-    const of = (id) => /** @type {HTMLInputElement} */ (
-      document.querySelector(`[data-parameter="${id}"]`)
-    );
+    const of = (id) => /** @type {HTMLInputElement} */ (document.querySelector(`[data-parameter="${id}"]`));
     return of('walls').value === 'periodic' && of('printed_euler').checked && of('seed').value === '99';
   });
 });
@@ -136,9 +153,10 @@ test('accessible controls follow the mouse on egui', async () => {
 test('a lost context is reported until it is restored', async () => {
   const { tab, panel } = await openPage({
     // Where the page has the fire's context in reach.
-    before: () => customElements.whenDefined('hearth-fire').then((HearthFire) => {
-      /** @type {any} */ (HearthFire).engine = 'main';
-    }),
+    before: () =>
+      customElements.whenDefined('hearth-fire').then((HearthFire) => {
+        /** @type {any} */ (HearthFire).engine = 'main';
+      }),
   });
   // Above the rows: a line of words there moves what stands below it.
   const rows = () => panel.rectangleOf('group:Basics');
@@ -150,15 +168,16 @@ test('a lost context is reported until it is restored', async () => {
     extension.loseContext();
     /** @type {any} */ (window).giveBack = () => extension.restoreContext();
   });
-  await tab.until('the accessible controls report it', () => /context was lost/.test(
-    document.querySelector('.hearth-controls [role="status"]')?.textContent ?? '',
-  ));
+  await tab.until('the accessible controls report it', () =>
+    /context was lost/.test(document.querySelector('.hearth-controls [role="status"]')?.textContent ?? ''),
+  );
   await tab.frames(10);
   assert.ok((await rows()).y > top + 5, 'a message is above the rows');
   await tab.evaluate(() => /** @type {any} */ (window).giveBack());
-  await tab.until('the accessible control has no reason', () => (
-    document.querySelector('.hearth-controls [role="status"]')?.textContent === ''
-  ));
+  await tab.until(
+    'the accessible control has no reason',
+    () => document.querySelector('.hearth-controls [role="status"]')?.textContent === '',
+  );
   await tab.frames(10);
   assert.equal((await rows()).y, top);
 });
@@ -171,9 +190,7 @@ test('the panel takes no focus when it loads', async () => {
 
 test('the Tab key leaves the panel, forwards and backwards', async () => {
   const { tab, panel } = await sharePage();
-  const inPanel = () => tab.evaluate(
-    () => document.activeElement?.closest('#panel') !== null,
-  );
+  const inPanel = () => tab.evaluate(() => document.activeElement?.closest('#panel') !== null);
   for (const backwards of [false, true]) {
     await tab.click(along(await panel.reveal('buoyancy'), 0.5));
     if (backwards) await tab.page.keyboard.down('Shift');

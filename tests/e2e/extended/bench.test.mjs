@@ -21,9 +21,12 @@ after(() => browser?.close());
  * Waits until the status begins with one of these words.
  * @param {import('../driver.mjs').Tab} tab @param {string[]} starts
  */
-const statusBegins = (tab, ...starts) => tab.until(`the status “${starts[0]}”`, (words) => (
-  words.some((start) => document.getElementById('status')?.textContent?.startsWith(start))
-), starts);
+const statusBegins = (tab, ...starts) =>
+  tab.until(
+    `the status “${starts[0]}”`,
+    (words) => words.some((start) => document.getElementById('status')?.textContent?.startsWith(start)),
+    starts,
+  );
 
 /**
  * Presses the button, and waits for each row and for the end.
@@ -40,9 +43,14 @@ async function measured(tab, ...rows) {
  * @param {import('../driver.mjs').Tab} tab @param {string} id
  * @returns {Promise<string[][]>}
  */
-const cells = (tab, id) => tab.evaluate((table) => (
-  [...document.querySelectorAll(`#${table} tr`)].map((row) => [...row.children].map((cell) => cell.textContent ?? ''))
-), id);
+const cells = (tab, id) =>
+  tab.evaluate(
+    (table) =>
+      [...document.querySelectorAll(`#${table} tr`)].map((row) =>
+        [...row.children].map((cell) => cell.textContent ?? ''),
+      ),
+    id,
+  );
 
 /**
  * The field with the copied text, after a press of a button.
@@ -83,8 +91,14 @@ describe('a measurement of few particles', () => {
     assert.ok(Math.abs(Number(combustion['mean number']) - 300) <= 15, combustion['mean number']);
     assert.ok(Number(classic['paper’s loop, ms']) > 0 && Number(classic.ratio) > 0);
     const [sizeNames, ...sizes] = await cells(tab, 'memory');
-    assert.deepEqual(sizes.map(([size]) => size), ['1', '30']);
-    assert.deepEqual(sizes.map((row) => byName(sizeNames, row)['size, m']), ['0.0025', '0.075']);
+    assert.deepEqual(
+      sizes.map(([size]) => size),
+      ['1', '30'],
+    );
+    assert.deepEqual(
+      sizes.map((row) => byName(sizeNames, row)['size, m']),
+      ['0.0025', '0.075'],
+    );
     for (const row of sizes) assert.ok(Number(byName(sizeNames, row)['wasm, MB']) > 0);
     assert.deepEqual(tab.problems, []);
   });
@@ -100,19 +114,30 @@ describe('a measurement of few particles', () => {
     const [head, first] = csv.split('\n');
     assert.ok(head.startsWith('particles,model,') && first.startsWith('300,classic,'), csv);
     const json = JSON.parse(await copied(tab, 'json'));
-    assert.deepEqual(json.speeds.map(({ count, model }) => [count, model]), [[300, 'classic'], [300, 'combustion']]);
+    assert.deepEqual(
+      json.speeds.map(({ count, model }) => [count, model]),
+      [
+        [300, 'classic'],
+        [300, 'combustion'],
+      ],
+    );
     assert.equal(json.paper.table1[300].ms, 5.46);
     assert.equal(new URL(await copied(tab, 'link')).search, FEW);
   });
 
   test('is plotted beside the paper’s', async () => {
-    const names = await tab.evaluate(() => [...document.querySelectorAll('#plot figcaption span')].map((span) => span.textContent));
+    const names = await tab.evaluate(() =>
+      [...document.querySelectorAll('#plot figcaption span')].map((span) => span.textContent),
+    );
     assert.deepEqual(names, ['classic', 'combustion', 'the paper’s loop, here', 'the paper’s Table 1']);
     assert.ok(await tab.evaluate(() => document.querySelectorAll('#plot circle').length === 1 + 1 + 1 + 10));
   });
 
   test('fits a phone and has no violation', async () => {
-    assert.ok(await tab.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), 'only tables scroll sideways');
+    assert.ok(
+      await tab.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth),
+      'only tables scroll sideways',
+    );
     assert.deepEqual(await violations(tab), []);
   });
 });
@@ -120,7 +145,8 @@ describe('a measurement of few particles', () => {
 test('a link chooses rows, and so do the boxes', async () => {
   const tab = await browser.open('bench.html?n=500,1000,7&models=classic&sizes=', { width: 900, height: 700 });
   await tab.page.click('summary');
-  const checked = () => tab.evaluate(() => [...document.querySelectorAll('input:checked')].map((box) => /** @type {any} */ (box).value));
+  const checked = () =>
+    tab.evaluate(() => [...document.querySelectorAll('input:checked')].map((box) => /** @type {any} */ (box).value));
   assert.deepEqual(await checked(), ['500', '1000', 'classic']);
   await tab.page.click('#counts input[value="500"]');
   assert.equal(await tab.evaluate(() => location.search), '?n=1000&models=classic&sizes=');
@@ -151,7 +177,8 @@ test('a row during which the tab was hidden is measured again', async () => {
       hidden = value;
       document.dispatchEvent(new Event('visibilitychange'));
     };
-    const statuses = /** @type {any} */ (window).statuses = [];
+    const statuses = [];
+    /** @type {any} */ (window).statuses = statuses;
     new MutationObserver(() => {
       statuses.push(status.textContent);
       if (statuses.length === 1) hide(true);
@@ -160,7 +187,9 @@ test('a row during which the tab was hidden is measured again', async () => {
   });
   const row = '300 particles, classic (row 1 of 1)';
   await measured(tab, `${row}, again: the tab was hidden`);
-  const statuses = await tab.evaluate(() => /** @type {any} */ (window).statuses.map((/** @type {string} */ words) => words.slice(0, 22)));
+  const statuses = await tab.evaluate(() =>
+    /** @type {any} */ (window).statuses.map((/** @type {string} */ words) => words.slice(0, 22)),
+  );
   assert.deepEqual(statuses, ['Measuring 300 particle', 'The tab is hidden: bro', 'Measuring 300 particle', 'Done.']);
   assert.equal((await cells(tab, 'speeds')).length, 2);
   assert.deepEqual(tab.problems, []);

@@ -18,9 +18,12 @@ const BLUE = [32, 64, 128];
 
 /** The age of a fire that plays, as it reports it next. */
 function age(tab) {
-  return tab.fire((fire) => new Promise((resolve) => {
-    fire.addEventListener('stats', ({ detail }) => resolve(detail.time), { once: true });
-  }));
+  return tab.fire(
+    (fire) =>
+      new Promise((resolve) => {
+        fire.addEventListener('stats', ({ detail }) => resolve(detail.time), { once: true });
+      }),
+  );
 }
 
 /** Asserts that the page has no problems. */
@@ -31,7 +34,10 @@ async function assertSilent(tab) {
 /** Asserts that no error of a script is uncaught, whatever other problems the page has. */
 async function assertCaught(tab) {
   const problems = await tab.problemsAfterFrame();
-  assert.deepEqual(problems.filter((problem) => /uncaught|in a worker/.test(problem)), []);
+  assert.deepEqual(
+    problems.filter((problem) => /uncaught|in a worker/.test(problem)),
+    [],
+  );
 }
 
 for (const kind of BROWSERS) {
@@ -44,19 +50,28 @@ for (const kind of BROWSERS) {
     after(() => browser?.close());
 
     test('solids take the glyphs of a text, an image, an SVG element and a canvas', async () => {
-      const disc = encodeURIComponent('<svg xmlns="http://www.w3.org/2000/svg" width="50" height="50"><circle cx="25" cy="25" r="20"/></svg>');
+      const disc = encodeURIComponent(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="50" height="50"><circle cx="25" cy="25" r="20"/></svg>',
+      );
       const tab = await browser.show(`<h1 id="word">Fire</h1><img id="image" src="data:image/svg+xml,${disc}">
         <svg id="drawing" viewBox="0 0 10 10" width="50" height="50"><circle r="5"/></svg><canvas id="canvas" width="50" height="50"></canvas>
         <hearth-fire autoplay="false">${['word" of-text="', 'image', 'drawing', 'canvas'].map((id) => `<hearth-solid of="#${id}"></hearth-solid>`).join('')}</hearth-fire>
         <script>document.querySelector('#canvas').getContext('2d').fillRect(10, 10, 20, 20)</script>`);
       await tab.ready();
-      await tab.until('four masks', () => /** @type {any} */ (document.querySelector('hearth-fire')).objects.filter(({ shape }) => shape === 'mask').length === 4);
+      await tab.until(
+        'four masks',
+        () =>
+          /** @type {any} */ (document.querySelector('hearth-fire')).objects.filter(({ shape }) => shape === 'mask')
+            .length === 4,
+      );
       await assertSilent(tab);
     });
 
     test('a fire becomes ready and burns, and the page shows through around it', async () => {
-      const tab = await browser.show(recording(`
-        <style>body { background: rgb(${BLUE}) }</style>${FIRE}`));
+      const tab = await browser.show(
+        recording(`
+        <style>body { background: rgb(${BLUE}) }</style>${FIRE}`),
+      );
       await tab.burnt(1.5);
       await assertBurns(tab);
       const picture = await tab.firePicture();
@@ -75,9 +90,12 @@ for (const kind of BROWSERS) {
       await tab.ready();
       const values = () => tab.fire((fire) => [fire.params.viscosity, fire.params.buoyancy]);
       assert.deepEqual(await values(), [0.03, 1.5]);
-      const becomes = (value) => tab.until(`a buoyancy of ${value}`, (wanted) => (
-        /** @type {any} */ (document.querySelector('hearth-fire')).params.buoyancy === wanted
-      ), value);
+      const becomes = (value) =>
+        tab.until(
+          `a buoyancy of ${value}`,
+          (wanted) => /** @type {any} */ (document.querySelector('hearth-fire')).params.buoyancy === wanted,
+          value,
+        );
       await tab.fire((fire) => fire.setAttribute('buoyancy', '0.8'));
       await becomes(0.8);
       await tab.fire((fire) => fire.removeAttribute('buoyancy'));
@@ -86,24 +104,35 @@ for (const kind of BROWSERS) {
     });
 
     test('children are objects with live attributes, and `of` follows an element', async () => {
-      const tab = await browser.show(`<i id="box" style="position: absolute; left: 40px; top: 40px; width: 50px; height: 20px"></i>
+      const tab =
+        await browser.show(`<i id="box" style="position: absolute; left: 40px; top: 40px; width: 50px; height: 20px"></i>
         <hearth-fire paused><hearth-source x="0.1"></hearth-source><hearth-solid x="0.2"></hearth-solid>
         <hearth-solid id="of" of="#box"></hearth-solid></hearth-fire>`);
       await tab.ready();
       await tab.fire((fire) => fire.querySelector('hearth-solid').setAttribute('x', '0.3'));
-      const has = (what, holds) => tab.until(what, new Function(`
+      const has = (what, holds) =>
+        tab.until(
+          what,
+          new Function(`
         const fire = document.querySelector('hearth-fire');
         const all = [...fire.children].map(({ objectId }) => fire.objects.find(({ id }) => id === objectId));
         return all.every(Boolean) && (${holds})(all, fire);
-      `));
-      await has('the values of the attributes', String(([source, solid]) => source.x === 0.1 && solid.x === 0.3));
+      `),
+        );
+      await has(
+        'the values of the attributes',
+        String(([source, solid]) => source.x === 0.1 && solid.x === 0.3),
+      );
       await tab.evaluate(() => document.getElementById('box')?.style.setProperty('top', '90px'));
-      await has('the box of the element', String(([, , body], fire) => {
-        const box = /** @type {Element} */ (document.getElementById('box')).getBoundingClientRect();
-        const outer = fire.getBoundingClientRect();
-        const { x, y } = fire.toPixels(body.x, body.y);
-        return Math.abs(x + outer.left - box.left - 25) < 0.1 && Math.abs(y + outer.top - box.top - 10) < 0.1;
-      }));
+      await has(
+        'the box of the element',
+        String(([, , body], fire) => {
+          const box = /** @type {Element} */ (document.getElementById('box')).getBoundingClientRect();
+          const outer = fire.getBoundingClientRect();
+          const { x, y } = fire.toPixels(body.x, body.y);
+          return Math.abs(x + outer.left - box.left - 25) < 0.1 && Math.abs(y + outer.top - box.top - 10) < 0.1;
+        }),
+      );
       await assertSilent(tab);
     });
 
@@ -121,9 +150,11 @@ for (const kind of BROWSERS) {
       await tab.fire((fire) => fire.play());
       await tab.plays(stepped + 0.1);
       await tab.fire((fire) => fire.reset());
-      await tab.until('the fire has restarted', (before) => (
-        /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < before
-      ), stepped);
+      await tab.until(
+        'the fire has restarted',
+        (before) => /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < before,
+        stepped,
+      );
       await assertSilent(tab);
     });
 
@@ -132,12 +163,12 @@ for (const kind of BROWSERS) {
         <hearth-fire model="classic"></hearth-fire>
         <hearth-fire model="classic" emission-rate="400" seed="7"></hearth-fire>`);
       await tab.burnt(1.2);
-      const reported = await tab.evaluate(() => [...document.querySelectorAll('hearth-fire')].map(
-        (fire) => {
+      const reported = await tab.evaluate(() =>
+        [...document.querySelectorAll('hearth-fire')].map((fire) => {
           const { params, stats } = /** @type {any} */ (fire);
           return { rate: params.emission_rate, seed: params.seed, particles: stats.particles };
-        },
-      ));
+        }),
+      );
       const [large, small] = reported;
       assert.deepEqual([large.rate, large.seed], [DEFAULTS.emission_rate, DEFAULTS.seed]);
       assert.deepEqual([small.rate, small.seed], [400, 7]);
@@ -150,7 +181,7 @@ for (const kind of BROWSERS) {
         return canvas?.width === 120 && canvas?.height === 180;
       });
       await assertBurns(tab);
-      const second = (await tab.picture(await tab.rectangle('hearth-fire:last-of-type')));
+      const second = await tab.picture(await tab.rectangle('hearth-fire:last-of-type'));
       const glow = second.crop(0.3, 0.5, 0.7, 1).glowing();
       assert.ok(glow > 0.01, `${glow} of the second fire’s lower middle glows`);
       await assertSilent(tab);
@@ -161,7 +192,7 @@ for (const kind of BROWSERS) {
       await tab.burnt(0.5);
       const before = await age(tab);
       await tab.fire((fire) => document.querySelector('section')?.append(fire));
-      assert.ok(await age(tab) >= before, 'a fire that is moved does not start again');
+      assert.ok((await age(tab)) >= before, 'a fire that is moved does not start again');
       await tab.plays(before + 0.1);
       await tab.fire(async (fire) => {
         fire.remove();
@@ -240,11 +271,9 @@ for (const kind of BROWSERS) {
         await Promise.all(fires.map((fire) => fire.ready));
         await Promise.all(fires.map((fire) => fire.step(300)));
       });
-      await tab.until('each plays', () => (
-        [...document.querySelectorAll('hearth-fire')].every(
-          (fire) => /** @type {any} */ (fire).stats?.time > 0,
-        )
-      ));
+      await tab.until('each plays', () =>
+        [...document.querySelectorAll('hearth-fire')].every((fire) => /** @type {any} */ (fire).stats?.time > 0),
+      );
       const page = await tab.picture();
       for (let at = 0; at < 30; at += 1) {
         const [x, y] = [80 * (at % 6), 80 * Math.floor(at / 6)];
@@ -289,16 +318,17 @@ for (const kind of BROWSERS) {
         fire.restored = new Promise((resolve) => fire.addEventListener('restored', resolve, { once: true }));
       });
       await tab.loseContext(500);
-      await tab.until('an error event', () => /** @type {any} */ (window).events.some(
-        ({ type }) => type === 'error',
-      ));
-      assert.deepEqual((await events(tab, 'error')).map((error) => error.kind), ['context-lost']);
+      await tab.until('an error event', () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'));
+      assert.deepEqual(
+        (await events(tab, 'error')).map((error) => error.kind),
+        ['context-lost'],
+      );
       if (kind === 'chromium') {
         const glow = (await tab.firePicture()).crop(0.3, 0.4, 0.7, 1).glowing();
         assert.ok(glow > 0.01, 'its last picture stays meanwhile');
       }
       await tab.fire((fire) => fire.restored.then(() => undefined));
-      await tab.burnt(await tab.fire((fire) => fire.stats.time) + 0.3);
+      await tab.burnt((await tab.fire((fire) => fire.stats.time)) + 0.3);
       await assertBurns(tab);
       assert.equal(await tab.fire((fire) => fire.stats.engine), ENGINE[kind]);
       await assertCaught(tab);
@@ -318,12 +348,14 @@ for (const kind of BROWSERS) {
 
     test('without the engine the poster stays, and an error has the reason', async () => {
       for (const instead of [{ status: 404 }, { keep: 5000 }, { type: 'text/html', body: '<p>' }]) {
-        const tab = await browser.open(
-          recording('<hearth-fire><p slot="poster">A poster</p></hearth-fire>'),
-          { files: { 'hearth-engine_bg.wasm': instead } },
-        );
+        const tab = await browser.open(recording('<hearth-fire><p slot="poster">A poster</p></hearth-fire>'), {
+          files: { 'hearth-engine_bg.wasm': instead },
+        });
         await tab.until('an error event', () => /** @type {any} */ (window).events.length > 0);
-        assert.deepEqual((await events(tab, 'error')).map((error) => error.kind), ['load']);
+        assert.deepEqual(
+          (await events(tab, 'error')).map((error) => error.kind),
+          ['load'],
+        );
         assert.ok((await tab.rectangle('p')).height > 0, 'the poster is shown');
         await assertCaught(tab);
       }

@@ -16,32 +16,48 @@ after(() => browser?.close());
 
 const FITS = ['height', 'contain', 'cover', 'width'];
 /** Words, and shares from left and from above. @type {[string, number, number][]} */
-const ALIGNS = [['', 0.5, 1], ['left top', 0, 0], ['center right', 1, 0.5]];
+const ALIGNS = [
+  ['', 0.5, 1],
+  ['left top', 0, 0],
+  ['center right', 1, 0.5],
+];
 
-for (const [width, height] of [[400, 150], [150, 400]]) {
+for (const [width, height] of [
+  [400, 150],
+  [150, 400],
+]) {
   test(`a fire of ${width} × ${height} pixels is where its fit and its alignment put it`, async () => {
     // Particles that stand still, in the middle of a domain of 1.2 m by 1.5 m.
-    const tab = await browser.show(`<hearth-fire paused model="classic" display-mode="paper" source-width="0.05"
+    const tab = await browser.show(
+      `<hearth-fire paused model="classic" display-mode="paper" source-width="0.05"
       source-height="0.7" emission-speed="0" particle-size="0.03" lifetime-min="3" lifetime-max="3"
-      style="width: ${width}px; height: ${height}px"></hearth-fire>`, { draws: true });
+      style="width: ${width}px; height: ${height}px"></hearth-fire>`,
+      { draws: true },
+    );
     await tab.ready();
     await tab.fire((fire) => fire.step(8));
     for (const fit of FITS) {
       for (const [words, right, below] of ALIGNS) {
-        const seen = await tab.fire(async (fire, how, where) => {
-          fire.fit = how;
-          fire.align = where;
-          await fire.step(1);
-          const { domain_width: across, domain_height: up } = fire.params;
-          return [[-across / 2, up], [across / 2, 0], [0, 0.7]].map(([x, y]) => fire.toPixels(x, y));
-        }, fit, words);
+        const seen = await tab.fire(
+          async (fire, how, where) => {
+            fire.fit = how;
+            fire.align = where;
+            await fire.step(1);
+            const { domain_width: across, domain_height: up } = fire.params;
+            return [
+              [-across / 2, up],
+              [across / 2, 0],
+              [0, 0.7],
+            ].map(([x, y]) => fire.toPixels(x, y));
+          },
+          fit,
+          words,
+        );
         await tab.frames(3);
         const [corner, other, source] = seen;
         const [wide, high] = [width / 1.2, height / 1.5];
         const scale = { height: high, width: wide, contain: Math.min(wide, high), cover: Math.max(wide, high) }[fit];
-        const expected = [
-          (width - 1.2 * scale) * right, (height - 1.5 * scale) * below, 1.2 * scale, 1.5 * scale,
-        ];
+        const expected = [(width - 1.2 * scale) * right, (height - 1.5 * scale) * below, 1.2 * scale, 1.5 * scale];
         const found = [corner.x, corner.y, other.x - corner.x, other.y - corner.y];
         const what = `${fit} “${words}” of ${width} × ${height}`;
         for (const [at, number] of found.entries()) {
@@ -50,9 +66,7 @@ for (const [width, height] of [[400, 150], [150, 400]]) {
         const picture = await tab.firePicture();
         const lit = (crop) => Math.round((1 - crop.dark()) * crop.width * crop.height);
         const reach = 0.08 * scale + 3;
-        const share = (x, y) => [
-          Math.max(0, Math.min(1, x / width)), Math.max(0, Math.min(1, y / height)),
-        ];
+        const share = (x, y) => [Math.max(0, Math.min(1, x / width)), Math.max(0, Math.min(1, y / height))];
         const [left, top] = share(source.x - reach, source.y - reach);
         const [end, bottom] = share(source.x + reach, source.y + reach);
         const inside = source.x > 4 && source.x < width - 4 && source.y > 4 && source.y < height - 4;
@@ -79,7 +93,10 @@ test('an invalid fit or alignment is rejected by name, and the picture does not 
     fire.setAttribute('align', 'left right');
   });
   const errors = await events(tab, 'error');
-  assert.deepEqual(errors.map(({ kind, id }) => `${kind} ${id}`), ['bad-parameter fit', 'bad-parameter align']);
+  assert.deepEqual(
+    errors.map(({ kind, id }) => `${kind} ${id}`),
+    ['bad-parameter fit', 'bad-parameter align'],
+  );
   assert.match(errors[0].message, /fill.*height, contain, cover, width/);
   assert.match(errors[1].message, /left right.*center/);
   assert.deepEqual(await corner(), before);
@@ -98,8 +115,10 @@ function near(found, expected, what) {
 }
 
 test('zoom and pan show a part of the picture, and change nothing in the fire', async () => {
-  const tab = await browser.show(recording(`<hearth-fire paused edges="open" floor="solid"
-    style="width: 300px; height: 200px"></hearth-fire>`));
+  const tab = await browser.show(
+    recording(`<hearth-fire paused edges="open" floor="solid"
+    style="width: 300px; height: 200px"></hearth-fire>`),
+  );
   await tab.ready();
   const corners = () => tab.fire((fire) => [fire.toMetres(0, 200), fire.toMetres(300, 0)]);
   const [low, high] = await corners();
@@ -111,12 +130,13 @@ test('zoom and pan show a part of the picture, and change nothing in the fire', 
   const [from, to] = await corners();
   near(from, { x: low.x + 0.75 * side.x, y: low.y + 0.25 * 0.75 * side.y }, 'the lower left');
   near(to, { x: high.x, y: from.y + side.y / 4 }, 'the upper right');
-  const burn = (zoom) => tab.fire(async (fire, zoomed) => {
-    fire.setAttribute('zoom', zoomed);
-    await fire.reset();
-    await fire.step(120);
-    return [fire.stats.particles, fire.stats.time];
-  }, zoom);
+  const burn = (zoom) =>
+    tab.fire(async (fire, zoomed) => {
+      fire.setAttribute('zoom', zoomed);
+      await fire.reset();
+      await fire.step(120);
+      return [fire.stats.particles, fire.stats.time];
+    }, zoom);
   assert.deepEqual(await burn(7), await burn(1));
   await tab.fire((fire) => {
     fire.zoom = 11;
@@ -124,7 +144,10 @@ test('zoom and pan show a part of the picture, and change nothing in the fire', 
     fire.pan = 'left';
   });
   const errors = await events(tab, 'error');
-  assert.deepEqual(errors.map(({ kind, id }) => `${kind} ${id}`), ['bad-parameter zoom', 'bad-parameter pan']);
+  assert.deepEqual(
+    errors.map(({ kind, id }) => `${kind} ${id}`),
+    ['bad-parameter zoom', 'bad-parameter pan'],
+  );
 });
 
 test('a wheel with Ctrl enlarges what is under the pointer, a double click shows all again', async () => {
@@ -132,18 +155,29 @@ test('a wheel with Ctrl enlarges what is under the pointer, a double click shows
     style="width: 300px; height: 200px"></hearth-fire>`);
   await tab.ready();
   await tab.until('the pointer is listened to', () => {
-    const event = new WheelEvent('wheel', { deltaY: -1, ctrlKey: true, cancelable: true, bubbles: true, clientX: 90, clientY: 60 });
+    const event = new WheelEvent('wheel', {
+      deltaY: -1,
+      ctrlKey: true,
+      cancelable: true,
+      bubbles: true,
+      clientX: 90,
+      clientY: 60,
+    });
     const fire = document.querySelector('hearth-fire');
     fire.dispatchEvent(event);
     return event.defaultPrevented;
   });
   const at = () => tab.fire((fire) => fire.toMetres(90, 60));
   const before = await at();
-  const wheel = (deltaY, ctrlKey) => tab.fire((fire, how) => {
-    const event = new WheelEvent('wheel', { ...how, cancelable: true, bubbles: true, clientX: 90, clientY: 60 });
-    fire.dispatchEvent(event);
-    return event.defaultPrevented;
-  }, { deltaY, ctrlKey });
+  const wheel = (deltaY, ctrlKey) =>
+    tab.fire(
+      (fire, how) => {
+        const event = new WheelEvent('wheel', { ...how, cancelable: true, bubbles: true, clientX: 90, clientY: 60 });
+        fire.dispatchEvent(event);
+        return event.defaultPrevented;
+      },
+      { deltaY, ctrlKey },
+    );
   assert.equal(await wheel(-200, true), true);
   const zoom = await tab.fire((fire) => fire.zoom);
   assert.ok(zoom > 2 && zoom < 4, `zoom ${zoom}`);
@@ -161,15 +195,29 @@ test('two fingers enlarge and move the picture', async () => {
   const tab = await browser.show(`<hearth-fire paused interactive style="width: 300px; height: 200px"></hearth-fire>`);
   await tab.ready();
   await tab.until('the pointer is listened to', () => {
-    const event = new WheelEvent('wheel', { deltaY: -1, ctrlKey: true, cancelable: true, bubbles: true, clientX: 90, clientY: 60 });
+    const event = new WheelEvent('wheel', {
+      deltaY: -1,
+      ctrlKey: true,
+      cancelable: true,
+      bubbles: true,
+      clientX: 90,
+      clientY: 60,
+    });
     document.querySelector('hearth-fire').dispatchEvent(event);
     return event.defaultPrevented;
   });
   const [zoom, held] = await tab.fire((fire) => {
     const { left, top } = fire.getBoundingClientRect();
-    const touch = (type, pointerId, x, y) => fire.dispatchEvent(new PointerEvent(type, {
-      pointerId, pointerType: 'touch', bubbles: true, clientX: left + x, clientY: top + y,
-    }));
+    const touch = (type, pointerId, x, y) =>
+      fire.dispatchEvent(
+        new PointerEvent(type, {
+          pointerId,
+          pointerType: 'touch',
+          bubbles: true,
+          clientX: left + x,
+          clientY: top + y,
+        }),
+      );
     touch('pointerdown', 2, 100, 100);
     touch('pointerdown', 3, 200, 100);
     const middle = fire.toMetres(150, 100);
@@ -180,7 +228,10 @@ test('two fingers enlarge and move the picture', async () => {
     touch('pointerup', 2, 50, 120);
     touch('pointermove', 3, 100, 20);
     touch('pointerup', 3, 100, 20);
-    return [[zoom, fire.zoom], [middle, now]];
+    return [
+      [zoom, fire.zoom],
+      [middle, now],
+    ];
   });
   assert.ok(zoom[0] > 1.9 && zoom[0] < 2.2, `zoom ${zoom[0]}`);
   assert.equal(zoom[1], zoom[0], 'one finger enlarges nothing');

@@ -28,36 +28,54 @@ async function opened(children, { attributes = '', style = HEADLINE, more = '' }
 
 /** Waits until the first child has the border box of the headline. */
 async function follows(tab, what) {
-  await until(tab, what, String((object, tolerance) => {
-    const fire = /** @type {any} */ (document.querySelector('hearth-fire'));
-    const headline = /** @type {Element} */ (document.querySelector('#headline'));
-    if (!object || !headline) return false;
-    const [outer, box] = [fire.getBoundingClientRect(), headline.getBoundingClientRect()];
-    const low = fire.toPixels(object.x - object.width / 2, object.y - object.height / 2);
-    const high = fire.toPixels(object.x + object.width / 2, object.y + object.height / 2);
-    const body = [low.x, high.y, high.x, low.y];
-    const wanted = [box.left - outer.left, box.top - outer.top, box.right - outer.left, box.bottom - outer.top];
-    return body.every((side, at) => Math.abs(side - wanted[at]) <= tolerance);
-  }), TOLERANCE);
+  await until(
+    tab,
+    what,
+    String((object, tolerance) => {
+      const fire = /** @type {any} */ (document.querySelector('hearth-fire'));
+      const headline = /** @type {Element} */ (document.querySelector('#headline'));
+      if (!object || !headline) return false;
+      const [outer, box] = [fire.getBoundingClientRect(), headline.getBoundingClientRect()];
+      const low = fire.toPixels(object.x - object.width / 2, object.y - object.height / 2);
+      const high = fire.toPixels(object.x + object.width / 2, object.y + object.height / 2);
+      const body = [low.x, high.y, high.x, low.y];
+      const wanted = [box.left - outer.left, box.top - outer.top, box.right - outer.left, box.bottom - outer.top];
+      return body.every((side, at) => Math.abs(side - wanted[at]) <= tolerance);
+    }),
+    TOLERANCE,
+  );
 }
 
 /** Changes the page. */
-const restyle = (tab, style) => tab.evaluate((style) => {
-  Object.assign(/** @type {HTMLElement} */ (document.querySelector('#headline')).style, style);
-}, style);
+const restyle = (tab, style) =>
+  tab.evaluate((style) => {
+    Object.assign(/** @type {HTMLElement} */ (document.querySelector('#headline')).style, style);
+  }, style);
 
 test('a solid takes the border box of an element with its corner radius, and is invisible', async () => {
   const tab = await opened('<hearth-solid of="#headline" x="0.5" thermal="fixed"></hearth-solid>');
   await follows(tab, 'the solid has the box');
-  const object = await until(tab, 'the solid', String((object) => object));
+  const object = await until(
+    tab,
+    'the solid',
+    String((object) => object),
+  );
   assert.deepEqual([object.shape, object.material, object.thermal, object.angle], ['box', 'none', 'fixed', 0]);
   // 300 pixels are 1.8 m.
   assert.ok(Math.abs(object.corner - (8 * 1.8) / 300) < 1e-4, `${object.corner}`);
   await tab.fire((fire) => fire.firstElementChild.setAttribute('material', 'wood'));
-  await until(tab, 'it is wood', String(({ material }) => material === 'wood'));
+  await until(
+    tab,
+    'it is wood',
+    String(({ material }) => material === 'wood'),
+  );
   // Without `of` it is what its attributes state.
   await tab.fire((fire) => fire.firstElementChild.removeAttribute('of'));
-  const plain = await until(tab, 'its attribute', String(({ x }) => x === 0.5));
+  const plain = await until(
+    tab,
+    'its attribute',
+    String(({ x }) => x === 0.5),
+  );
   assert.deepEqual([plain.shape, plain.y, plain.width, plain.corner], ['circle', 0.5, 0.2, 0]);
   await tab.fire((fire) => fire.firstElementChild.setAttribute('of', '#headline'));
   await follows(tab, 'the solid has the box again');
@@ -65,13 +83,19 @@ test('a solid takes the border box of an element with its corner radius, and is 
 });
 
 test('it follows the element when that moves, scrolls, is resized or restyled', async () => {
-  const tab = await opened('<hearth-solid of="#headline"></hearth-solid>', { more: '<div style="height: 3000px"></div>' });
+  const tab = await opened('<hearth-solid of="#headline"></hearth-solid>', {
+    more: '<div style="height: 3000px"></div>',
+  });
   await follows(tab, 'the solid has the box');
   await restyle(tab, { left: '90px', top: '40px' });
   await follows(tab, 'it has moved');
   await restyle(tab, { width: '50px', padding: '5px', borderRadius: '50%' });
   await follows(tab, 'it has another size');
-  await until(tab, 'it has another radius', String(({ corner, height }) => Math.abs(corner - height / 2) < 1e-3));
+  await until(
+    tab,
+    'it has another radius',
+    String(({ corner, height }) => Math.abs(corner - height / 2) < 1e-3),
+  );
   await restyle(tab, { position: 'fixed' });
   await tab.evaluate(() => scrollTo(0, 50));
   await follows(tab, 'the page is scrolled under it');
@@ -82,9 +106,18 @@ test('it follows the element when that moves, scrolls, is resized or restyled', 
 });
 
 test('the camera counts: fit, align, zoom, pan and the domain', async () => {
-  const tab = await opened('<hearth-solid of="#headline"></hearth-solid>', { attributes: 'fit="contain" align="left top"' });
+  const tab = await opened('<hearth-solid of="#headline"></hearth-solid>', {
+    attributes: 'fit="contain" align="left top"',
+  });
   await follows(tab, 'contain');
-  for (const [name, value] of [['fit', 'width'], ['align', 'right center'], ['zoom', '2'], ['pan', '0.2 0.7'], ['domain-height', '3'], ['preset', 'candle']]) {
+  for (const [name, value] of [
+    ['fit', 'width'],
+    ['align', 'right center'],
+    ['zoom', '2'],
+    ['pan', '0.2 0.7'],
+    ['domain-height', '3'],
+    ['preset', 'candle'],
+  ]) {
     await tab.fire((fire, name, value) => fire.setAttribute(name, value), name, value);
     await follows(tab, `${name} = ${value}`);
   }
@@ -105,13 +138,26 @@ test('a solid that moves with its element stays when a preset replaces the objec
 });
 
 test('a source burns along the upper side of the element, within its ranges', async () => {
-  const tab = await opened('<hearth-source of="#headline" power="100"></hearth-source>', { style: HEADLINE.replace('120px', '220px') });
+  const tab = await opened('<hearth-source of="#headline" power="100"></hearth-source>', {
+    style: HEADLINE.replace('120px', '220px'),
+  });
   const metres = (/** @type {number} */ pixels) => (pixels * 1.8) / 300;
-  const source = await until(tab, 'its width', String(({ width }) => width < 0.5 && width !== 0.4));
-  assert.deepEqual([source.x, source.y, source.width, source.power].map((value) => value.toFixed(3)), [0, metres(80), metres(80), 100].map((value) => value.toFixed(3)));
+  const source = await until(
+    tab,
+    'its width',
+    String(({ width }) => width < 0.5 && width !== 0.4),
+  );
+  assert.deepEqual(
+    [source.x, source.y, source.width, source.power].map((value) => value.toFixed(3)),
+    [0, metres(80), metres(80), 100].map((value) => value.toFixed(3)),
+  );
   assert.equal(await tab.fire((fire) => fire.params.source_width), source.width);
   await restyle(tab, { width: '190px', left: '0', top: '10px' });
-  await until(tab, 'the largest width', String(({ width, y }) => width === 1 && Math.abs(y - 1.74) < 1e-3));
+  await until(
+    tab,
+    'the largest width',
+    String(({ width, y }) => width === 1 && Math.abs(y - 1.74) < 1e-3),
+  );
   await tab.fire((fire) => fire.firstElementChild.remove());
   await tab.until('the source of the settings is back', () => {
     const { objects } = /** @type {any} */ (document.querySelector('hearth-fire'));
@@ -121,24 +167,43 @@ test('a source burns along the upper side of the element, within its ranges', as
 });
 
 test('a missing, hidden or removed target removes the body with one warning; the body returns with the target', async () => {
-  const tab = await opened('<hearth-solid id="lid" of="#headline"></hearth-solid><hearth-source of="#none"></hearth-source>');
+  const tab = await opened(
+    '<hearth-solid id="lid" of="#headline"></hearth-solid><hearth-source of="#none"></hearth-source>',
+  );
   await follows(tab, 'the solid has the box');
-  await tab.until('the source has no place', () => /** @type {any} */ (document.querySelector('hearth-source')).objectId === null);
+  await tab.until(
+    'the source has no place',
+    () => /** @type {any} */ (document.querySelector('hearth-source')).objectId === null,
+  );
   assert.deepEqual(await tab.fire((fire) => fire.objects.map(({ kind }) => kind)), ['solid']);
-  const gone = () => until(tab, 'the solid is gone', String((object) => object === null));
+  const gone = () =>
+    until(
+      tab,
+      'the solid is gone',
+      String((object) => object === null),
+    );
   await restyle(tab, { display: 'none' });
   await gone();
   await restyle(tab, { display: '' });
   await follows(tab, 'the solid is back');
   await tab.evaluate(() => {
-    const headline = /** @type {any} */ (window).headline = document.querySelector('#headline');
+    const headline = document.querySelector('#headline');
+    /** @type {any} */ (window).headline = headline;
     headline.remove();
   });
   await gone();
   await tab.evaluate(() => document.body.append(/** @type {any} */ (window).headline));
   await follows(tab, 'the solid is back with its element');
-  await tab.evaluate(() => document.body.insertAdjacentHTML('beforeend', '<i id="none" style="position: absolute; left: 50px; top: 250px; width: 90px; height: 9px"></i>'));
-  await tab.until('the source has a place', () => /** @type {any} */ (document.querySelector('hearth-source')).objectId);
+  await tab.evaluate(() =>
+    document.body.insertAdjacentHTML(
+      'beforeend',
+      '<i id="none" style="position: absolute; left: 50px; top: 250px; width: 90px; height: 9px"></i>',
+    ),
+  );
+  await tab.until(
+    'the source has a place',
+    () => /** @type {any} */ (document.querySelector('hearth-source')).objectId,
+  );
   assert.deepEqual(tab.problems.length, 2, tab.problems.join('\n'));
   const all = [...tab.problems].sort();
   assert.match(all[0], /<hearth-solid id="lid">: of = #headline has no effect now: that element has no visible box/);
@@ -149,33 +214,46 @@ test('gas where the element moves to is pushed out or counted as removed', async
   const tab = await opened('<hearth-solid of="#headline"></hearth-solid>');
   await follows(tab, 'the solid has the box');
   await tab.burnt(0.1);
-  await tab.until('nothing is removed', () => /** @type {any} */ (document.querySelector('hearth-fire')).stats?.removed === 0);
+  await tab.until(
+    'nothing is removed',
+    () => /** @type {any} */ (document.querySelector('hearth-fire')).stats?.removed === 0,
+  );
   await restyle(tab, { top: '200px' });
   await follows(tab, 'it has moved');
   await tab.fire((fire) => fire.step(20));
-  await tab.until('gas is removed', () => /** @type {any} */ (document.querySelector('hearth-fire')).stats?.removed > 0);
+  await tab.until(
+    'gas is removed',
+    () => /** @type {any} */ (document.querySelector('hearth-fire')).stats?.removed > 0,
+  );
 });
 
 test('boxes are read only with a target, and only while the fire is in sight', async () => {
   const tab = await opened('<hearth-solid></hearth-solid>');
-  const reads = () => tab.evaluate(async () => {
-    const { prototype } = Element;
-    const { getBoundingClientRect } = prototype;
-    let count = 0;
-    prototype.getBoundingClientRect = function counted() {
-      count += 1;
-      return getBoundingClientRect.call(this);
-    };
-    for (let frame = 0; frame < 10; frame += 1) await new Promise(requestAnimationFrame);
-    prototype.getBoundingClientRect = getBoundingClientRect;
-    return count;
-  });
-  await until(tab, 'the solid', String((object) => object));
+  const reads = () =>
+    tab.evaluate(async () => {
+      const { prototype } = Element;
+      const { getBoundingClientRect } = prototype;
+      let count = 0;
+      prototype.getBoundingClientRect = function counted() {
+        count += 1;
+        return getBoundingClientRect.call(this);
+      };
+      for (let frame = 0; frame < 10; frame += 1) await new Promise(requestAnimationFrame);
+      prototype.getBoundingClientRect = getBoundingClientRect;
+      return count;
+    });
+  await until(
+    tab,
+    'the solid',
+    String((object) => object),
+  );
   assert.equal(await reads(), 0);
   await tab.fire((fire) => fire.firstElementChild.setAttribute('of', '#headline'));
   await follows(tab, 'the solid has the box');
-  assert.ok(await reads() > 0);
-  await tab.fire((fire) => { fire.style.marginTop = '9000px'; });
+  assert.ok((await reads()) > 0);
+  await tab.fire((fire) => {
+    fire.style.marginTop = '9000px';
+  });
   await tab.frames(5);
   assert.equal(await reads(), 0);
 });

@@ -19,7 +19,8 @@ after(() => browser?.close());
 const NEAR = 1.5;
 
 /** A disc at the left of a wide image, and a square without a transparent pixel. */
-const svg = (/** @type {string} */ content, size = 'width="100" height="50"') => `<svg xmlns="http://www.w3.org/2000/svg" ${size}>${content}</svg>`;
+const svg = (/** @type {string} */ content, size = 'width="100" height="50"') =>
+  `<svg xmlns="http://www.w3.org/2000/svg" ${size}>${content}</svg>`;
 const asImage = (/** @type {string} */ text) => `data:image/svg+xml,${encodeURIComponent(text)}`;
 const DISC = asImage(svg('<circle cx="25" cy="25" r="25"/>'));
 const SQUARE = asImage(svg('<rect width="100" height="50"/>'));
@@ -37,7 +38,8 @@ async function opened(target, children, { style = '', options = {} } = {}) {
 const masked = (tab, what = 'the mask') => until(tab, what, (object) => object?.shape === 'mask');
 const boxed = (tab, what = 'the box') => until(tab, what, (object) => object?.shape === 'box');
 const gone = (tab, what = 'the solid is gone') => until(tab, what, (object) => object === null);
-const another = (tab, what, mask) => until(tab, what, (object, mask) => object?.shape === 'mask' && object.mask !== mask, mask);
+const another = (tab, what, mask) =>
+  until(tab, what, (object, mask) => object?.shape === 'mask' && object.mask !== mask, mask);
 
 /** Whether places in shares of the mask are opaque. */
 const opaque = ({ mask }, places) => {
@@ -45,45 +47,92 @@ const opaque = ({ mask }, places) => {
   return places.map(([x, y]) => pixels.at(x, y) > 7);
 };
 
-const near = (box, wanted) => assert.ok(box.every((side, at) => Math.abs(side - wanted[at]) < 0.1), `${box} instead of ${wanted}`);
+const near = (box, wanted) =>
+  assert.ok(
+    box.every((side, at) => Math.abs(side - wanted[at]) < 0.1),
+    `${box} instead of ${wanted}`,
+  );
 
 /** Changes the target. */
 const restyle = (tab, style) => tab.on('#it', (element, style) => void Object.assign(element.style, style), style);
 
 /** Counts masks from now on, in `window.masks`. */
-const counts = (tab) => tab.evaluate(() => {
-  const { prototype } = OffscreenCanvasRenderingContext2D;
-  const { getImageData } = prototype;
-  const page = /** @type {any} */ (window);
-  page.masks = 0;
-  prototype.getImageData = function counted(...args) {
-    page.masks += 1;
-    return getImageData.apply(this, args);
-  };
-});
+const counts = (tab) =>
+  tab.evaluate(() => {
+    const { prototype } = OffscreenCanvasRenderingContext2D;
+    const { getImageData } = prototype;
+    const page = /** @type {any} */ (window);
+    page.masks = 0;
+    prototype.getImageData = function counted(...args) {
+      page.masks += 1;
+      return getImageData.apply(this, args);
+    };
+  });
 const masks = (tab) => tab.evaluate(() => /** @type {any} */ (window).masks);
 
 test('an image counts by its alpha, in its content box and as object-fit places it', async () => {
-  const style = 'left: 40px; top: 30px; width: 100px; height: 100px; padding: 10px; border: 5px solid red; object-fit: contain';
+  const style =
+    'left: 40px; top: 30px; width: 100px; height: 100px; padding: 10px; border: 5px solid red; object-fit: contain';
   const tab = await opened(`<img id="it" src="${DISC}">`, '<hearth-solid of="#it" x="0.5"></hearth-solid>', { style });
   const solid = await masked(tab);
   near(solid.box, [55, 45, 155, 145]);
   assert.deepEqual([solid.material, solid.angle, solid.corner], ['none', 0, 0]);
   // The disc has a diameter of 50 pixels at the left, in the middle of the height.
-  assert.deepEqual(opaque(solid, [[0.25, 0.5], [0.04, 0.5], [0.46, 0.5], [0.25, 0.22], [0.75, 0.5], [0.02, 0.28]]), [true, true, true, false, false, false]);
+  assert.deepEqual(
+    opaque(solid, [
+      [0.25, 0.5],
+      [0.04, 0.5],
+      [0.46, 0.5],
+      [0.25, 0.22],
+      [0.75, 0.5],
+      [0.02, 0.28],
+    ]),
+    [true, true, true, false, false, false],
+  );
   await restyle(tab, { objectFit: 'fill' });
   const filled = await another(tab, 'it fills its box', solid.mask);
-  assert.deepEqual(opaque(filled, [[0.25, 0.03], [0.25, 0.97], [0.55, 0.5]]), [true, true, false]);
+  assert.deepEqual(
+    opaque(filled, [
+      [0.25, 0.03],
+      [0.25, 0.97],
+      [0.55, 0.5],
+    ]),
+    [true, true, false],
+  );
   await restyle(tab, { objectFit: 'cover' });
   const covers = await another(tab, 'it covers its box', filled.mask);
   // Of a picture of 200 x 100, the middle is seen: the right half of the disc.
-  assert.deepEqual(opaque(covers, [[0.03, 0.5], [0.45, 0.5], [0.55, 0.5], [0.3, 0.03]]), [true, true, false, false]);
+  assert.deepEqual(
+    opaque(covers, [
+      [0.03, 0.5],
+      [0.45, 0.5],
+      [0.55, 0.5],
+      [0.3, 0.03],
+    ]),
+    [true, true, false, false],
+  );
   await restyle(tab, { objectPosition: 'left' });
   const left = await another(tab, 'its left part is seen', covers.mask);
-  assert.deepEqual(opaque(left, [[0.03, 0.5], [0.97, 0.5], [0.5, 0.03], [0.03, 0.03]]), [true, true, true, false]);
+  assert.deepEqual(
+    opaque(left, [
+      [0.03, 0.5],
+      [0.97, 0.5],
+      [0.5, 0.03],
+      [0.03, 0.03],
+    ]),
+    [true, true, true, false],
+  );
   await restyle(tab, { objectFit: 'none', objectPosition: '10px 100%' });
   const own = await another(tab, 'it has its own size', left.mask);
-  assert.deepEqual(opaque(own, [[0.12, 0.75], [0.58, 0.75], [0.05, 0.75], [0.35, 0.45]]), [true, true, false, false]);
+  assert.deepEqual(
+    opaque(own, [
+      [0.12, 0.75],
+      [0.58, 0.75],
+      [0.05, 0.75],
+      [0.35, 0.45],
+    ]),
+    [true, true, false, false],
+  );
   // Settings carry pixels, and no address.
   const config = JSON.stringify(await tab.fire((fire) => fire.exportConfig()));
   assert.ok(config.includes(own.mask) && !/data:|svg|http/.test(config));
@@ -95,29 +144,71 @@ test('an image counts by its alpha, in its content box and as object-fit places 
 
 test('an image without a transparent pixel counts as its box with its corners, and another image as its own', async () => {
   const style = 'left: 40px; top: 30px; width: 100px; height: 50px; border-radius: 20px';
-  const tab = await opened(`<picture id="outer"><img id="it" src="${SQUARE}"></picture>`, '<hearth-solid of="#outer"></hearth-solid>', { style });
+  const tab = await opened(
+    `<picture id="outer"><img id="it" src="${SQUARE}"></picture>`,
+    '<hearth-solid of="#outer"></hearth-solid>',
+    { style },
+  );
   const solid = await boxed(tab);
   near(solid.box, [40, 30, 140, 80]);
   assert.ok(Math.abs(solid.corner - (20 * 1.8) / 300) < 1e-4, `${solid.corner}`);
-  await tab.on('#it', (image, src) => { image.src = src; }, DISC);
+  await tab.on(
+    '#it',
+    (image, src) => {
+      image.src = src;
+    },
+    DISC,
+  );
   const disc = await masked(tab, 'another image');
-  assert.deepEqual(opaque(disc, [[0.25, 0.5], [0.75, 0.5]]), [true, false]);
-  await tab.on('#it', (image, src) => { image.src = src; }, SQUARE);
+  assert.deepEqual(
+    opaque(disc, [
+      [0.25, 0.5],
+      [0.75, 0.5],
+    ]),
+    [true, false],
+  );
+  await tab.on(
+    '#it',
+    (image, src) => {
+      image.src = src;
+    },
+    SQUARE,
+  );
   assert.deepEqual([(await boxed(tab, 'the first image again')).mask, tab.problems], ['16x16:7', []]);
 });
 
 test('an SVG element counts as the style of the page draws it, and a canvas by its pixels', async () => {
-  const tab = await opened(`<style>#it .ring { fill: none; stroke: currentcolor; stroke-width: 4px } #it .hidden { display: none }</style>
+  const tab = await opened(
+    `<style>#it .ring { fill: none; stroke: currentcolor; stroke-width: 4px } #it .hidden { display: none }</style>
     <svg width="0" height="0"><symbol id="bar" viewBox="0 0 10 10"><rect width="10" height="10"/></symbol></svg>
     <svg id="it" viewBox="0 0 40 20"><circle class="ring" cx="10" cy="10" r="8"/><rect class="hidden" x="18" width="4" height="20"/><use href="#bar" x="30" y="0" width="5" height="20" preserveAspectRatio="none"/></svg>
     <canvas id="canvas" width="40" height="20" style="position: absolute; left: 20px; top: 200px; width: 80px"></canvas>`,
-  '<hearth-solid of="#it"></hearth-solid>', { style: 'left: 40px; top: 30px; width: 160px; height: 80px' });
+    '<hearth-solid of="#it"></hearth-solid>',
+    { style: 'left: 40px; top: 30px; width: 160px; height: 80px' },
+  );
   const solid = await masked(tab);
   near(solid.box, [40, 30, 200, 110]);
-  assert.deepEqual(opaque(solid, [[0.05, 0.5], [0.25, 0.1], [0.25, 0.5], [0.5, 0.5], [0.8125, 0.5], [0.95, 0.5]]), [true, true, false, false, true, false]);
+  assert.deepEqual(
+    opaque(solid, [
+      [0.05, 0.5],
+      [0.25, 0.1],
+      [0.25, 0.5],
+      [0.5, 0.5],
+      [0.8125, 0.5],
+      [0.95, 0.5],
+    ]),
+    [true, true, false, false, true, false],
+  );
   await tab.on('#it circle', (circle) => circle.setAttribute('r', '4'));
   const smaller = await another(tab, 'it follows a change', solid.mask);
-  assert.deepEqual(opaque(smaller, [[0.05, 0.5], [0.15, 0.5], [0.25, 0.5]]), [false, true, false]);
+  assert.deepEqual(
+    opaque(smaller, [
+      [0.05, 0.5],
+      [0.15, 0.5],
+      [0.25, 0.5],
+    ]),
+    [false, true, false],
+  );
   await tab.evaluate(() => {
     const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('#canvas'));
     canvas.getContext('2d')?.fillRect(0, 0, 20, 20);
@@ -125,14 +216,26 @@ test('an SVG element counts as the style of the page draws it, and a canvas by i
   });
   const half = await another(tab, 'the canvas', smaller.mask);
   near(half.box, [20, 200, 100, 240]);
-  assert.deepEqual(opaque(half, [[0.25, 0.5], [0.75, 0.5]]), [true, false]);
+  assert.deepEqual(
+    opaque(half, [
+      [0.25, 0.5],
+      [0.75, 0.5],
+    ]),
+    [true, false],
+  );
   // Pixels of a canvas are read again when the attribute is set again.
   await tab.evaluate(() => {
     const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('#canvas'));
     canvas.getContext('2d')?.fillRect(20, 0, 10, 20);
     document.querySelector('hearth-solid')?.setAttribute('of', '#canvas');
   });
-  assert.deepEqual(opaque(await another(tab, 'the canvas again', half.mask), [[0.6, 0.5], [0.85, 0.5]]), [true, false]);
+  assert.deepEqual(
+    opaque(await another(tab, 'the canvas again', half.mask), [
+      [0.6, 0.5],
+      [0.85, 0.5],
+    ]),
+    [true, false],
+  );
   assert.deepEqual(tab.problems, []);
 });
 
@@ -144,31 +247,52 @@ for (const [style, text] of [
 ]) {
   test(`glyphs lie where the page shows them: ${style}`, async () => {
     const tab = await opened(`<h1 id="it">${text}</h1>`, '<hearth-solid of="#it" of-text></hearth-solid>', {
-      style: `left: 10px; top: 20px; width: 200px; ${style}`, options: { draws: true },
+      style: `left: 10px; top: 20px; width: 200px; ${style}`,
+      options: { draws: true },
     });
-    const { box: [left, top, right, bottom], mask } = await masked(tab);
+    const {
+      box: [left, top, right, bottom],
+      mask,
+    } = await masked(tab);
     const drawn = decoded(mask);
-    const inside = (x, y) => x > left && x < right && y > top && y < bottom && drawn.at((x - left) / (right - left), (y - top) / (bottom - top)) > 7;
-    await tab.fire((fire) => { fire.style.visibility = 'hidden'; });
+    const inside = (x, y) =>
+      x > left &&
+      x < right &&
+      y > top &&
+      y < bottom &&
+      drawn.at((x - left) / (right - left), (y - top) / (bottom - top)) > 7;
+    await tab.fire((fire) => {
+      fire.style.visibility = 'hidden';
+    });
     const size = 300;
     const { rgb } = await tab.picture({ x: 0, y: 0, width: size, height: size });
     const dark = (x, y) => x >= 0 && y >= 0 && x < size && y < size && rgb[3 * (y * size + x)] < 128;
     const grid = Array.from({ length: size * size }, (_, at) => [at % size, Math.floor(at / size)]);
     const shown = grid.filter(([x, y]) => dark(x, y));
     const solid = grid.filter(([x, y]) => inside(x + 0.5, y + 0.5));
-    const extents = [shown, solid].map((places) => [0, 1].flatMap((axis) => [Math.min, Math.max].map((most) => most(...places.map((place) => place[axis])))));
-    assert.ok(extents[0].every((side, at) => Math.abs(side - extents[1][at]) <= NEAR), `ink from ${extents[0]} on the page and ${extents[1]} in the mask`);
+    const extents = [shown, solid].map((places) =>
+      [0, 1].flatMap((axis) => [Math.min, Math.max].map((most) => most(...places.map((place) => place[axis])))),
+    );
+    assert.ok(
+      extents[0].every((side, at) => Math.abs(side - extents[1][at]) <= NEAR),
+      `ink from ${extents[0]} on the page and ${extents[1]} in the mask`,
+    );
     // A pixel beside the edge of a glyph may be on either side of it.
     const around = [-1, 0, 1].flatMap((x) => [-1, 0, 1].map((y) => [x, y]));
     const lost = shown.filter(([x, y]) => !around.some(([dx, dy]) => inside(x + dx + 0.5, y + dy + 0.5)));
     const extra = solid.filter(([x, y]) => !around.some(([dx, dy]) => dark(x + dx, y + dy)));
-    assert.ok(shown.length > 500 && lost.length < 0.01 * shown.length && extra.length < 0.01 * shown.length, `${shown.length} pixels of ink, ${lost.length} lost, ${extra.length} too many`);
+    assert.ok(
+      shown.length > 500 && lost.length < 0.01 * shown.length && extra.length < 0.01 * shown.length,
+      `${shown.length} pixels of ink, ${lost.length} lost, ${extra.length} too many`,
+    );
     assert.deepEqual(tab.problems, []);
   });
 }
 
 test('a mask is made again when the text, its style or its size changes, and kept when the element moves', async () => {
-  const tab = await opened('<h1 id="it">Fire</h1>', '<hearth-solid of="#it" of-text></hearth-solid>', { style: 'left: 40px; top: 30px; font: 700 40px serif' });
+  const tab = await opened('<h1 id="it">Fire</h1>', '<hearth-solid of="#it" of-text></hearth-solid>', {
+    style: 'left: 40px; top: 30px; font: 700 40px serif',
+  });
   const first = await masked(tab);
   await counts(tab);
   await restyle(tab, { left: '90px', transform: 'translateY(20px) scale(1.5)' });
@@ -176,7 +300,9 @@ test('a mask is made again when the text, its style or its size changes, and kep
   await tab.fire((fire) => fire.setAttribute('zoom', '2'));
   await until(tab, 'it is seen closer', (object, width) => object.width < 0.6 * width, moved.width);
   assert.deepEqual([moved.mask === first.mask, await masks(tab)], [true, 0]);
-  await tab.on('#it', (headline) => { headline.firstChild.data = 'Embers'; });
+  await tab.on('#it', (headline) => {
+    headline.firstChild.data = 'Embers';
+  });
   const words = await another(tab, 'another text', first.mask);
   await restyle(tab, { fontStyle: 'italic' });
   const italic = await another(tab, 'another style', words.mask);
@@ -192,14 +318,23 @@ test('a mask is made again when the text, its style or its size changes, and kep
 });
 
 test('a text without a letter, and a picture without an opaque pixel, make no solid', async () => {
-  const tab = await opened('<h1 id="it"> </h1><canvas id="canvas"></canvas>', '<hearth-solid of="#it" of-text></hearth-solid><hearth-solid of="#canvas"></hearth-solid>', { style: 'left: 40px; top: 30px; width: 100px; height: 50px; font: 40px serif' });
+  const tab = await opened(
+    '<h1 id="it"> </h1><canvas id="canvas"></canvas>',
+    '<hearth-solid of="#it" of-text></hearth-solid><hearth-solid of="#canvas"></hearth-solid>',
+    { style: 'left: 40px; top: 30px; width: 100px; height: 50px; font: 40px serif' },
+  );
   await until(tab, 'nothing', (object) => object === null);
   while (tab.problems.length < 2) await tab.frames(1);
   assert.deepEqual(await tab.fire((fire) => fire.objects.map(({ kind }) => kind)), ['source']);
   for (const [at, name] of ['it', 'canvas'].entries()) {
-    assert.match([...tab.problems].sort().reverse()[at], new RegExp(`<hearth-solid>: of = #${name} has no effect now: nothing of that element is opaque`));
+    assert.match(
+      [...tab.problems].sort().reverse()[at],
+      new RegExp(`<hearth-solid>: of = #${name} has no effect now: nothing of that element is opaque`),
+    );
   }
-  await tab.on('#it', (headline) => { headline.textContent = 'Fire'; });
+  await tab.on('#it', (headline) => {
+    headline.textContent = 'Fire';
+  });
   await masked(tab, 'the text');
   await restyle(tab, { display: 'none' });
   await gone(tab, 'it is hidden');
@@ -219,8 +354,16 @@ test('where pixels may not be read the box counts, with one warning', async () =
     [`<canvas id="it" ${style} width="16384" height="16384"></canvas>`, 'it has more than 67108864 pixels'],
     [`<svg id="it" ${style}>${'<g/>'.repeat(1000)}</svg>`, 'it has more than 1000 elements'],
     [`<div id="it" ${style}>${'letters '.repeat(12_500)}</div>`, 'its text has more than 1000 letters', 'of-text'],
-    [`<div id="it" ${style.replace('left', 'writing-mode: vertical-rl; left')}>Fire</div>`, 'its lines are vertical', 'of-text'],
-    [`<div style="transform: rotate(20deg)"><div id="it" ${style}>Fire</div></div>`, 'it is turned or mirrored', 'of-text'],
+    [
+      `<div id="it" ${style.replace('left', 'writing-mode: vertical-rl; left')}>Fire</div>`,
+      'its lines are vertical',
+      'of-text',
+    ],
+    [
+      `<div style="transform: rotate(20deg)"><div id="it" ${style}>Fire</div></div>`,
+      'it is turned or mirrored',
+      'of-text',
+    ],
   ]) {
     const tab = await opened(target, `<hearth-solid id="lid" of="#it" ${attribute}></hearth-solid>`);
     await boxed(tab, why);
@@ -228,7 +371,9 @@ test('where pixels may not be read the box counts, with one warning', async () =
     await restyle(tab, { width: '70px' });
     await tab.frames(12);
     const warnings = tab.problems.filter((problem) => !/data:image|net::/.test(problem));
-    assert.deepEqual(warnings, [`console.warn: <hearth-fire>: <hearth-solid id="lid">: of = #it counts as a box: ${why}.`]);
+    assert.deepEqual(warnings, [
+      `console.warn: <hearth-fire>: <hearth-solid id="lid">: of = #it counts as a box: ${why}.`,
+    ]);
     await tab.burnt(0.05);
   }
   await other.close();
@@ -236,15 +381,29 @@ test('where pixels may not be read the box counts, with one warning', async () =
 
 test('an image that never loads, and a text whose font does not, are not waited for', async () => {
   const files = { '/late.svg': { silent: true }, '/late.woff2': { silent: true } };
-  const image = await opened('<img id="it">', '<hearth-solid of="#it"></hearth-solid>', { style: 'left: 40px; top: 30px; width: 60px; height: 40px', options: { files } });
+  const image = await opened('<img id="it">', '<hearth-solid of="#it"></hearth-solid>', {
+    style: 'left: 40px; top: 30px; width: 60px; height: 40px',
+    options: { files },
+  });
   await boxed(image, 'it has no address yet');
-  await image.on('#it', (image) => { image.src = '/late.svg'; });
+  await image.on('#it', (image) => {
+    image.src = '/late.svg';
+  });
   await image.fire((fire) => fire.firstElementChild.setAttribute('of', '#it '));
   while (image.problems.length < 2) await image.frames(1);
   assert.match(image.problems[1], /of = #it counts as a box: it has not loaded\./);
-  await image.on('#it', (image, src) => { image.src = src; }, DISC);
+  await image.on(
+    '#it',
+    (image, src) => {
+      image.src = src;
+    },
+    DISC,
+  );
   await masked(image, 'it has loaded');
-  const text = await opened('<h1 id="it">Fire</h1>', '', { style: 'left: 40px; top: 30px; font: 40px late, serif', options: { files } });
+  const text = await opened('<h1 id="it">Fire</h1>', '', {
+    style: 'left: 40px; top: 30px; font: 40px late, serif',
+    options: { files },
+  });
   await text.fire((fire) => {
     const late = new FontFace('late', 'url(/late.woff2)');
     document.fonts.add(late);
@@ -257,7 +416,9 @@ test('an image that never loads, and a text whose font does not, are not waited 
 });
 
 test('elements that leave while they load, and fonts that do not exist harm nothing', async () => {
-  const tab = await opened(`<img id="it" src="${DISC}">`, '<hearth-solid of="#it"></hearth-solid>', { style: 'left: 40px; top: 30px; font: 40px serif' });
+  const tab = await opened(`<img id="it" src="${DISC}">`, '<hearth-solid of="#it"></hearth-solid>', {
+    style: 'left: 40px; top: 30px; font: 40px serif',
+  });
   await masked(tab);
   await tab.evaluate(async (disc) => {
     for (let round = 0; round < 20; round += 1) {
@@ -272,7 +433,10 @@ test('elements that leave while they load, and fonts that do not exist harm noth
     const headline = document.createElement('h1');
     headline.id = 'it';
     headline.textContent = 'Fire \u0301\u200f\ud83d\udd25\ud800';
-    headline.setAttribute('style', 'font-family: "\\\\", "no such font", 12; letter-spacing: -1e9px; word-spacing: 1e9px; position: absolute; left: 20px; top: 30px');
+    headline.setAttribute(
+      'style',
+      'font-family: "\\\\", "no such font", 12; letter-spacing: -1e9px; word-spacing: 1e9px; position: absolute; left: 20px; top: 30px',
+    );
     document.querySelector('#it')?.replaceWith(headline);
     document.querySelector('hearth-solid')?.setAttribute('of-text', '');
   }, DISC);
@@ -280,14 +444,26 @@ test('elements that leave while they load, and fonts that do not exist harm noth
   await restyle(tab, { letterSpacing: '', wordSpacing: '' });
   await masked(tab, 'the glyphs');
   await tab.burnt(0.1);
-  assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+  assert.deepEqual(
+    tab.problems.filter((problem) => problem.startsWith('uncaught')),
+    [],
+  );
 });
 
 test('a mask for which there is no room is refused once, and the box counts', async () => {
-  const images = Array.from({ length: 6 }, (_, at) => `<img id="i${at}" src="${asImage(svg(`<circle cx="25" cy="25" r="${20 + at}"/>`, 'width="50" height="50"'))}" style="width: 140px; height: 140px">`);
-  const tab = await opened(images.join(''), images.map((_, at) => `<hearth-solid of="#i${at}"></hearth-solid>`).join(''));
+  const images = Array.from(
+    { length: 6 },
+    (_, at) =>
+      `<img id="i${at}" src="${asImage(svg(`<circle cx="25" cy="25" r="${20 + at}"/>`, 'width="50" height="50"'))}" style="width: 140px; height: 140px">`,
+  );
+  const tab = await opened(
+    images.join(''),
+    images.map((_, at) => `<hearth-solid of="#i${at}"></hearth-solid>`).join(''),
+  );
   await tab.until('each has a solid', () => {
-    const solids = /** @type {any} */ (document.querySelector('hearth-fire')).objects.filter(({ kind }) => kind === 'solid');
+    const solids = /** @type {any} */ (document.querySelector('hearth-fire')).objects.filter(
+      ({ kind }) => kind === 'solid',
+    );
     return solids.length === 6 && solids.filter(({ shape }) => shape === 'mask').length === 4;
   });
   await tab.frames(20);
@@ -297,7 +473,13 @@ test('a mask for which there is no room is refused once, and the box counts', as
 });
 
 test('without the code for masks the box counts, with a warning', async () => {
-  const tab = await opened(`<img id="it" src="${DISC}">`, '<hearth-solid of="#it"></hearth-solid>', { style: 'left: 40px; top: 30px', options: { without: 'element/children/child-picture.js' } });
+  const tab = await opened(`<img id="it" src="${DISC}">`, '<hearth-solid of="#it"></hearth-solid>', {
+    style: 'left: 40px; top: 30px',
+    options: { without: 'element/children/child-picture.js' },
+  });
   await boxed(tab);
-  assert.ok(tab.problems.some((problem) => /The code for masks could not be loaded/.test(problem)), tab.problems.join('\n'));
+  assert.ok(
+    tab.problems.some((problem) => /The code for masks could not be loaded/.test(problem)),
+    tab.problems.join('\n'),
+  );
 });

@@ -18,11 +18,15 @@ test('`solid` names a solid of the same fire, whose id the source follows', asyn
   const tab = await opened(`
     <hearth-source shape="solid" solid="#log"></hearth-source>
     <hearth-solid id="log" shape="box"></hearth-solid>`);
-  const refers = async () => (await owned(tab)).filter((object) => object?.kind === 'source').map(({ shape, solid }) => [shape, solid]);
+  const refers = async () =>
+    (await owned(tab)).filter((object) => object?.kind === 'source').map(({ shape, solid }) => [shape, solid]);
   const idOf = (/** @type {string} */ id) => tab.fire((fire, wanted) => fire.querySelector(`#${wanted}`).objectId, id);
   assert.deepEqual(await refers(), [['solid', await idOf('log')]]);
   assert.deepEqual(warnings(tab), []);
-  assert.deepEqual(await tab.fire((fire) => [fire.params.source_shape, fire.params.source_solid]), ['solid', await idOf('log')]);
+  assert.deepEqual(await tab.fire((fire) => [fire.params.source_shape, fire.params.source_solid]), [
+    'solid',
+    await idOf('log'),
+  ]);
   // Another solid takes the name.
   await acts(tab, (fire) => {
     fire.querySelector('#log').id = 'ashes';
@@ -45,7 +49,8 @@ test('`hangs-from` names the solid that a free one hangs from', async () => {
     <hearth-solid id="ball" motion="free" y="0.6" hangs-from="#hook"></hearth-solid>
     <hearth-solid id="hook" y="0.9"></hearth-solid>
     <hearth-solid motion="free" x="0.4" hangs-from="#none"></hearth-solid>`);
-  const hangs = async () => (await owned(tab)).filter((object) => object?.motion === 'free').map(({ hangs_from }) => hangs_from);
+  const hangs = async () =>
+    (await owned(tab)).filter((object) => object?.motion === 'free').map(({ hangs_from }) => hangs_from);
   const hook = await tab.fire((fire) => fire.querySelector('#hook').objectId);
   assert.deepEqual(await hangs(), [hook, 0]);
   assert.equal(warnings(tab).length, 1);

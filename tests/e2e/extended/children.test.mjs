@@ -16,22 +16,27 @@ before(async () => {
 after(() => browser?.close());
 
 /** A page whose fire has these children, once every child has its object. */
-const opened = (/** @type {string} */ children, attributes = '', before = '') => (
-  openChildren(browser, children, attributes, before)
-);
+const opened = (/** @type {string} */ children, attributes = '', before = '') =>
+  openChildren(browser, children, attributes, before);
 
 /** The objects of the fire, each as `kind x`, in their order. */
 const listed = (tab) => tab.fire((fire) => fire.objects.map(({ kind, x }) => `${kind} ${x}`));
 
 test('a child is an object with the properties that its attributes state', async () => {
-  const tab = await opened(`
+  const tab = await opened(
+    `
     <hearth-source x="0.2" width="0.3"></hearth-source>
     <hearth-source x="-0.2" birth-temperature="1500"></hearth-source>
-    <hearth-solid shape="box" x="-0.1" y="0.9" material="iron"></hearth-solid>`, 'fuel-power="100"');
+    <hearth-solid shape="box" x="-0.1" y="0.9" material="iron"></hearth-solid>`,
+    'fuel-power="100"',
+  );
   const [first, second, solid] = await owned(tab);
   assert.deepEqual([first.kind, first.x, first.width, first.power], ['source', 0.2, 0.3, 100]);
   assert.deepEqual([second.kind, second.x, second.power], ['source', -0.2, 220]);
-  assert.deepEqual([solid.kind, solid.shape, solid.x, solid.y, solid.material, solid.width], ['solid', 'box', -0.1, 0.9, 'iron', 0.2]);
+  assert.deepEqual(
+    [solid.kind, solid.shape, solid.x, solid.y, solid.material, solid.width],
+    ['solid', 'box', -0.1, 0.9, 'iron', 0.2],
+  );
   assert.equal((await listed(tab)).length, 3);
   await acts(tab, (fire) => fire.set('model', 'classic'));
   assert.equal((await owned(tab))[1].birth_temperature, 1500);
@@ -60,7 +65,8 @@ test('a fire without a source gets that of its child', async () => {
 
 test('attributes are live, a call changes the object and not the attribute, and the next attribute wins', async () => {
   const tab = await opened('<hearth-solid x="0.1" y="0.8"></hearth-solid>');
-  const child = (act, ...args) => acts(tab, new Function('fire', '...args', `return (${act})(fire.firstElementChild, fire, ...args)`), ...args);
+  const child = (act, ...args) =>
+    acts(tab, new Function('fire', '...args', `return (${act})(fire.firstElementChild, fire, ...args)`), ...args);
   const values = async () => (({ x, y, width }) => [x, y, width])((await owned(tab))[0]);
   await child(String((solid) => solid.setAttribute('width', '0.3')));
   assert.deepEqual(await values(), [0.1, 0.8, 0.3]);
@@ -70,13 +76,20 @@ test('attributes are live, a call changes the object and not the attribute, and 
   // The same text is a change as well; the other properties stay.
   await child(String((solid) => solid.setAttribute('x', '0.1')));
   assert.deepEqual(await values(), [0.1, 1, 0.3]);
-  await child(String((solid) => { solid.removeAttribute('width'); solid.removeAttribute('y'); }));
+  await child(
+    String((solid) => {
+      solid.removeAttribute('width');
+      solid.removeAttribute('y');
+    }),
+  );
   assert.deepEqual(await values(), [0.1, 0.5, 0.2]);
   // Of a call and an attribute in one task, the later one wins.
-  await child(String((solid, fire) => {
-    solid.setAttribute('x', '0.2');
-    fire.changeObject(solid.objectId, { x: 0.3 });
-  }));
+  await child(
+    String((solid, fire) => {
+      solid.setAttribute('x', '0.2');
+      fire.changeObject(solid.objectId, { x: 0.3 });
+    }),
+  );
   assert.deepEqual(await values(), [0.3, 0.5, 0.2]);
   assert.deepEqual(tab.problems, []);
   const origins = (await events(tab, 'objects-change')).map(({ source }) => source);
@@ -116,20 +129,31 @@ test('calls beside a reordering are kept', async () => {
   });
   const objects = await tab.fire((fire) => fire.objects.slice(1).map(({ id, y }) => [id, y]));
   const [first, second, ...others] = ids;
-  assert.deepEqual(objects, [second, first, ...others].map((id) => [id, 1]));
+  assert.deepEqual(
+    objects,
+    [second, first, ...others].map((id) => [id, 1]),
+  );
 });
 
 test('a child moves between fires, also while one is off the page', async () => {
   const tab = await browser.show(fireOf('<hearth-solid x="0.1"></hearth-solid>') + fireOf(''));
   await tab.ready();
-  const lists = () => tab.evaluate(() => (
-    [...document.querySelectorAll('hearth-fire')].map((fire) => /** @type {any} */ (fire).objects.map(({ kind }) => kind).join())
-  ));
-  const moves = (from, to) => tab.evaluate(async (from, to) => {
-    const fires = document.querySelectorAll('hearth-fire');
-    await Promise.all([...fires].map((fire) => /** @type {any} */ (fire).ready));
-    fires[to].append(/** @type {Element} */ (fires[from].firstElementChild));
-  }, from, to);
+  const lists = () =>
+    tab.evaluate(() =>
+      [...document.querySelectorAll('hearth-fire')].map((fire) =>
+        /** @type {any} */ (fire).objects.map(({ kind }) => kind).join(),
+      ),
+    );
+  const moves = (from, to) =>
+    tab.evaluate(
+      async (from, to) => {
+        const fires = document.querySelectorAll('hearth-fire');
+        await Promise.all([...fires].map((fire) => /** @type {any} */ (fire).ready));
+        fires[to].append(/** @type {Element} */ (fires[from].firstElementChild));
+      },
+      from,
+      to,
+    );
   await moves(0, 1);
   await settled(tab);
   assert.deepEqual(await lists(), ['source', 'source,solid']);
@@ -153,10 +177,19 @@ test('a child moves between fires, also while one is off the page', async () => 
 });
 
 test('a child without a fire does nothing, and one that is there before the element is defined works', async () => {
-  const tab = await opened('<hearth-solid x="0.1"></hearth-solid><div><hearth-solid x="0.2"></hearth-solid></div>', '', '<hearth-solid x="0.3" pwer="1"></hearth-solid>');
+  const tab = await opened(
+    '<hearth-solid x="0.1"></hearth-solid><div><hearth-solid x="0.2"></hearth-solid></div>',
+    '',
+    '<hearth-solid x="0.3" pwer="1"></hearth-solid>',
+  );
   assert.deepEqual(await listed(tab), ['source 0', 'solid 0.1']);
-  const ids = await tab.evaluate(() => [...document.querySelectorAll('hearth-solid')].map((solid) => /** @type {any} */ (solid).objectId));
-  assert.deepEqual(ids.map((id) => id === null), [true, false, true]);
+  const ids = await tab.evaluate(() =>
+    [...document.querySelectorAll('hearth-solid')].map((solid) => /** @type {any} */ (solid).objectId),
+  );
+  assert.deepEqual(
+    ids.map((id) => id === null),
+    [true, false, true],
+  );
   await tab.evaluate(() => document.querySelector('hearth-solid')?.setAttribute('x', '9'));
   await settled(tab);
   assert.deepEqual(tab.problems, []);
@@ -165,15 +198,23 @@ test('a child without a fire does nothing, and one that is there before the elem
 test('the code is loaded with the first child', async () => {
   const tab = await browser.open(fireOf(''));
   await tab.ready();
-  const loaded = () => tab.evaluate(() => performance.getEntriesByType('resource').filter(({ name }) => name.endsWith('children.js')).length);
+  const loaded = () =>
+    tab.evaluate(
+      () => performance.getEntriesByType('resource').filter(({ name }) => name.endsWith('children.js')).length,
+    );
   assert.equal(await loaded(), 0);
   await tab.fire((fire) => fire.append(document.createElement('hearth-solid')));
-  await tab.until('the child has its object', () => /** @type {any} */ (document.querySelector('hearth-solid')).objectId);
+  await tab.until(
+    'the child has its object',
+    () => /** @type {any} */ (document.querySelector('hearth-solid')).objectId,
+  );
   assert.equal(await loaded(), 1);
 });
 
 test('without the code the fire burns without its children, with a warning', async () => {
-  const tab = await browser.open(recording(fireOf('<hearth-solid></hearth-solid>')), { without: 'element/children/children.js' });
+  const tab = await browser.open(recording(fireOf('<hearth-solid></hearth-solid>')), {
+    without: 'element/children/children.js',
+  });
   await tab.ready();
   assert.deepEqual(await listed(tab), ['source 0']);
   const [error, ...more] = await events(tab, 'error');
@@ -182,26 +223,45 @@ test('without the code the fire burns without its children, with a warning', asy
 });
 
 test('a warm fire has burnt with its children before it is shown', async () => {
-  const tab = await browser.show(fireOf('<hearth-source power="0"></hearth-source><hearth-solid x="0.1"></hearth-solid>', 'warm="0.5"'));
+  const tab = await browser.show(
+    fireOf('<hearth-source power="0"></hearth-source><hearth-solid x="0.1"></hearth-solid>', 'warm="0.5"'),
+  );
   await tab.ready();
   assert.deepEqual(await listed(tab), ['source 0', 'solid 0.1']);
-  const stats = await tab.until('its statistics', () => /** @type {any} */ (document.querySelector('hearth-fire')).stats);
+  const stats = await tab.until(
+    'its statistics',
+    () => /** @type {any} */ (document.querySelector('hearth-fire')).stats,
+  );
   // With another power something would have burnt.
-  assert.ok(stats.time >= 0.5 && stats.power === 0 && stats.embers === 0, `${stats.time} s, ${stats.power} kW/m, ${stats.embers} embers`);
+  assert.ok(
+    stats.time >= 0.5 && stats.power === 0 && stats.embers === 0,
+    `${stats.time} s, ${stats.power} kW/m, ${stats.embers} embers`,
+  );
 });
 
 test('both kinds of children work in the classic model', async () => {
-  const tab = await opened('<hearth-source x="0.2" rate="900"></hearth-source><hearth-source life-min="0.5"></hearth-source><hearth-solid x="0.3"></hearth-solid>', 'model="classic"');
+  const tab = await opened(
+    '<hearth-source x="0.2" rate="900"></hearth-source><hearth-source life-min="0.5"></hearth-source><hearth-solid x="0.3"></hearth-solid>',
+    'model="classic"',
+  );
   const [first, second, solid] = await owned(tab);
   assert.deepEqual([first.rate, first.speed, second.life_min, second.rate, solid.x], [900, 1, 0.5, 1500, 0.3]);
   await acts(tab, (fire) => fire.children[0].removeAttribute('rate'));
   await acts(tab, (fire) => fire.children[1].removeAttribute('life-min'));
-  assert.deepEqual((await owned(tab)).slice(0, 2).map(({ rate, life_min }) => [rate, life_min]), [[1500, 0.3], [1500, 0.3]]);
+  assert.deepEqual(
+    (await owned(tab)).slice(0, 2).map(({ rate, life_min }) => [rate, life_min]),
+    [
+      [1500, 0.3],
+      [1500, 0.3],
+    ],
+  );
   assert.deepEqual(tab.problems, []);
 });
 
 test('an error names the element, the attribute, the value and the range, and the last valid value stays', async () => {
-  const tab = await opened('<hearth-solid id="lid" x="0.1" width="0" y="0.7"></hearth-solid><hearth-source power="700" x="0.2"></hearth-source>');
+  const tab = await opened(
+    '<hearth-solid id="lid" x="0.1" width="0" y="0.7"></hearth-solid><hearth-source power="700" x="0.2"></hearth-source>',
+  );
   const [solid, source] = await owned(tab);
   assert.deepEqual([solid.x, solid.y, solid.width, source.x, source.power], [0.1, 0.7, 0.2, 0.2, 220]);
   await acts(tab, (fire) => fire.firstElementChild.setAttribute('material', 'straw'));
@@ -209,7 +269,10 @@ test('an error names the element, the attribute, the value and the range, and th
   assert.equal((await owned(tab))[0].material, 'stone');
   const words = await events(tab, 'error');
   assert.deepEqual(words.map(({ id, value, min, max }) => [id, value, min, max]).sort(), [
-    ['material', 'straw', undefined, undefined], ['of', 'headline', undefined, undefined], ['power', '700', 0, 600], ['width', '0', 0.002, 10],
+    ['material', 'straw', undefined, undefined],
+    ['of', 'headline', undefined, undefined],
+    ['power', '700', 0, 600],
+    ['width', '0', 0.002, 10],
   ]);
   const all = warnings(tab).join('\n');
   assert.match(all, /<hearth-solid id="lid">: width = "0" is refused: it must be a number from 0.002 to 10 m/);
@@ -229,7 +292,9 @@ test('outlines and flags are attributes, and a text that is too long is refused'
 });
 
 test('an unknown attribute causes one warning with the name that may be meant', async () => {
-  const tab = await opened('<hearth-solid materal="wood" class="a" data-x="1"></hearth-solid><hearth-solid materal="wood"></hearth-solid>');
+  const tab = await opened(
+    '<hearth-solid materal="wood" class="a" data-x="1"></hearth-solid><hearth-solid materal="wood"></hearth-solid>',
+  );
   await acts(tab, (fire) => fire.firstElementChild.setAttribute('birth_temperature', '1'));
   await tab.until('both are reported', (count) => count >= 2, warnings(tab).length + 2);
   assert.equal(warnings(tab).length, 2, warnings(tab).join('\n'));
@@ -239,7 +304,10 @@ test('an unknown attribute causes one warning with the name that may be meant', 
 test('children beyond 64 are refused with a message, and get their index when there is room', async () => {
   const tab = await opened('<hearth-solid></hearth-solid>'.repeat(65));
   const ids = () => tab.fire((fire) => [...fire.children].map(({ objectId }) => objectId));
-  assert.deepEqual((await ids()).map((id) => id === null), [...Array(64).fill(false), true]);
+  assert.deepEqual(
+    (await ids()).map((id) => id === null),
+    [...Array(64).fill(false), true],
+  );
   assert.equal(warnings(tab).length, 1);
   assert.match(warnings(tab)[0], /<hearth-solid>: objects.length = 65 is refused: it must be at most 64 of each kind/);
   await acts(tab, (fire) => fire.firstElementChild.remove());
@@ -247,7 +315,10 @@ test('children beyond 64 are refused with a message, and get their index when th
 });
 
 test('a preset, settings and a reset keep the objects of the children', async () => {
-  const tab = await opened('<hearth-source x="0.2"></hearth-source><hearth-solid x="0.3" y="0.9"></hearth-solid>', "objects='[]'");
+  const tab = await opened(
+    '<hearth-source x="0.2"></hearth-source><hearth-solid x="0.3" y="0.9"></hearth-solid>',
+    "objects='[]'",
+  );
   const kept = async (why) => {
     const [source, solid] = await owned(tab);
     assert.deepEqual([source?.x, solid?.x, solid?.y, solid?.width], [0.2, 0.3, 1.1, 0.2], why);
@@ -273,11 +344,20 @@ test('an attribute of a child that changes right after its object was replaced i
   for (const [y, replace] of /** @type {[number, (fire: any) => void][]} */ ([
     [0.7, (fire) => fire.setAttribute('preset', 'candle')],
     [0.8, (fire) => fire.importConfig({ hearth: 2, values: { wind: 1 } })],
-    [0.9, (fire) => { fire.objects = []; }],
+    [
+      0.9,
+      (fire) => {
+        fire.objects = [];
+      },
+    ],
   ])) {
     // The engine gets the change after it has replaced the objects.
     await acts(tab, new Function('fire', 'y', `(${replace})(fire); fire.firstElementChild.setAttribute('y', y);`), y);
-    assert.deepEqual((await owned(tab)).map(({ x, y }) => [x, y]), [[0.3, y]], `${replace}`);
+    assert.deepEqual(
+      (await owned(tab)).map(({ x, y }) => [x, y]),
+      [[0.3, y]],
+      `${replace}`,
+    );
   }
   assert.deepEqual(tab.problems, []);
 });
@@ -303,7 +383,10 @@ test('undo and export carry the objects as they are', async () => {
   assert.equal((await owned(tab))[0].x, 0.1);
   await acts(tab, (fire) => fire.set({ objects: [] }));
   await acts(tab, (fire) => fire.firstElementChild.setAttribute('y', '0.6'));
-  assert.deepEqual((await owned(tab)).map(({ x, y }) => [x, y]), [[0.3, 0.6]]);
+  assert.deepEqual(
+    (await owned(tab)).map(({ x, y }) => [x, y]),
+    [[0.3, 0.6]],
+  );
 });
 
 test('settings of the same page hold the objects of its children once', async () => {

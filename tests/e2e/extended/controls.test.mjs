@@ -161,7 +161,9 @@ test('each model has its own controls, and its values return with it', async () 
   for (const id of ['buoyancy', 'max_particles']) {
     await panel.value(id, 'its default', (value) => value === there[id].default);
   }
-  const used = Object.values(there).filter((entry) => entry.used).map(({ id }) => id);
+  const used = Object.values(there)
+    .filter((entry) => entry.used)
+    .map(({ id }) => id);
   assert.deepEqual(await panel.controls(), used);
   await panel.reveal('fuel_power');
   await panel.dragSlider('buoyancy', 0.5, 0.8);
@@ -235,9 +237,11 @@ test('the panel follows a model that the page sets', async () => {
   // As many particles as the classic model had: no event reports that they stay.
   await tab.fire((fire) => fire.set({ model: 'combustion', max_particles: 1000 }));
   const own = PARAMETERS.filter(({ models }) => !models.includes('classic')).map(({ id }) => id);
-  await panel.until('a row of the other model', (_, ids) => (
-    ids.some((id) => /** @type {any} */ (window).panelRectangles?.[id])
-  ), own);
+  await panel.until(
+    'a row of the other model',
+    (_, ids) => ids.some((id) => /** @type {any} */ (window).panelRectangles?.[id]),
+    own,
+  );
   await panel.dragSlider('fuel_power', 0.4, 0.8);
   const near = (value) => Math.abs(fractionOf(entriesOf(PARAMETERS, 'combustion').fuel_power, value) - 0.8) < AIM;
   await panel.value('fuel_power', 'where the mouse let go', near);
@@ -255,7 +259,7 @@ test('a choice takes the clicked name, and even a paused fire is redrawn', async
   const fire = await tab.firePicture();
   await panel.choose('display_mode', 'paper');
   await panel.value('display_mode', 'paper', (value) => value === 'paper');
-  await tab.pictureUntil('the paper\'s discs', (picture) => fire.difference(picture) > 1);
+  await tab.pictureUntil("the paper's discs", (picture) => fire.difference(picture) > 1);
   await panel.choose('display_mode', 'fire');
   await panel.value('display_mode', 'fire', (value) => value === 'fire');
   await tab.pictureUntil('the same fire', (picture) => fire.difference(picture) === 0);
@@ -263,29 +267,35 @@ test('a choice takes the clicked name, and even a paused fire is redrawn', async
 
 test('a parameter without effect is dimmed and described, and can still be set', async () => {
   const { tab, panel } = await openPage('classic', true);
-  const reported = (id) => tab.page.$eval(`[data-parameter="${id}"]`, (control) => (
-    document.getElementById(control.getAttribute('aria-describedby') ?? '')?.textContent
-  ));
+  const reported = (id) =>
+    tab.page.$eval(
+      `[data-parameter="${id}"]`,
+      (control) => document.getElementById(control.getAttribute('aria-describedby') ?? '')?.textContent,
+    );
   assert.equal(await reported('hot_colour'), 'Only with palette custom');
   const swatch = await panel.reveal('hot_colour');
   const dim = await tab.picture(swatch);
   await panel.choose('palette', 'custom');
-  await tab.until('the accessible control has no reason', (id) => (
-    document.querySelector(`[data-parameter="${id}"]`)?.closest('.idle') === null
-  ), 'hot_colour');
+  await tab.until(
+    'the accessible control has no reason',
+    (id) => document.querySelector(`[data-parameter="${id}"]`)?.closest('.idle') === null,
+    'hot_colour',
+  );
   assert.equal(await reported('hot_colour'), '');
   assert.equal(await reported('background'), '');
   await tab.fire((fire) => fire.set('backdrop', 'bricks'));
   assert.equal(await reported('background'), 'Not with backdrop bricks and display fire');
   await tab.fire((fire) => fire.restore('backdrop'));
-  const lit = await tab.picture({ ...await panel.reveal('hot_colour'), width: swatch.width, height: swatch.height });
+  const lit = await tab.picture({ ...(await panel.reveal('hot_colour')), width: swatch.width, height: swatch.height });
   const brightness = (picture) => picture.rgb.reduce((sum, x) => sum + x, 0);
   assert.ok(brightness(lit) > 1.1 * brightness(dim), 'it is brighter than it was');
 
   await tab.fire((fire) => fire.set('display_mode', 'density'));
-  await tab.until('the accessible control has a reason', (id) => (
-    document.querySelector(`[data-parameter="${id}"]`)?.closest('.idle') !== null
-  ), 'bloom');
+  await tab.until(
+    'the accessible control has a reason',
+    (id) => document.querySelector(`[data-parameter="${id}"]`)?.closest('.idle') !== null,
+    'bloom',
+  );
   assert.equal(await reported('bloom'), 'Only with display fire');
   assert.equal(await reported('exposure'), 'Only with display fire, paper or sprites');
   await panel.dragSlider('bloom', 0.3, 0.8);
@@ -297,25 +307,27 @@ test('a colour is dragged out of its sliders, and stands behind the fire', async
   const { tab, panel } = await openPage('classic', true);
   await tab.click(along(await panel.reveal('background'), 0.5));
   await panel.reveal('background');
-  for (const [slider, to] of [['brightness', 0.8], ['saturation', 0.95], ['hue', 0.66]]) {
+  for (const [slider, to] of [
+    ['brightness', 0.8],
+    ['saturation', 0.95],
+    ['hue', 0.66],
+  ]) {
     const rectangle = await panel.rectangleOf(`${slider}:background`);
     await tab.drag(along(rectangle, 0.3), along(rectangle, to));
   }
   const blue = /^#[0-3].[0-7].[a-f].$/;
   await panel.value('background', 'a bright blue', (value) => blue.test(value));
-  await tab.pictureUntil('the corner is blue', (picture) => (
-    picture.crop(0, 0, 0.05, 0.05).share((r, _, b) => b > 150 && b > 2 * r) > 0.9
-  ));
+  await tab.pictureUntil(
+    'the corner is blue',
+    (picture) => picture.crop(0, 0, 0.05, 0.05).share((r, _, b) => b > 150 && b > 2 * r) > 0.9,
+  );
 });
 
 test('the pause button stops and continues time and picture', async () => {
   const { tab, panel } = await openPage('classic', true);
   await tab.fire((fire) => fire.play());
   await panel.press('pause');
-  await tab.until(
-    'the fire is paused',
-    () => /** @type {any} */ (document.querySelector('hearth-fire')).stats.paused,
-  );
+  await tab.until('the fire is paused', () => /** @type {any} */ (document.querySelector('hearth-fire')).stats.paused);
   // A picture may be on its way; this one follows it.
   await tab.fire((fire) => fire.toBlob().then(() => undefined));
   const [time, picture] = [await stat(tab, 'time'), await tab.firePicture()];

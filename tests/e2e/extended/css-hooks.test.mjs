@@ -16,9 +16,11 @@ const FIRE = '<hearth-fire quality="low" style="width: 120px; height: 150px"></h
 
 /** Waits until the first fire is in that state, or no more. */
 function burning(tab, wanted) {
-  return tab.until(`burning: ${wanted}`, (state) => (
-    /** @type {any} */ (document.querySelector('hearth-fire, #gone')).matches(':state(burning)') === state
-  ), wanted);
+  return tab.until(
+    `burning: ${wanted}`,
+    (state) => /** @type {any} */ (document.querySelector('hearth-fire, #gone')).matches(':state(burning)') === state,
+    wanted,
+  );
 }
 
 test(':state(burning) holds while the fire plays and its picture is shown', async () => {
@@ -38,7 +40,10 @@ test(':state(burning) holds while the fire plays and its picture is shown', asyn
   await burning(tab, true);
   await tab.loseContext();
   await burning(tab, false);
-  assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+  assert.deepEqual(
+    tab.problems.filter((problem) => problem.startsWith('uncaught')),
+    [],
+  );
 
   const other = await browser.show(FIRE);
   await burning(other, true);
@@ -59,31 +64,49 @@ test(':state(burning) does not hold for a paused fire or without an engine', asy
   const still = await browser.show(FIRE.replace('<hearth-fire', '<hearth-fire paused'));
   await still.fire((fire) => fire.toBlob());
   assert.equal(await still.fire((fire) => fire.matches(':state(burning)')), false);
-  const none = await browser.open(FIRE, { before: () => { delete /** @type {any} */ (window).WebAssembly; } });
+  const none = await browser.open(FIRE, {
+    before: () => {
+      delete (/** @type {any} */ (window).WebAssembly);
+    },
+  });
   await none.fire((fire) => fire.ready.catch(() => {}));
   assert.equal(await none.fire((fire) => fire.matches(':state(burning)')), false);
 });
 
 for (const [about, before] of /** @type {[string, () => void][]} */ ([
-  ['no element internals', () => { delete /** @type {any} */ (HTMLElement.prototype).attachInternals; }],
-  ['no custom states', () => { delete /** @type {any} */ (ElementInternals.prototype).states; }],
-  ['states that begin with two hyphens alone', () => {
-    const { add } = CustomStateSet.prototype;
-    CustomStateSet.prototype.add = function (name) {
-      if (!name.startsWith('--')) throw new SyntaxError(name);
-      return add.call(this, name);
-    };
-    const { delete: remove } = CustomStateSet.prototype;
-    CustomStateSet.prototype.delete = function (name) {
-      if (!name.startsWith('--')) throw new SyntaxError(name);
-      return remove.call(this, name);
-    };
-  }],
+  [
+    'no element internals',
+    () => {
+      delete (/** @type {any} */ (HTMLElement.prototype).attachInternals);
+    },
+  ],
+  [
+    'no custom states',
+    () => {
+      delete (/** @type {any} */ (ElementInternals.prototype).states);
+    },
+  ],
+  [
+    'states that begin with two hyphens alone',
+    () => {
+      const { add } = CustomStateSet.prototype;
+      CustomStateSet.prototype.add = function (name) {
+        if (!name.startsWith('--')) throw new SyntaxError(name);
+        return add.call(this, name);
+      };
+      const { delete: remove } = CustomStateSet.prototype;
+      CustomStateSet.prototype.delete = function (name) {
+        if (!name.startsWith('--')) throw new SyntaxError(name);
+        return remove.call(this, name);
+      };
+    },
+  ],
 ])) {
   test(`a fire burns in a browser with ${about}`, async () => {
     const tab = await browser.open(FIRE, { before });
     await tab.burnt(0.2);
-    if (about.startsWith('states')) await tab.until('its state', () => document.querySelector('hearth-fire')?.matches(':state(--burning)'));
+    if (about.startsWith('states'))
+      await tab.until('its state', () => document.querySelector('hearth-fire')?.matches(':state(--burning)'));
     assert.deepEqual(tab.problems, []);
   });
 }
@@ -92,7 +115,9 @@ for (const [about, before] of /** @type {[string, () => void][]} */ ([
 function reported(tab) {
   return tab.fire((fire) => {
     const style = getComputedStyle(fire);
-    return [style.getPropertyValue('--hearth-light'), style.getPropertyValue('--hearth-glow')].map((property) => property.trim());
+    return [style.getPropertyValue('--hearth-light'), style.getPropertyValue('--hearth-glow')].map((property) =>
+      property.trim(),
+    );
   });
 }
 
@@ -106,14 +131,26 @@ test('a fire reports its brightness and colour, and none while it does not burn'
   // Nothing of it stands in the element's own style, which is its page's.
   assert.equal(await tab.fire((fire) => fire.getAttribute('style')), 'width: 120px; height: 150px');
   await tab.fire((fire) => fire.set({ palette: 'custom', hot_colour: '#12ab34' }));
-  await tab.until('the custom colour', () => (
-    getComputedStyle(/** @type {any} */ (document.querySelector('hearth-fire'))).getPropertyValue('--hearth-glow').trim() === '#12ab34'
-  ));
+  await tab.until(
+    'the custom colour',
+    () =>
+      getComputedStyle(/** @type {any} */ (document.querySelector('hearth-fire')))
+        .getPropertyValue('--hearth-glow')
+        .trim() === '#12ab34',
+  );
   await tab.fire((fire) => fire.set('display_mode', 'temperature'));
-  const nothing = () => getComputedStyle(/** @type {any} */ (document.querySelector('hearth-fire'))).getPropertyValue('--hearth-light') === '';
+  const nothing = () =>
+    getComputedStyle(/** @type {any} */ (document.querySelector('hearth-fire'))).getPropertyValue('--hearth-light') ===
+    '';
   await tab.until('no light of a chart', nothing);
   await tab.fire((fire) => fire.set('display_mode', 'fire'));
-  await tab.until('light', () => getComputedStyle(/** @type {any} */ (document.querySelector('hearth-fire'))).getPropertyValue('--hearth-light') !== '');
+  await tab.until(
+    'light',
+    () =>
+      getComputedStyle(/** @type {any} */ (document.querySelector('hearth-fire'))).getPropertyValue(
+        '--hearth-light',
+      ) !== '',
+  );
   await tab.fire((fire) => fire.set('model', 'classic'));
   await tab.until('no light without power', nothing);
   await tab.fire((fire) => fire.destroy());

@@ -17,7 +17,10 @@ async function output(script, env) {
     cwd: HERE,
     env: { ...process.env, ...env },
   });
-  return node.then(({ stdout }) => stdout, ({ stderr }) => stderr);
+  return node.then(
+    ({ stdout }) => stdout,
+    ({ stderr }) => stderr,
+  );
 }
 
 for (const [kind, variable, words] of [
@@ -54,15 +57,23 @@ test('a dialog that a page opens is a problem of the page and does not stop it',
 test('a body that is shown replaces the last one in its page, whose fires are destroyed; after a lost context a page opens', async () => {
   const browser = await Browser.launchWithoutDrawing();
   try {
-    const fire = (id) => `<hearth-fire id="${id}" quality="low" paused></hearth-fire><script>window.seen = '${id}'</script>`;
+    const fire = (id) =>
+      `<hearth-fire id="${id}" quality="low" paused></hearth-fire><script>window.seen = '${id}'</script>`;
     const first = await browser.show(fire('first'));
     await first.ready();
-    await first.evaluate(() => { document.title = 'kept'; });
+    await first.evaluate(() => {
+      document.title = 'kept';
+    });
     const second = await browser.show(fire('second'));
     await second.ready();
     assert.equal(second, first);
-    assert.deepEqual(await second.evaluate(() => [document.title, /** @type {any} */ (window).seen]), ['kept', 'second']);
-    assert.deepEqual(await second.evaluate(() => [...document.querySelectorAll('hearth-fire')].map(({ id }) => id)), ['second']);
+    assert.deepEqual(await second.evaluate(() => [document.title, /** @type {any} */ (window).seen]), [
+      'kept',
+      'second',
+    ]);
+    assert.deepEqual(await second.evaluate(() => [...document.querySelectorAll('hearth-fire')].map(({ id }) => id)), [
+      'second',
+    ]);
     assert.equal((await second.living()).contexts, 1);
     assert.notEqual(await browser.show(fire('wide'), { width: 600 }), second);
     const lost = await browser.show(fire('lost'), { width: 600 });

@@ -14,16 +14,24 @@ const read = (/** @type {string} */ file) => readFileSync(new URL(`../../../${fi
 /** Every example of a document that is a whole page, by the heading above it. */
 const examples = (/** @type {string} */ file) => {
   const text = read(file);
-  return [...text.matchAll(/```html\n([\s\S]*?)```/g)].filter(([, html]) => html.startsWith('<!doctype')).map((found) => ({
-    file,
-    html: found[1],
-    heading: text.slice(0, found.index).match(/^#+ .*$/gm)?.at(-1) ?? '',
-  }));
+  return [...text.matchAll(/```html\n([\s\S]*?)```/g)]
+    .filter(([, html]) => html.startsWith('<!doctype'))
+    .map((found) => ({
+      file,
+      html: found[1],
+      heading:
+        text
+          .slice(0, found.index)
+          .match(/^#+ .*$/gm)
+          ?.at(-1) ?? '',
+    }));
 };
 
 const GUIDES = ['docs/embedding.md', 'docs/element.md'];
 const DOC = read('docs/element.md');
-const CODE = GUIDES.flatMap(examples).map(({ html }) => html).join('\n');
+const CODE = GUIDES.flatMap(examples)
+  .map(({ html }) => html)
+  .join('\n');
 const OTHERS = ['iframe', 'package', 'simulation'].map((name) => `docs/${name}.md`);
 const EXAMPLES = [...GUIDES, ...OTHERS].flatMap(examples);
 
@@ -70,7 +78,8 @@ test('the attributes are those of the element, each in an example', () => {
   const own = has.attributes.filter((name) => !parameters.includes(name));
   const qualities = ['low', 'medium', 'high'];
   assert.deepEqual(sorted(named('Attributes').filter((name) => !qualities.includes(name))), sorted(own));
-  for (const name of own) assert.ok(new RegExp(`<hearth-fire[^>]* ${name}[ =>]|'${name}'|fire\\.${name}`).test(CODE), name);
+  for (const name of own)
+    assert.ok(new RegExp(`<hearth-fire[^>]* ${name}[ =>]|'${name}'|fire\\.${name}`).test(CODE), name);
 });
 
 test('the properties are those of the element, each in an example', () => {
@@ -79,13 +88,19 @@ test('the properties are those of the element, each in an example', () => {
   const described = named('Properties');
   const ofStats = described.filter((name) => has.stats.includes(name) && !own.includes(name));
   assert.deepEqual(sorted(described.filter((name) => !ofStats.includes(name))), sorted(own));
-  const written = (name) => new RegExp(`fire\\.${name}\\b|<hearth-fire[^>]* ${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}[ =>]`);
+  const written = (name) =>
+    new RegExp(
+      `fire\\.${name}\\b|<hearth-fire[^>]* ${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}[ =>]`,
+    );
   for (const name of own) assert.ok(written(name).test(CODE), name);
 });
 
 test('the statistics are described', () => {
   const section = named('Properties');
-  assert.deepEqual(has.stats.filter((name) => !section.includes(name)), []);
+  assert.deepEqual(
+    has.stats.filter((name) => !section.includes(name)),
+    [],
+  );
 });
 
 test('the methods are those of the element, each in an example', () => {
@@ -96,9 +111,9 @@ test('the methods are those of the element, each in an example', () => {
 test('the events are those that the element sends, each in an example', () => {
   const source = read('web/element/session/session.js') + read('web/element/session/reports.js');
   const types = read('web/hearth-fire.d.ts');
-  const sent = [...source.matchAll(/\.emit\(([^;]*?)[,)]/g)].flatMap(([, what]) => (
-    [...what.matchAll(/'([a-z-]+)'/g)].map(([, name]) => name)
-  ));
+  const sent = [...source.matchAll(/\.emit\(([^;]*?)[,)]/g)].flatMap(([, what]) =>
+    [...what.matchAll(/'([a-z-]+)'/g)].map(([, name]) => name),
+  );
   const described = named('Events');
   assert.deepEqual(sorted(described), sorted(sent));
   for (const name of described) {
@@ -128,24 +143,32 @@ const FRAMES = 9;
 
 /** Runs examples in iframes of a page, and presses their buttons; gives the page. */
 async function run(examples) {
-  const iframes = examples.map(({ html }) => `<iframe allow="fullscreen" src="${browser.server.publish(html)}"></iframe>`);
+  const iframes = examples.map(
+    ({ html }) => `<iframe allow="fullscreen" src="${browser.server.publish(html)}"></iframe>`,
+  );
   const page = `<!doctype html><link rel="icon" href="data:,">
     <style>body { margin: 0 } iframe { width: 33%; height: 300px; border: 0; float: left }</style>${iframes.join('')}`;
   const tab = await browser.open(page, { width: 1200, height: 900 });
-  await tab.until('the fires of all iframes are ready', async (burning) => {
-    const documents = [...document.querySelectorAll('iframe')].map((iframe) => /** @type {Document} */ (iframe.contentDocument));
-    for (const [at, outer] of documents.entries()) {
-      const inside = outer.querySelector('iframe')?.contentDocument;
-      const within = [outer, ...(inside ? [inside] : [])];
-      const fires = within.flatMap((root) => /** @type {any[]} */ ([...root.querySelectorAll('hearth-fire')]));
-      if (burning[at] && (fires.length === 0 || fires.some((fire) => fire.ready === undefined))) return false;
-      for (const fire of fires) {
-        // A fire below the fold may wait.
-        if (fire.loading !== 'lazy') await fire.ready;
+  await tab.until(
+    'the fires of all iframes are ready',
+    async (burning) => {
+      const documents = [...document.querySelectorAll('iframe')].map(
+        (iframe) => /** @type {Document} */ (iframe.contentDocument),
+      );
+      for (const [at, outer] of documents.entries()) {
+        const inside = outer.querySelector('iframe')?.contentDocument;
+        const within = [outer, ...(inside ? [inside] : [])];
+        const fires = within.flatMap((root) => /** @type {any[]} */ ([...root.querySelectorAll('hearth-fire')]));
+        if (burning[at] && (fires.length === 0 || fires.some((fire) => fire.ready === undefined))) return false;
+        for (const fire of fires) {
+          // A fire below the fold may wait.
+          if (fire.loading !== 'lazy') await fire.ready;
+        }
       }
-    }
-    return true;
-  }, examples.map(({ html }) => /<hearth-fire|<iframe|'hearth-fire'/.test(html)));
+      return true;
+    },
+    examples.map(({ html }) => /<hearth-fire|<iframe|'hearth-fire'/.test(html)),
+  );
   await tab.frames(10);
   for (const iframe of tab.page.mainFrame().childFrames()) {
     const buttons = await iframe.evaluate(() => document.querySelectorAll('button').length);

@@ -19,7 +19,12 @@ const BODY = recording('<hearth-fire><p slot="poster" id="poster">A poster</p></
 
 /** Asserts that there is no fire, that an error has the reason, and that nothing else fails. */
 async function assertSaid(tab, kind, named) {
-  const rejected = await tab.fire((fire) => fire.ready.then(() => null, (error) => error.kind));
+  const rejected = await tab.fire((fire) =>
+    fire.ready.then(
+      () => null,
+      (error) => error.kind,
+    ),
+  );
   assert.equal(rejected, kind);
   const errors = await events(tab, 'error');
   assert.equal(errors.length, 1, JSON.stringify(errors));
@@ -31,7 +36,15 @@ async function assertSaid(tab, kind, named) {
   }));
   assert.deepEqual(seen, { words: errors[0].message, poster: true });
   // Calls from now on are refused, and their promises settle.
-  assert.equal(await tab.fire((fire) => fire.set('exposure', 1).then(() => 'set', () => 'refused')), 'refused');
+  assert.equal(
+    await tab.fire((fire) =>
+      fire.set('exposure', 1).then(
+        () => 'set',
+        () => 'refused',
+      ),
+    ),
+    'refused',
+  );
   const uncaught = (await tab.problemsAfterFrame()).filter((problem) => problem.startsWith('uncaught'));
   assert.deepEqual(uncaught, []);
 }
@@ -94,7 +107,10 @@ test('an engine that throws is reported, and another continues the fire', async 
     beforeWorker: () => {
       // A defect of the engine would end in an error out of nowhere, as this.
       addEventListener('message', ({ data }) => {
-        if (data[2] === 'reset') setTimeout(() => { throw new Error('a defect'); });
+        if (data[2] === 'reset')
+          setTimeout(() => {
+            throw new Error('a defect');
+          });
       });
     },
   });
@@ -104,7 +120,10 @@ test('an engine that throws is reported, and another continues the fire', async 
     await new Promise((resolve) => fire.addEventListener('restored', resolve));
   });
   const errors = await events(tab, 'error');
-  assert.deepEqual(errors.map(({ kind }) => kind), ['stopped']);
+  assert.deepEqual(
+    errors.map(({ kind }) => kind),
+    ['stopped'],
+  );
   assert.match(errors[0].message, /engine has stopped.*a defect/);
   await assertBurns(tab);
 });
@@ -121,9 +140,10 @@ test('an invalid attribute, property or preset leaves the fire unchanged', async
     fire.set('exposurr', 1);
     fire.setAttribute('background', 'x'.repeat(100_000));
   });
-  await tab.until('each is refused', () => (
-    /** @type {any} */ (window).events.filter(({ type }) => type === 'error').length === 6
-  ));
+  await tab.until(
+    'each is refused',
+    () => /** @type {any} */ (window).events.filter(({ type }) => type === 'error').length === 6,
+  );
   const errors = await events(tab, 'error');
   const named = ['exposure', 'exposure', 'preset', 'quality', 'exposurr', 'background'];
   assert.deepEqual(errors.map(({ id }) => id).sort(), [...named].sort());

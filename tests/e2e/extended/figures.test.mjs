@@ -28,12 +28,17 @@ const figureAt = (id, at) => `[aria-labelledby="${id}"] .fires > figure:nth-chil
  */
 async function numbers(tab, id, at) {
   await tab.on(figureAt(id, at), (figure) => figure.scrollIntoView({ block: 'center' }));
-  return tab.until(`the numbers of ${id}, ${at}`, (figure) => {
-    const cells = [...document.querySelectorAll(`${figure} dd`)].map((cell) => [
-      /** @type {HTMLElement} */ (cell).dataset.number, Number.parseFloat(cell.textContent ?? ''),
-    ]);
-    return cells.length > 0 && cells.every(([, number]) => Number.isFinite(number)) && Object.fromEntries(cells);
-  }, figureAt(id, at));
+  return tab.until(
+    `the numbers of ${id}, ${at}`,
+    (figure) => {
+      const cells = [...document.querySelectorAll(`${figure} dd`)].map((cell) => [
+        /** @type {HTMLElement} */ (cell).dataset.number,
+        Number.parseFloat(cell.textContent ?? ''),
+      ]);
+      return cells.length > 0 && cells.every(([, number]) => Number.isFinite(number)) && Object.fromEntries(cells);
+    },
+    figureAt(id, at),
+  );
 }
 
 /** @param {Tab} tab @param {string} id @param {number} count */
@@ -48,7 +53,9 @@ test('figure 1 has lighter colours at higher temperatures', async () => {
   await tab.ready();
   await tab.on('#colours', (figure) => figure.scrollIntoView());
   await tab.until('the slider of temperatures', () => document.querySelector('#kelvin:enabled'));
-  const colours = await tab.evaluate(() => [...document.querySelectorAll('#scale li')].map((entry) => entry.textContent ?? ''));
+  const colours = await tab.evaluate(() =>
+    [...document.querySelectorAll('#scale li')].map((entry) => entry.textContent ?? ''),
+  );
   assert.equal(colours.length, 16);
   const sums = colours.map((words, at) => {
     const [, kelvin, ...rgb] = /^(\d+) K: #(..)(..)(..)$/.exec(words) ?? [];
@@ -57,7 +64,10 @@ test('figure 1 has lighter colours at higher temperatures', async () => {
     assert.ok(red >= green && green >= blue, words);
     return red + green + blue;
   });
-  assert.ok(sums.every((sum, at) => at === 0 || sum > sums[at - 1]), `${sums}`);
+  assert.ok(
+    sums.every((sum, at) => at === 0 || sum > sums[at - 1]),
+    `${sums}`,
+  );
   await tab.page.focus('#kelvin');
   await tab.press('Home');
   await tab.until('the coolest fire', () => document.querySelector('hearth-fire')?.maximumTemperature === 1000);
@@ -73,24 +83,36 @@ describe('the figures on a phone', () => {
 
   test('a fire that was never in sight does not burn', async () => {
     await tab.ready();
-    const far = await tab.evaluate(() => [...document.querySelectorAll('[aria-labelledby="buoyancy"] hearth-fire')].map((fire) => fire.stats));
+    const far = await tab.evaluate(() =>
+      [...document.querySelectorAll('[aria-labelledby="buoyancy"] hearth-fire')].map((fire) => fire.stats),
+    );
     assert.deepEqual(far, [null, null, null]);
   });
 
   test('figure 2 names every stage and pass that its fires report, each with its time', async () => {
     for (const at of [0, 1]) {
       await tab.on(figureAt('figure-2', at), (figure) => figure.scrollIntoView());
-      const { names, rows } = await tab.until('the loop', (figure) => {
-        const fire = /** @type {any} */ (document.querySelector(`${figure} hearth-fire`));
-        const items = /** @type {HTMLElement[]} */ ([...document.querySelectorAll(`${figure} li`)]);
-        const { stages = {}, passes = {} } = fire.stats ?? {};
-        if (items.length === 0 || Object.keys(passes).length === 0) return false;
-        return {
-          names: [...Object.keys(stages), ...Object.keys(passes)],
-          rows: items.map((item) => [item.dataset.name, [...item.childNodes].map((node) => node.textContent?.trim() ?? '')]),
-        };
-      }, figureAt('figure-2', at));
-      assert.deepEqual(rows.map(([name]) => name), names);
+      const { names, rows } = await tab.until(
+        'the loop',
+        (figure) => {
+          const fire = /** @type {any} */ (document.querySelector(`${figure} hearth-fire`));
+          const items = /** @type {HTMLElement[]} */ ([...document.querySelectorAll(`${figure} li`)]);
+          const { stages = {}, passes = {} } = fire.stats ?? {};
+          if (items.length === 0 || Object.keys(passes).length === 0) return false;
+          return {
+            names: [...Object.keys(stages), ...Object.keys(passes)],
+            rows: items.map((item) => [
+              item.dataset.name,
+              [...item.childNodes].map((node) => node.textContent?.trim() ?? ''),
+            ]),
+          };
+        },
+        figureAt('figure-2', at),
+      );
+      assert.deepEqual(
+        rows.map(([name]) => name),
+        names,
+      );
       for (const [name, [code, text, time]] of rows) {
         assert.equal(code, name);
         assert.ok(text.length > 4, `${name} has no text`);
@@ -128,11 +150,14 @@ describe('the figures on a phone', () => {
     const figure = figureAt('buoyancy', 1);
     await tab.page.focus(`${figure} input`);
     await tab.press('End');
-    assert.deepEqual(await tab.on(figure, (element) => [
-      element.querySelector('hearth-fire').getAttribute('buoyancy'),
-      element.querySelector('hearth-fire').alt,
-      element.querySelector('input').ariaValueText,
-    ]), ['1', 'Fire: buoyancy 1', '1']);
+    assert.deepEqual(
+      await tab.on(figure, (element) => [
+        element.querySelector('hearth-fire').getAttribute('buoyancy'),
+        element.querySelector('hearth-fire').alt,
+        element.querySelector('input').ariaValueText,
+      ]),
+      ['1', 'Fire: buoyancy 1', '1'],
+    );
     assert.deepEqual(await numbers(tab, 'buoyancy', 1), await numbers(tab, 'buoyancy', 2));
   });
 
@@ -141,9 +166,11 @@ describe('the figures on a phone', () => {
       await tab.on(`${figureAt('figure-8', at)} button`, (button) => button.click());
       const shown = await numbers(tab, 'figure-8', at);
       // On a busy machine it begins with less than one in two seconds.
-      await tab.until('pictures a second', (figure) => (
-        Number.parseFloat(document.querySelector(`${figure} [data-number="fps"]`)?.textContent ?? '') > 0
-      ), figureAt('figure-8', at));
+      await tab.until(
+        'pictures a second',
+        (figure) => Number.parseFloat(document.querySelector(`${figure} [data-number="fps"]`)?.textContent ?? '') > 0,
+        figureAt('figure-8', at),
+      );
       assert.ok(Math.abs(shown.particles - count) <= 0.05 * count, `${shown.particles}`);
       assert.equal(await tab.evaluate(() => document.querySelectorAll('#counts hearth-fire').length), 1);
     }

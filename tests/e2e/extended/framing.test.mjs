@@ -17,7 +17,9 @@ after(() => browser?.close());
 
 for (const size of [SIZES[0], /** @type {[number, number]} */ (SIZES.at(-1))]) {
   test(`the fire of a page of ${size.join(' × ')} fills its stage`, async () => {
-    const { linear: { height, base } } = await measure(browser, size);
+    const {
+      linear: { height, base },
+    } = await measure(browser, size);
     const [[low, high], [near, far]] = [BARS.height, BARS.base];
     assert.ok(height >= low && height <= high, `it is bright on ${height} of the stage's height`);
     assert.ok(base >= near && base <= far, `its base is ${base} of it above the lower edge`);
@@ -42,12 +44,20 @@ test('the floor and the height above it have the same places on the stage in pag
       const shown = /** @type {HTMLElement} */ (fire.shadowRoot.querySelector('canvas')).getBoundingClientRect();
       const heights = [0, 0.5, 1].map((up) => 1 - fire.toPixels(0, up).y / stage.height);
       // The flame is in the middle, and the stage in the window.
-      return [...heights, fire.toPixels(0, 0).x / stage.width, shown.height / stage.height, Number(stage.bottom <= innerHeight)];
+      return [
+        ...heights,
+        fire.toPixels(0, 0).x / stage.width,
+        shown.height / stage.height,
+        Number(stage.bottom <= innerHeight),
+      ];
     });
   }
   const [first, ...others] = Object.entries(places);
   for (const [size, shares] of others) {
-    assert.ok(shares.every((share, at) => Math.abs(share - first[1][at]) < 0.005), `${size}: ${shares}; ${first[0]}: ${first[1]}`);
+    assert.ok(
+      shares.every((share, at) => Math.abs(share - first[1][at]) < 0.005),
+      `${size}: ${shares}; ${first[0]}: ${first[1]}`,
+    );
   }
   assert.ok(Math.abs(first[1][3] - 0.5) < 0.005 && first[1][5] === 1, `${first[1]}`);
 });

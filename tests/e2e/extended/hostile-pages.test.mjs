@@ -35,7 +35,8 @@ const PAGE = `<!doctype html>
 
 /** Runs in the page: records what its policy forbids. */
 function recordViolations() {
-  const violations = (/** @type {any} */ (window).violations = []);
+  const violations = [];
+  /** @type {any} */ (window).violations = violations;
   document.addEventListener('securitypolicyviolation', ({ violatedDirective, blockedURI, sample }) => {
     violations.push(`${violatedDirective} ${blockedURI} ${sample}`);
   });
@@ -62,13 +63,24 @@ test('under the policy that the documents state, the fire burns in a worker', as
   const tab = await under(policy);
   await assertBurnsIn(tab, 'worker');
   // The icon of the test's page is none of the fire's.
-  assert.deepEqual((await violations(tab)).filter((violation) => !violation.startsWith('img-src')), []);
+  assert.deepEqual(
+    (await violations(tab)).filter((violation) => !violation.startsWith('img-src')),
+    [],
+  );
 });
 
 test('each rule of the documented policy is needed', async () => {
   const scripts = "script-src 'self' 'wasm-unsafe-eval'";
   const failed = await under(`default-src 'none'; ${scripts}; worker-src 'self'`);
-  assert.equal(await failed.fire((fire) => fire.ready.then(() => '', ({ kind }) => kind)), 'load');
+  assert.equal(
+    await failed.fire((fire) =>
+      fire.ready.then(
+        () => '',
+        ({ kind }) => kind,
+      ),
+    ),
+    'load',
+  );
   const rest = `default-src 'none'; ${scripts}; connect-src 'self'`;
   await assertBurnsIn(await under(`${rest}; worker-src 'none'`), 'main');
   const trusted = `${rest}; worker-src 'self'; require-trusted-types-for 'script'`;
@@ -78,18 +90,37 @@ test('each rule of the documented policy is needed', async () => {
 test('under that policy glyphs and images count by their pixels, and an SVG element by its box', async () => {
   const text = readFileSync(new URL('../../../docs/embedding.md', import.meta.url), 'utf8');
   const [, policy] = /```http\nContent-Security-Policy: (.*)\n```/.exec(text) ?? [];
-  const page = PAGE.replace('</hearth-fire>', '<hearth-solid of="#word" of-text></hearth-solid><hearth-solid of="#drawing"></hearth-solid><hearth-solid of="#canvas"></hearth-solid></hearth-fire>')
-    .concat('<h1 id="word">Fire</h1><canvas id="canvas" width="20" height="20"></canvas><svg id="drawing" viewBox="0 0 10 10"><circle r="5"/></svg>');
+  const page = PAGE.replace(
+    '</hearth-fire>',
+    '<hearth-solid of="#word" of-text></hearth-solid><hearth-solid of="#drawing"></hearth-solid><hearth-solid of="#canvas"></hearth-solid></hearth-fire>',
+  ).concat(
+    '<h1 id="word">Fire</h1><canvas id="canvas" width="20" height="20"></canvas><svg id="drawing" viewBox="0 0 10 10"><circle r="5"/></svg>',
+  );
   const tab = await under(policy, site.publish(page, { 'content-security-policy': policy }));
   await tab.ready();
-  await tab.evaluate(() => /** @type {HTMLCanvasElement} */ (document.querySelector('#canvas')).getContext('2d')?.fillRect(5, 5, 9, 9));
+  await tab.evaluate(() =>
+    /** @type {HTMLCanvasElement} */ (document.querySelector('#canvas')).getContext('2d')?.fillRect(5, 5, 9, 9),
+  );
   await tab.fire((fire) => fire.lastElementChild.setAttribute('of', '#canvas'));
   await tab.until('each has its shape', () => {
     const { objects } = /** @type {any} */ (document.querySelector('hearth-fire'));
-    return objects.slice(1).map(({ shape }) => shape).join() === 'mask,box,mask';
+    return (
+      objects
+        .slice(1)
+        .map(({ shape }) => shape)
+        .join() === 'mask,box,mask'
+    );
   });
-  assert.deepEqual((await violations(tab)).filter((violation) => !violation.startsWith('img-src data')), []);
-  assert.ok(tab.problems.some((problem) => /of = #drawing counts as a box: the policy of the page forbids data: images/.test(problem)), tab.problems.join('\n'));
+  assert.deepEqual(
+    (await violations(tab)).filter((violation) => !violation.startsWith('img-src data')),
+    [],
+  );
+  assert.ok(
+    tab.problems.some((problem) =>
+      /of = #drawing counts as a box: the policy of the page forbids data: images/.test(problem),
+    ),
+    tab.problems.join('\n'),
+  );
 });
 
 for (const page of ['index.html', 'web/embed.html']) {
@@ -97,15 +128,18 @@ for (const page of ['index.html', 'web/embed.html']) {
     site.replace({});
     const tab = await browser.open(`${site.origin}/${page}`, { before: recordViolations, width: 1000, height: 640 });
     await assertBurnsIn(tab, 'worker');
-    assert.ok(await tab.evaluate(() => {
-      const html = document.head.innerHTML;
-      try {
-        document.body.innerHTML = '<p>';
-        return false;
-      } catch {
-        return html.includes("require-trusted-types-for 'script'");
-      }
-    }), 'the browser requires trusted types');
+    assert.ok(
+      await tab.evaluate(() => {
+        const html = document.head.innerHTML;
+        try {
+          document.body.innerHTML = '<p>';
+          return false;
+        } catch {
+          return html.includes("require-trusted-types-for 'script'");
+        }
+      }),
+      'the browser requires trusted types',
+    );
     if (page === 'index.html') {
       await new Panel(tab).mounted();
       await tab.fire((fire) => fire.toBlob());
@@ -127,7 +161,8 @@ function freezeAll() {
     frozen.add(value);
     freeze(Object.getPrototypeOf(value));
     for (const descriptor of Object.values(Object.getOwnPropertyDescriptors(value))) {
-      for (const accessor of [descriptor.value, descriptor.get, descriptor.set]) if (typeof accessor === 'function') freeze(accessor);
+      for (const accessor of [descriptor.value, descriptor.get, descriptor.set])
+        if (typeof accessor === 'function') freeze(accessor);
     }
     if (typeof value === 'function') freeze(value.prototype);
     try {
@@ -140,17 +175,31 @@ function freezeAll() {
     const { value } = Object.getOwnPropertyDescriptor(globalThis, name) ?? {};
     if (typeof value === 'function') freeze(value);
   }
-  for (const value of [[][Symbol.iterator](), (function* () {})(), (async function* () {})(), async () => {}, new Map().values()]) {
+  for (const value of [
+    [][Symbol.iterator](),
+    (function* () {})(),
+    (async function* () {})(),
+    async () => {},
+    new Map().values(),
+  ]) {
     freeze(Object.getPrototypeOf(value));
   }
 }
 
 for (const thread of ['worker', 'main']) {
   test(`where every intrinsic is frozen, a fire burns with its engine in: ${thread}`, async () => {
-    const tab = await browser.open(site.publish(PAGE.replace('</title>', `</title><script type="module">
+    const tab = await browser.open(
+      site.publish(
+        PAGE.replace(
+          '</title>',
+          `</title><script type="module">
       import { HearthFire } from '/web/hearth-fire.js';
       HearthFire.engine = '${thread}';
-    </script>`)), { before: freezeAll });
+    </script>`,
+        ),
+      ),
+      { before: freezeAll },
+    );
     await assertBurnsIn(tab, thread);
     const outcome = await tab.fire(async (fire) => {
       await fire.to({ wind: 0.3 }, { duration: 20 });
@@ -159,14 +208,25 @@ for (const thread of ['worker', 'main']) {
     });
     assert.equal(outcome[0], 'RangeError');
     assert.equal(outcome[1], true);
-    assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+    assert.deepEqual(
+      tab.problems.filter((problem) => problem.startsWith('uncaught')),
+      [],
+    );
   });
 }
 
 test('where every intrinsic is frozen, a fire that cannot burn rejects with an EngineError', async () => {
   site.replace({ 'hearth-engine_bg.wasm': { status: 404, body: '' } });
   const tab = await browser.open(site.publish(PAGE), { before: freezeAll });
-  assert.deepEqual(await tab.fire((fire) => fire.ready.then(() => '', ({ name, kind }) => [name, kind])), ['EngineError', 'load']);
+  assert.deepEqual(
+    await tab.fire((fire) =>
+      fire.ready.then(
+        () => '',
+        ({ name, kind }) => [name, kind],
+      ),
+    ),
+    ['EngineError', 'load'],
+  );
   site.replace({});
 });
 
@@ -178,10 +238,18 @@ test('of several copies of the module the first stays, and the others export its
     const warnings = [];
     const { warn } = console;
     console.warn = (text) => void warnings.push(text);
-    const [first, second] = [await import(/** @type {any} */ ('/web/hearth-fire.js')), await import(/** @type {any} */ ('/web/hearth-fire.js?2'))];
+    const [first, second] = [
+      await import(/** @type {any} */ ('/web/hearth-fire.js')),
+      await import(/** @type {any} */ ('/web/hearth-fire.js?2')),
+    ];
     console.warn = warn;
     const made = document.createElement('hearth-fire');
-    return { same: first.HearthFire === second.HearthFire, made: made instanceof second.HearthFire, version: second.HearthFire.version, warnings };
+    return {
+      same: first.HearthFire === second.HearthFire,
+      made: made instanceof second.HearthFire,
+      version: second.HearthFire.version,
+      warnings,
+    };
   });
   assert.deepEqual([found.same, found.made], [true, true]);
   assert.match(found.version, /^\d+\.\d+\.\d+/);
@@ -190,12 +258,25 @@ test('of several copies of the module the first stays, and the others export its
 });
 
 test('an element of that name by another author stays, with a warning in the console', async () => {
-  const tab = await browser.open(site.publish(PAGE.replace('</title>', `</title>
-    <script>customElements.define('hearth-fire', class extends HTMLElement {});</script>`)));
+  const tab = await browser.open(
+    site.publish(
+      PAGE.replace(
+        '</title>',
+        `</title>
+    <script>customElements.define('hearth-fire', class extends HTMLElement {});</script>`,
+      ),
+    ),
+  );
   await tab.frames(2);
   await tab.until('the element is defined', () => customElements.get('hearth-fire') !== undefined);
-  assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
-  assert.ok(tab.problems.some((problem) => /defined already/.test(problem)), `${tab.problems}`);
+  assert.deepEqual(
+    tab.problems.filter((problem) => problem.startsWith('uncaught')),
+    [],
+  );
+  assert.ok(
+    tab.problems.some((problem) => /defined already/.test(problem)),
+    `${tab.problems}`,
+  );
 });
 
 test('a new engine needs no second download of the wasm', async () => {
@@ -204,10 +285,12 @@ test('a new engine needs no second download of the wasm', async () => {
     before: () => {
       // The life of an engine without fires.
       const { setTimeout } = window;
-      window.setTimeout = /** @type {any} */ ((act, time, ...rest) => {
-        const ends = time === 5000 && /** @type {any} */ (window).ends;
-        return setTimeout(act, ends ? 0 : time, ...rest);
-      });
+      window.setTimeout = /** @type {any} */ (
+        (act, time, ...rest) => {
+          const ends = time === 5000 && /** @type {any} */ (window).ends;
+          return setTimeout(act, ends ? 0 : time, ...rest);
+        }
+      );
       // Ended workers.
       const { terminate } = Worker.prototype;
       Worker.prototype.terminate = function ended() {

@@ -46,7 +46,10 @@ test('`document.all` is refused as every other invalid value', async () => {
     };
     const answers = Object.entries(calls).map(([name, act]) => {
       try {
-        return act().then(() => `${name} is accepted`, () => '');
+        return act().then(
+          () => `${name} is accepted`,
+          () => '',
+        );
       } catch (error) {
         return `${name} throws ${error}`;
       }
@@ -59,7 +62,10 @@ test('`document.all` is refused as every other invalid value', async () => {
   });
   assert.deepEqual(refused, []);
   assert.deepEqual(await tab.fire((fire) => fire.params), before);
-  assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+  assert.deepEqual(
+    tab.problems.filter((problem) => problem.startsWith('uncaught')),
+    [],
+  );
   await assertBurns(tab);
 });
 
@@ -70,21 +76,43 @@ test('a refusal repeats no more than the start of a long text', async () => {
     const long = 'x'.repeat(2_000_000);
     const message = ({ message: text }) => text.length;
     const calls = [
-      fire.set('wind', long), fire.set(long, 1), fire.set({ [long]: long }), fire.set('background', long),
-      fire.addObject({ kind: long }), fire.addObject({ kind: 'source', [long]: 1 }), fire.to({ wind: 1 }, { easing: long }),
-      fire.to({ wind: 1 }, { duration: long }), fire.importConfig(long), fire.importConfig({ hearth: 2, preset: long }),
+      fire.set('wind', long),
+      fire.set(long, 1),
+      fire.set({ [long]: long }),
+      fire.set('background', long),
+      fire.addObject({ kind: long }),
+      fire.addObject({ kind: 'source', [long]: 1 }),
+      fire.to({ wind: 1 }, { easing: long }),
+      fire.to({ wind: 1 }, { duration: long }),
+      fire.importConfig(long),
+      fire.importConfig({ hearth: 2, preset: long }),
       fire.restore(long),
     ];
     const rejected = await Promise.all(calls.map((answer) => answer.then(() => Infinity, message)));
-    for (const name of ['wind', 'objects', 'preset', 'quality', 'fit', 'align', 'touch-action', 'warm', 'fps-limit', 'src']) {
+    for (const name of [
+      'wind',
+      'objects',
+      'preset',
+      'quality',
+      'fit',
+      'align',
+      'touch-action',
+      'warm',
+      'fps-limit',
+      'src',
+    ]) {
       fire.setAttribute(name, long);
     }
     return rejected;
   });
   for (const length of lengths) assert.ok(length < 500, `${lengths}`);
-  await tab.until('each attribute is refused', () => (
-    new Set(/** @type {any} */ (window).events.filter(({ type }) => type === 'error').map(({ detail }) => detail.message)).size >= 15
-  ));
+  await tab.until(
+    'each attribute is refused',
+    () =>
+      new Set(
+        /** @type {any} */ (window).events.filter(({ type }) => type === 'error').map(({ detail }) => detail.message),
+      ).size >= 15,
+  );
   for (const { message } of await events(tab, 'error')) assert.ok(message.length < 500, message.slice(0, 500));
   const own = tab.problems.filter((problem) => problem.includes('<hearth-fire>'));
   for (const problem of own) assert.ok(problem.length < 600, problem.slice(0, 600));
@@ -116,7 +144,10 @@ test('while the context is lost, `toBlob` rejects with the reason; then it works
   await tab.loseContext(2000);
   const message = await tab.fire(async (fire) => {
     await fire.lost;
-    return fire.toBlob().then(() => 'a picture', ({ message }) => message);
+    return fire.toBlob().then(
+      () => 'a picture',
+      ({ message }) => message,
+    );
   });
   assert.match(message, /graphics context is lost/);
   const size = await tab.fire(async (fire) => {
@@ -131,7 +162,13 @@ test('measuring refuses what is no place, and the fire burns on', async () => {
   await tab.burnt(0.2);
   const why = await tab.fire(async (fire) => {
     const all = [];
-    for (const place of [[NaN, 0], [0, 2000], ['a', 1], [0]]) all.push(await fire.measure(...place).then(() => 'measured', (error) => `${error.name}: ${error.message}`));
+    for (const place of [[NaN, 0], [0, 2000], ['a', 1], [0]])
+      all.push(
+        await fire.measure(...place).then(
+          () => 'measured',
+          (error) => `${error.name}: ${error.message}`,
+        ),
+      );
     return all;
   });
   for (const message of why) assert.match(message, /^RangeError: .*\b[xy]\b/);

@@ -19,20 +19,23 @@ after(() => browser?.close());
 
 /** What `fire.set(…)` does: the values after it, and why it was refused. */
 function set(tab, ...args) {
-  return tab.fire(async (fire, ...given) => {
-    const error = await fire.set(...given).then(
-      () => null,
-      (/** @type {any} */ reason) => ({
-        name: reason.name,
-        message: reason.message,
-        id: reason.id,
-        value: reason.value,
-        min: reason.min,
-        max: reason.max,
-      }),
-    );
-    return { error, params: fire.params };
-  }, ...args);
+  return tab.fire(
+    async (fire, ...given) => {
+      const error = await fire.set(...given).then(
+        () => null,
+        (/** @type {any} */ reason) => ({
+          name: reason.name,
+          message: reason.message,
+          id: reason.id,
+          value: reason.value,
+          min: reason.min,
+          max: reason.max,
+        }),
+      );
+      return { error, params: fire.params };
+    },
+    ...args,
+  );
 }
 
 test('an attribute out of range is rejected with an error event, and the fire burns with the default', async () => {
@@ -66,7 +69,9 @@ const BAD = /** @type {[string, string, RegExp][]} */ ([
 ]);
 
 test('each invalid attribute is rejected with an error event and a warning, and its fire has the defaults', async () => {
-  const fires = BAD.map(([attribute, text]) => `<hearth-fire ${attribute}="${text}" style="width: 40px; height: 50px"></hearth-fire>`);
+  const fires = BAD.map(
+    ([attribute, text]) => `<hearth-fire ${attribute}="${text}" style="width: 40px; height: 50px"></hearth-fire>`,
+  );
   const tab = await browser.show(recording(fires.join('')));
   const { errors, params } = await tab.evaluate(async () => {
     const all = /** @type {any[]} */ ([...document.querySelectorAll('hearth-fire')]);
@@ -79,7 +84,10 @@ test('each invalid attribute is rejected with an error event and a warning, and 
     const [{ detail }, ...more] = errors.filter(({ fire }) => fire === at);
     assert.deepEqual([detail.kind, more], ['bad-parameter', []], `${attribute}="${text}"`);
     assert.match(detail.message, reason);
-    assert.ok(tab.problems.some((problem) => reason.test(problem)), `a warning of ${attribute}="${text}"`);
+    assert.ok(
+      tab.problems.some((problem) => reason.test(problem)),
+      `a warning of ${attribute}="${text}"`,
+    );
     assert.deepEqual(params[at], DEFAULTS, `${attribute}="${text}"`);
   }
 });
@@ -148,11 +156,15 @@ test('a rejection without a handler is no uncaught exception', async () => {
     () => /** @type {any} */ (window).events.filter(({ type }) => type === 'error').length === 2,
   );
   await tab.frames(4);
-  assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+  assert.deepEqual(
+    tab.problems.filter((problem) => problem.startsWith('uncaught')),
+    [],
+  );
 });
 
-const POSTER = '<img slot="poster" id="poster" alt="A fire" src="data:image/svg+xml,'
-  + '%3Csvg xmlns=%22http://www.w3.org/2000/svg%22 width=%2240%22 height=%2240%22/%3E">';
+const POSTER =
+  '<img slot="poster" id="poster" alt="A fire" src="data:image/svg+xml,' +
+  '%3Csvg xmlns=%22http://www.w3.org/2000/svg%22 width=%2240%22 height=%2240%22/%3E">';
 
 for (const [missing, word, before] of [
   [
@@ -180,10 +192,7 @@ for (const [missing, word, before] of [
   test(`a browser without ${missing} shows a message and the poster`, async () => {
     const body = recording(`<hearth-fire>${POSTER}</hearth-fire>`);
     const tab = await browser.open(body, { before, beforeWorker: before });
-    await tab.until(
-      'an error event',
-      () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'),
-    );
+    await tab.until('an error event', () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'));
     const [{ kind, message }] = await events(tab, 'error');
     assert.equal(kind, 'unsupported');
     assert.match(message, /** @type {RegExp} */ (word));
@@ -192,7 +201,10 @@ for (const [missing, word, before] of [
     assert.match(shown, /** @type {RegExp} */ (word), 'words stand in the element');
     const poster = await tab.rectangle('#poster');
     assert.ok(poster.width > 0 && poster.height > 0, 'the poster is shown');
-    assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+    assert.deepEqual(
+      tab.problems.filter((problem) => problem.startsWith('uncaught')),
+      [],
+    );
   });
 
   if (missing !== 'WebGL2') continue;
@@ -207,24 +219,27 @@ for (const [missing, word, before] of [
       },
       /** @type {RegExp} */ (word).source,
     );
-    assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+    assert.deepEqual(
+      tab.problems.filter((problem) => problem.startsWith('uncaught')),
+      [],
+    );
   });
 }
 
 test('an engine that cannot be loaded shows a message and the poster', async () => {
   const body = recording(`<hearth-fire>${POSTER}</hearth-fire>`);
   const tab = await browser.open(body, { without: 'hearth-engine_bg.wasm' });
-  await tab.until(
-    'an error event',
-    () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'),
-  );
+  await tab.until('an error event', () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'));
   const [{ kind }] = await events(tab, 'error');
   assert.equal(kind, 'load');
   const shown = await tab.fire((fire) => fire.shadowRoot.textContent);
   assert.match(shown, /could not be loaded/);
   const poster = await tab.rectangle('#poster');
   assert.ok(poster.width > 0 && poster.height > 0, 'the poster is shown');
-  assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+  assert.deepEqual(
+    tab.problems.filter((problem) => problem.startsWith('uncaught')),
+    [],
+  );
 });
 
 test('a fire without a context reports it once, and its removal reports nothing', async () => {
@@ -233,17 +248,17 @@ test('a fire without a context reports it once, and its removal reports nothing'
       if (type) type.prototype.getContext = () => null;
     }
   };
-  const tab = await browser.open(
-    recording('<hearth-fire></hearth-fire>'),
-    { before: blind, beforeWorker: blind },
-  );
+  const tab = await browser.open(recording('<hearth-fire></hearth-fire>'), { before: blind, beforeWorker: blind });
   await tab.until('an error event', () => /** @type {any} */ (window).events.length > 0);
   await tab.fire(async (fire) => {
     fire.remove();
     for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
   });
   const errors = await events(tab, 'error');
-  assert.deepEqual(errors.map(({ kind }) => kind), ['unsupported']);
+  assert.deepEqual(
+    errors.map(({ kind }) => kind),
+    ['unsupported'],
+  );
   assert.equal(tab.problems.length, 1);
 });
 
@@ -253,10 +268,13 @@ test('a panel that fails to load shows a message, and the fire burns without it'
     height: 600,
     without: 'hearth-panel_bg.wasm',
   });
-  await tab.until('words in the place of the panel', () => /cannot be shown/.test(
-    /** @type {HTMLElement} */ (document.querySelector('#panel')).innerText,
-  ));
+  await tab.until('words in the place of the panel', () =>
+    /cannot be shown/.test(/** @type {HTMLElement} */ (document.querySelector('#panel')).innerText),
+  );
   await tab.burnt(1);
   await assertBurns(tab);
-  assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+  assert.deepEqual(
+    tab.problems.filter((problem) => problem.startsWith('uncaught')),
+    [],
+  );
 });

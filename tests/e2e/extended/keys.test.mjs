@@ -47,9 +47,11 @@ test('space pauses and plays the fire, R restarts it', async () => {
   }
   const time = await tab.fire((fire) => fire.stats.time);
   await tab.key('r');
-  await tab.until('the fire has restarted', (old) => (
-    /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < old
-  ), time);
+  await tab.until(
+    'the fire has restarted',
+    (old) => /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < old,
+    time,
+  );
   assert.deepEqual(tab.problems, []);
 });
 
@@ -74,7 +76,11 @@ test('plus and minus enlarge and reduce the picture, Shift and arrow keys move i
   await tab.key('-');
   assert.equal((await camera())[0], 8);
   await tab.key('0');
-  assert.deepEqual(await tab.fire((fire) => [fire.zoom, fire.hasAttribute('zoom'), fire.hasAttribute('pan')]), [1, false, false]);
+  assert.deepEqual(await tab.fire((fire) => [fire.zoom, fire.hasAttribute('zoom'), fire.hasAttribute('pan')]), [
+    1,
+    false,
+    false,
+  ]);
   assert.deepEqual(tab.problems, []);
 });
 
@@ -105,12 +111,27 @@ test('the full screen is not offered where the browser does not allow it', async
 
 test('the question mark lists every key; it or Escape closes the list', async () => {
   const { tab } = await openPage();
-  const listed = () => tab.evaluate(() => (
-    [...document.querySelectorAll('[data-card="help"] kbd')].map((key) => key.textContent)
-  ));
+  const listed = () =>
+    tab.evaluate(() => [...document.querySelectorAll('[data-card="help"] kbd')].map((key) => key.textContent));
   for (const leave of ['?', 'Escape']) {
     await tab.key('?');
-    assert.deepEqual(await listed(), ['Space', 'R', 'H', 'F', 'S', '+', '-', '0', 'Shift arrow keys', 'Ctrl Z', 'Ctrl Shift Z', 'Ctrl Y', 'Ctrl C', '/', '?']);
+    assert.deepEqual(await listed(), [
+      'Space',
+      'R',
+      'H',
+      'F',
+      'S',
+      '+',
+      '-',
+      '0',
+      'Shift arrow keys',
+      'Ctrl Z',
+      'Ctrl Shift Z',
+      'Ctrl Y',
+      'Ctrl C',
+      '/',
+      '?',
+    ]);
     await tab.key(leave);
     assert.deepEqual(await listed(), []);
   }
@@ -144,9 +165,11 @@ test('keys that type or press something do only that', async () => {
   const at = await tab.fire((fire) => fire.stats.time);
   await tab.page.focus(actionOf('reset'));
   await tab.key('Space');
-  await tab.until('the button was pressed', (old) => (
-    /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < old
-  ), at);
+  await tab.until(
+    'the button was pressed',
+    (old) => /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < old,
+    at,
+  );
   await untouched('space on a button');
   // Of the browser's own.
   await tab.page.keyboard.down('Alt');

@@ -22,14 +22,21 @@ before(async () => {
 after(() => browser?.close());
 
 /** The scene that the strip marks. @param {import('../driver.mjs').Tab} tab */
-const marked = (tab) => tab.evaluate(() => (
-  [...document.querySelectorAll('#scenes [aria-current="true"]')].map((tile) => tile.getAttribute('data-starts'))
-));
+const marked = (tab) =>
+  tab.evaluate(() =>
+    [...document.querySelectorAll('#scenes [aria-current="true"]')].map((tile) => tile.getAttribute('data-starts')),
+  );
 
 /** Which files of that name the page has loaded. @param {import('../driver.mjs').Tab} tab @param {string} name */
-const loaded = (tab, name) => tab.evaluate((name) => (
-  performance.getEntriesByType('resource').map((entry) => entry.name).filter((url) => url.includes(name))
-), name);
+const loaded = (tab, name) =>
+  tab.evaluate(
+    (name) =>
+      performance
+        .getEntriesByType('resource')
+        .map((entry) => entry.name)
+        .filter((url) => url.includes(name)),
+    name,
+  );
 
 /** @param {import('../driver.mjs').Tab} tab */
 const panelIs = (tab) => tab.evaluate(() => document.documentElement.dataset.panel);
@@ -67,16 +74,14 @@ describe('the strip of scenes', () => {
     const tab = await browser.open('index.html', WIDE);
     await tab.ready();
     await strip(tab);
-    const names = await tab.evaluate(() => (
+    const names = await tab.evaluate(() =>
       [...document.querySelectorAll('#scenes button')].map((tile) => [
-        tile.getAttribute('data-starts'), tile.getAttribute('aria-label'),
-      ])
-    ));
-    assert.equal(names[0][0], LANDING);
-    assert.deepEqual(
-      [...names].sort(),
-      PRESETS.map(({ name, label }) => [name, label]).sort(),
+        tile.getAttribute('data-starts'),
+        tile.getAttribute('aria-label'),
+      ]),
     );
+    assert.equal(names[0][0], LANDING);
+    assert.deepEqual([...names].sort(), PRESETS.map(({ name, label }) => [name, label]).sort());
     await tab.page.click('[data-starts="candle"]');
     await tab.until('the address names the scene', () => location.search === '?scene=candle');
     assert.deepEqual(await marked(tab), ['candle']);
@@ -114,8 +119,10 @@ describe('the strip of scenes', () => {
     await tab.key('ArrowRight');
     const second = await focused();
     assert.ok(second && second !== LANDING);
-    assert.equal(await tab.evaluate(() => document.querySelector('#scenes p')?.textContent),
-      PRESETS.find(({ name }) => name === second).label);
+    assert.equal(
+      await tab.evaluate(() => document.querySelector('#scenes p')?.textContent),
+      PRESETS.find(({ name }) => name === second).label,
+    );
     await tab.key('End');
     await tab.key('Home');
     assert.equal(await focused(), LANDING);
@@ -126,7 +133,23 @@ describe('the strip of scenes', () => {
 });
 
 for (const [about, sizes] of /** @type {[string, number[][]][]} */ ([
-  ['phones', [[320, 568], [390, 844], [667, 375]]], ['screens', [[844, 390], [768, 1024], [1280, 800], [1920, 1080]]],
+  [
+    'phones',
+    [
+      [320, 568],
+      [390, 844],
+      [667, 375],
+    ],
+  ],
+  [
+    'screens',
+    [
+      [844, 390],
+      [768, 1024],
+      [1280, 800],
+      [1920, 1080],
+    ],
+  ],
 ])) {
   test(`on ${about} words, hint, buttons and scenes lie apart`, async () => {
     const touch = about === 'phones';
@@ -146,20 +169,25 @@ for (const [about, sizes] of /** @type {[string, number[][]][]} */ ([
 
 /** The controls on the stage overlap neither each other nor the middle of the fire. */
 async function assertApart(tab, width, size) {
-  const parts = await tab.evaluate(() => ['#head h1', '#head p', '#head nav', '#hint', '#draw', '#toggle', '#scenes .tiles']
-    .map((selector) => ({ selector, element: document.querySelector(selector) }))
-    .filter(({ element }) => element?.checkVisibility())
-    .map(({ selector, element }) => {
-      // A heading is wider than its words.
-      const words = document.createRange();
-      words.selectNodeContents(/** @type {Element} */ (element));
-      const { left, top, right, bottom } = (selector.startsWith('#head') ? words : /** @type {Element} */ (element)).getBoundingClientRect();
-      return { selector, left, top, right, bottom };
-    }));
+  const parts = await tab.evaluate(() =>
+    ['#head h1', '#head p', '#head nav', '#hint', '#draw', '#toggle', '#scenes .tiles']
+      .map((selector) => ({ selector, element: document.querySelector(selector) }))
+      .filter(({ element }) => element?.checkVisibility())
+      .map(({ selector, element }) => {
+        // A heading is wider than its words.
+        const words = document.createRange();
+        words.selectNodeContents(/** @type {Element} */ (element));
+        const { left, top, right, bottom } = (
+          selector.startsWith('#head') ? words : /** @type {Element} */ (element)
+        ).getBoundingClientRect();
+        return { selector, left, top, right, bottom };
+      }),
+  );
   assert.ok(parts.length >= 6, parts.map(({ selector }) => selector).join());
   for (const [at, part] of parts.entries()) {
     for (const other of parts.slice(at + 1)) {
-      const apart = part.right <= other.left || other.right <= part.left || part.bottom <= other.top || other.bottom <= part.top;
+      const apart =
+        part.right <= other.left || other.right <= part.left || part.bottom <= other.top || other.bottom <= part.top;
       assert.ok(apart, `at ${size} ${part.selector} lies over ${other.selector}`);
     }
   }
@@ -169,7 +197,11 @@ async function assertApart(tab, width, size) {
   const middle = stage.x + stage.width / 2;
   const things = await tab.fire((fire) => {
     const [least, most] = [Math.min, Math.max].map((of) => of(...fire.objects.map(({ x }) => x)));
-    return { left: fire.toPixels(least - 0.08, 0).x, right: fire.toPixels(most + 0.08, 0).x, top: fire.toPixels(0, 0.12).y };
+    return {
+      left: fire.toPixels(least - 0.08, 0).x,
+      right: fire.toPixels(most + 0.08, 0).x,
+      top: fire.toPixels(0, 0.12).y,
+    };
   });
   const clear = tiles.bottom <= things.top || tiles.left >= things.right || tiles.right <= things.left;
   // A stage between the two is narrower than what stands there.
@@ -182,7 +214,10 @@ test('beside the panel on a low screen the hint does not lie over the words', as
   const tab = await browser.open('index.html', { width: 844, height: 390, touch: true });
   await tab.until('the hint', () => document.getElementById('hint')?.checkVisibility());
   await tab.page.click('#toggle');
-  await tab.until('the hint is gone', () => document.documentElement.dataset.panel === 'shown' && !document.getElementById('hint')?.checkVisibility());
+  await tab.until(
+    'the hint is gone',
+    () => document.documentElement.dataset.panel === 'shown' && !document.getElementById('hint')?.checkVisibility(),
+  );
 });
 
 describe('the panel', () => {
@@ -219,9 +254,12 @@ describe('the panel', () => {
   test('is hidden in full screen, and shown again after it', async () => {
     const tab = await browser.open('index.html', WIDE);
     await new Panel(tab).mounted();
-    const shown = () => tab.evaluate(() => ['#head h1', '#scenes', '#panel', '#toggle'].filter((selector) => (
-      document.querySelector(selector)?.checkVisibility()
-    )));
+    const shown = () =>
+      tab.evaluate(() =>
+        ['#head h1', '#scenes', '#panel', '#toggle'].filter((selector) =>
+          document.querySelector(selector)?.checkVisibility(),
+        ),
+      );
     await tab.page.click('#stage', { offset: { x: 500, y: 300 } });
     await tab.key('f');
     await tab.until('the full screen', () => document.fullscreenElement !== null);
@@ -276,14 +314,16 @@ test('links and scenes fade without input, and return with it', async () => {
   await tab.ready();
   await strip(tab);
   const opacity = () => tab.on('#scenes', (strip) => Number(getComputedStyle(strip).opacity));
-  await tab.until('they step back', () => (
-    getComputedStyle(/** @type {Element} */ (document.getElementById('scenes'))).opacity === '0'
-  ));
+  await tab.until(
+    'they step back',
+    () => getComputedStyle(/** @type {Element} */ (document.getElementById('scenes'))).opacity === '0',
+  );
   assert.equal(await tab.on('#scenes', (scenes) => getComputedStyle(scenes).pointerEvents), 'none');
   await tab.page.focus(`[data-starts="${LANDING}"]`);
-  await tab.until('they come back', () => (
-    getComputedStyle(/** @type {Element} */ (document.getElementById('scenes'))).opacity === '1'
-  ));
+  await tab.until(
+    'they come back',
+    () => getComputedStyle(/** @type {Element} */ (document.getElementById('scenes'))).opacity === '1',
+  );
   assert.equal(await opacity(), 1);
 });
 
@@ -292,11 +332,14 @@ test('the embed dialog shows the code of the current fire, and Escape closes it'
   await tab.ready();
   await tab.page.click('[data-opens="embed"]');
   await tab.until('the dialog', () => document.querySelector('dialog[open] [data-code="element"]'));
-  const codes = await tab.evaluate(() => Object.fromEntries(
-    [...document.querySelectorAll('[data-code]')].map((field) => [
-      field.getAttribute('data-code'), /** @type {HTMLTextAreaElement} */ (field).value,
-    ]),
-  ));
+  const codes = await tab.evaluate(() =>
+    Object.fromEntries(
+      [...document.querySelectorAll('[data-code]')].map((field) => [
+        field.getAttribute('data-code'),
+        /** @type {HTMLTextAreaElement} */ (field).value,
+      ]),
+    ),
+  );
   assert.match(codes.element, /<hearth-fire preset="candle" exposure="0\.3" .*warm interactive><\/hearth-fire>/);
   assert.match(codes.iframe, /<iframe src="http.*embed\.html\?scene=candle&amp;exposure=0\.3"/);
   assert.match(codes.module, /^import 'hearth-fire';/);

@@ -27,18 +27,23 @@ after(() => browser?.close());
  */
 async function shift(html, height = 900) {
   assert.ok(html.includes(SCRIPT));
-  const tab = await browser.open(`<!doctype html><script>
+  const tab = await browser.open(
+    `<!doctype html><script>
     window.shift = 0;
     window.add = (entries) => entries.forEach(({ value }) => (window.shift += value));
     window.watch = new PerformanceObserver((list) => add(list.getEntries()));
     window.watch.observe({ type: 'layout-shift', buffered: true });
-  </script>${html.replace(SCRIPT, '').replace('<!doctype html>', '')}`, { width: 600, height });
+  </script>${html.replace(SCRIPT, '').replace('<!doctype html>', '')}`,
+    { width: 600, height },
+  );
   await tab.frames(3);
   await tab.frames(3);
   await tab.evaluate(() => import(new URL('./web/hearth-fire.js', location.href).href).then(() => undefined));
-  await tab.evaluate(() => (
-    Promise.all([...document.querySelectorAll('hearth-fire')].map((fire) => /** @type {any} */ (fire).toBlob())).then(() => undefined)
-  ));
+  await tab.evaluate(() =>
+    Promise.all([...document.querySelectorAll('hearth-fire')].map((fire) => /** @type {any} */ (fire).toBlob())).then(
+      () => undefined,
+    ),
+  );
   await tab.frames(5);
   return tab.evaluate(() => {
     const { add, watch } = /** @type {any} */ (window);
@@ -47,17 +52,24 @@ async function shift(html, height = 900) {
   });
 }
 
-const page = (/** @type {string} */ fire, rule = RULE) => `<!doctype html>\n${rule}\n${SCRIPT}<h1>Above</h1>${fire}<p>Below it.<br>Two lines.</p>`;
+const page = (/** @type {string} */ fire, rule = RULE) =>
+  `<!doctype html>\n${rule}\n${SCRIPT}<h1>Above</h1>${fire}<p>Below it.<br>Two lines.</p>`;
 const PIXEL = 'data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7';
 
 test('without the rule the page shifts, so that this would be seen', async () => {
-  assert.ok(await shift(page('<hearth-fire paused></hearth-fire>', '')) > 0.01);
+  assert.ok((await shift(page('<hearth-fire paused></hearth-fire>', ''))) > 0.01);
 });
 
 for (const [about, html] of [
   ['the example', EXAMPLE],
-  ['a size of the style sheet', page('<style>hearth-fire { width: 50%; height: 30vh; margin: 1em auto }</style><hearth-fire paused></hearth-fire>')],
-  ['a place of its own', page('<style>hearth-fire { position: fixed; inset: 0 }</style><hearth-fire paused></hearth-fire>')],
+  [
+    'a size of the style sheet',
+    page('<style>hearth-fire { width: 50%; height: 30vh; margin: 1em auto }</style><hearth-fire paused></hearth-fire>'),
+  ],
+  [
+    'a place of its own',
+    page('<style>hearth-fire { position: fixed; inset: 0 }</style><hearth-fire paused></hearth-fire>'),
+  ],
 ]) {
   test(`nothing moves: ${about}`, async () => {
     assert.equal(await shift(html), 0);

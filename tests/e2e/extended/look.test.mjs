@@ -16,7 +16,9 @@ const still = (/** @type {string} */ model, detail = 0) => `<hearth-fire paused 
 
 /** @type {Browser} */
 let browser;
-before(async () => { browser = await Browser.launch(); });
+before(async () => {
+  browser = await Browser.launch();
+});
 after(() => browser?.close());
 
 /** Opens a fire and lets it burn. @param {string} page @param {object} [options] */
@@ -60,9 +62,7 @@ for (const model of ['combustion', 'classic']) {
       }
       const first = await tab.firePicture();
       await tab.loseContext(300);
-      await tab.until('the context is back', async () => (
-        (await /** @type {any} */ (window).driver.contexts()) > 0
-      ));
+      await tab.until('the context is back', async () => (await /** @type {any} */ (window).driver.contexts()) > 0);
       // Another value causes a new picture, so that it is none that was kept.
       for (const exposure of [1, 0]) {
         await tab.fire((fire, wanted) => fire.set('exposure', wanted), exposure);

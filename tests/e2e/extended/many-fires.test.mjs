@@ -86,11 +86,14 @@ test('with its last fire a page loses the engine, and gets another with the next
   const tab = await browser.show('<hearth-fire></hearth-fire>');
   await tab.burnt(0.2);
   await tab.fire((fire) => fire.remove());
-  await tab.until('there is no worker', () => (
-    /** @type {any} */ (window).driver.workers() === 0
-  ));
+  await tab.until('there is no worker', () => /** @type {any} */ (window).driver.workers() === 0);
   // The browser reports it a little later.
-  await eventually('no worker is left', () => tab.page.workers().length, (workers) => workers === 0, () => tab.frames());
+  await eventually(
+    'no worker is left',
+    () => tab.page.workers().length,
+    (workers) => workers === 0,
+    () => tab.frames(),
+  );
   await tab.evaluate(() => document.body.append(document.createElement('hearth-fire')));
   await tab.burnt(1);
   await assertBurns(tab);
@@ -101,16 +104,18 @@ test('of thirty fires, those out of sight cost nothing', async () => {
   const tab = await browser.show(`
     <style>hearth-fire { width: 160px; height: 150px; float: left }</style>
     ${'<hearth-fire></hearth-fire>'.repeat(30)}`);
-  const times = () => tab.evaluate(() => [...document.querySelectorAll('hearth-fire')].map(
-    (fire) => /** @type {any} */ (fire).stats?.time ?? 0,
-  ));
-  await tab.until('the twelve in sight burn', () => (
-    [...document.querySelectorAll('hearth-fire')].slice(0, 12).every(
-      (fire) => /** @type {any} */ (fire).stats?.time > 0.3,
-    )
-  ));
+  const times = () =>
+    tab.evaluate(() =>
+      [...document.querySelectorAll('hearth-fire')].map((fire) => /** @type {any} */ (fire).stats?.time ?? 0),
+    );
+  await tab.until('the twelve in sight burn', () =>
+    [...document.querySelectorAll('hearth-fire')]
+      .slice(0, 12)
+      .every((fire) => /** @type {any} */ (fire).stats?.time > 0.3),
+  );
   await tab.evaluate(() => {
-    const pictures = (/** @type {any} */ (window).pictures = new Map());
+    const pictures = new Map();
+    /** @type {any} */ (window).pictures = pictures;
     const original = ImageBitmapRenderingContext.prototype.transferFromImageBitmap;
     ImageBitmapRenderingContext.prototype.transferFromImageBitmap = function counted(...args) {
       pictures.set(this.canvas, (pictures.get(this.canvas) ?? 0) + 1);
@@ -120,7 +125,10 @@ test('of thirty fires, those out of sight cost nothing', async () => {
   const before = await times();
   await tab.burnt(before[0] + 0.5);
   const passed = (await times()).map((time, at) => time - before[at]);
-  assert.ok(passed.slice(0, 12).every((time) => time > 0), `${passed.slice(0, 12)}`);
+  assert.ok(
+    passed.slice(0, 12).every((time) => time > 0),
+    `${passed.slice(0, 12)}`,
+  );
   assert.deepEqual(passed.slice(12), Array(18).fill(0));
   const shown = await tab.evaluate(() => {
     const { pictures } = /** @type {any} */ (window);
@@ -128,7 +136,10 @@ test('of thirty fires, those out of sight cost nothing', async () => {
       (fire) => pictures.get(fire.shadowRoot?.querySelector('canvas')) ?? 0,
     );
   });
-  assert.ok(shown.slice(0, 12).every((pictures) => pictures > 0), `${shown.slice(0, 12)}`);
+  assert.ok(
+    shown.slice(0, 12).every((pictures) => pictures > 0),
+    `${shown.slice(0, 12)}`,
+  );
   assert.deepEqual(shown.slice(12), Array(18).fill(0));
   assert.deepEqual(tab.problems, []);
 });
@@ -148,19 +159,23 @@ test('the page’s thread hardly works while ten thousand particles burn', async
   };
   const start = await worked();
   const pictures = 40;
-  await tab.evaluate((wanted) => new Promise((resolve) => {
-    const { prototype } = ImageBitmapRenderingContext;
-    const original = prototype.transferFromImageBitmap;
-    let count = 0;
-    prototype.transferFromImageBitmap = function counted(bitmap) {
-      original.call(this, bitmap);
-      count += 1;
-      if (count < wanted) return;
-      prototype.transferFromImageBitmap = original;
-      resolve(undefined);
-    };
-  }), pictures);
-  const pageMs = (await worked() - start) / pictures;
+  await tab.evaluate(
+    (wanted) =>
+      new Promise((resolve) => {
+        const { prototype } = ImageBitmapRenderingContext;
+        const original = prototype.transferFromImageBitmap;
+        let count = 0;
+        prototype.transferFromImageBitmap = function counted(bitmap) {
+          original.call(this, bitmap);
+          count += 1;
+          if (count < wanted) return;
+          prototype.transferFromImageBitmap = original;
+          resolve(undefined);
+        };
+      }),
+    pictures,
+  );
+  const pageMs = ((await worked()) - start) / pictures;
   const { drawMs, stepMs, stepsPerFrame } = await tab.fire((fire) => fire.stats);
   const engineMs = drawMs + stepMs * stepsPerFrame;
   assert.ok(pageMs < 0.5 * engineMs, `the page works ${pageMs} ms for a picture, the engine ${engineMs} ms`);

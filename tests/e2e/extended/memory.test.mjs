@@ -103,7 +103,10 @@ for (const thread of ['worker', 'main']) {
       // A view or a list of arguments for a call of WebGL would be fifty bytes a frame.
       const roles = [...ROLES.values()];
       assert.ok(roles.includes('view'), 'wasm’s script has functions that give views');
-      assert.ok(roles.some((role) => /^import .*drawArrays/.test(role)), 'wasm imports functions that draw');
+      assert.ok(
+        roles.some((role) => /^import .*drawArrays/.test(role)),
+        'wasm imports functions that draw',
+      );
       const drawing = ours.filter(([name]) => /^import (?!.*(\]=|new |\.call\())|^view$/.test(name));
       for (const [name, size] of drawing) {
         assert.ok(size < 25 * pictures, `${name} makes ${size} bytes in ${pictures} pictures`);

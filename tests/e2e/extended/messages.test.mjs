@@ -35,7 +35,9 @@ describe('messages from an allowed origin', () => {
     assert.equal(await inIframe(tab, (fire) => fire.paused), true);
     await value('reset');
     await value('step', 30);
-    await tab.until('steps are made', () => /** @type {any} */ (window).call('stats').then(({ value: stats }) => stats?.time > 0));
+    await tab.until('steps are made', () =>
+      /** @type {any} */ (window).call('stats').then(({ value: stats }) => stats?.time > 0),
+    );
     tried.add('stats');
     await value('play');
     assert.equal(await inIframe(tab, (fire) => fire.paused), false);
@@ -54,7 +56,13 @@ describe('messages from an allowed origin', () => {
 
     const added = await value('addObject', { kind: 'source', x: 0.1 });
     await value('changeObject', added, { x: -0.1 });
-    assert.deepEqual((await value('objects')).map(({ id, x }) => [id, x]), [[1, 0], [added, -0.1]]);
+    assert.deepEqual(
+      (await value('objects')).map(({ id, x }) => [id, x]),
+      [
+        [1, 0],
+        [added, -0.1],
+      ],
+    );
     await value('removeObject', added);
 
     await value('set', 'model', 'combustion');
@@ -86,7 +94,7 @@ describe('messages from an allowed origin', () => {
     assert.deepEqual(await value('unsubscribe', 'stats'), ['ready', 'pause']);
     // Without arguments, other methods answer too, if only with the reason of a refusal.
     for (const method of methods.filter((name) => !tried.has(name))) {
-      const { ok, error } = await call(tab, method) ?? {};
+      const { ok, error } = (await call(tab, method)) ?? {};
       assert.ok(ok || (error?.message && !/there is no method/.test(error.message)), method);
     }
     assert.ok(events.includes('stats'));
@@ -104,8 +112,9 @@ describe('messages from an allowed origin', () => {
     await call(tab, 'unsubscribe', ['params-change']);
     await call(tab, 'set', 'exposure', 0);
     await call(tab, 'pause');
-    const kinds = await tab.evaluate(() => /** @type {any} */ (window).received
-      .filter(({ event }) => event !== undefined).map(({ event }) => event));
+    const kinds = await tab.evaluate(() =>
+      /** @type {any} */ (window).received.filter(({ event }) => event !== undefined).map(({ event }) => event),
+    );
     assert.deepEqual(kinds, ['hello', 'ready', 'params-change', 'error']);
   });
 
@@ -114,7 +123,10 @@ describe('messages from an allowed origin', () => {
     const { ok, error } = await call(tab, 'set', 'exposure', 99);
     assert.equal(ok, false);
     const { min, max } = entry.exposure;
-    assert.deepEqual({ ...error, message: '' }, { name: 'RangeError', message: '', id: 'exposure', value: 99, min, max });
+    assert.deepEqual(
+      { ...error, message: '' },
+      { name: 'RangeError', message: '', id: 'exposure', value: 99, min, max },
+    );
     assert.match(error.message, /exposure.*99/);
     for (const [method, args, words] of [
       ['set', ['viscosty', 1], /viscosty.*viscosity/],
@@ -138,8 +150,11 @@ describe('messages from an allowed origin', () => {
 
     // Only of `autoplay` is false an attribute.
     for (const [name, value, attribute] of [
-      ['autoplay', false, 'false'], ['autoplay', true, ''], ['autoplay', null, null],
-      ['interactive', true, ''], ['interactive', false, null],
+      ['autoplay', false, 'false'],
+      ['autoplay', true, ''],
+      ['autoplay', null, null],
+      ['interactive', true, ''],
+      ['interactive', false, null],
     ]) {
       assert.equal((await call(tab, 'option', name, value)).value, attribute, `${name} ${value}`);
       const property = await inIframe(tab, (fire, key) => fire[key], name);

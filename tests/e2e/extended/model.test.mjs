@@ -64,10 +64,10 @@ for (const [model, only] of Object.entries(ONLY)) {
     const [[other, alien]] = Object.entries(ONLY).filter(([name]) => name !== model);
     const tab = await browser.show(recording(`<hearth-fire paused model="${other}"></hearth-fire>`));
     await tab.ready();
-    const refused = await tab.fire(
-      (fire, all) => fire.set(all).catch((error) => error.errors.map(({ id }) => id)),
-      { ...alien, model },
-    );
+    const refused = await tab.fire((fire, all) => fire.set(all).catch((error) => error.errors.map(({ id }) => id)), {
+      ...alien,
+      model,
+    });
     assert.deepEqual(refused.sort(), Object.keys(alien).sort());
     assert.equal(await tab.fire((fire) => fire.model), other);
     assert.equal((await events(tab, 'error')).length, refused.length);
@@ -76,9 +76,15 @@ for (const [model, only] of Object.entries(ONLY)) {
 
 test('the classic model in the address decides the ranges of values before it', async () => {
   const { emission_speed, max_particles } = ONLY.classic;
-  const tab = await browser.open(`index.html?emission_speed=${emission_speed}&max_particles=${max_particles}&model=classic&paused`);
+  const tab = await browser.open(
+    `index.html?emission_speed=${emission_speed}&max_particles=${max_particles}&model=classic&paused`,
+  );
   await tab.ready();
-  assert.deepEqual(await tab.fire((fire) => fire.params), { ...defaultsOf('classic'), ...ONLY.classic, model: 'classic' });
+  assert.deepEqual(await tab.fire((fire) => fire.params), {
+    ...defaultsOf('classic'),
+    ...ONLY.classic,
+    model: 'classic',
+  });
   assert.deepEqual(tab.problems, []);
 });
 
@@ -97,9 +103,18 @@ test('a change of the model reports every value that differs', async () => {
   await tab.ready();
   for (const [before, now, change, source] of [
     ['classic', 'combustion', (fire) => fire.setAttribute('model', 'combustion'), 'attribute'],
-    ['combustion', 'classic', (fire) => { fire.model = 'classic'; }, 'property'],
+    [
+      'combustion',
+      'classic',
+      (fire) => {
+        fire.model = 'classic';
+      },
+      'property',
+    ],
   ]) {
-    await tab.evaluate(() => { /** @type {any} */ (window).events.length = 0; });
+    await tab.evaluate(() => {
+      /** @type {any} */ (window).events.length = 0;
+    });
     await tab.fire(change);
     await tab.until(
       `the model is ${now}`,
@@ -109,8 +124,9 @@ test('a change of the model reports every value that differs', async () => {
     const sent = await events(tab, 'params-change');
     assert.deepEqual([...new Set(sent.map((message) => message.source))], [source]);
     const other = defaultsOf(/** @type {string} */ (before));
-    const differing = Object.entries(defaultsOf(/** @type {string} */ (now)))
-      .filter(([id, value]) => other[id] !== value);
+    const differing = Object.entries(defaultsOf(/** @type {string} */ (now))).filter(
+      ([id, value]) => other[id] !== value,
+    );
     assert.deepEqual(Object.fromEntries(sent.map(({ id, value }) => [id, value])), Object.fromEntries(differing));
   }
 });
@@ -145,22 +161,16 @@ test('a burning fire changes its model and burns on', async () => {
   await assertBurns(tab);
   await tab.fire((fire) => fire.set('model', 'combustion'));
   // Its power comes with the first drop of fuel, its flame half a second later.
-  await tab.until(
-    'the gas fire burns',
-    () => {
-      const { power, time } = /** @type {any} */ (document.querySelector('hearth-fire')).stats;
-      return power > 50 && time > 0.8;
-    },
-  );
+  await tab.until('the gas fire burns', () => {
+    const { power, time } = /** @type {any} */ (document.querySelector('hearth-fire')).stats;
+    return power > 50 && time > 0.8;
+  });
   await assertBurns(tab);
   await tab.fire((fire) => fire.set('model', 'classic'));
-  await tab.until(
-    'the classic fire burns',
-    () => {
-      const { power, particles } = /** @type {any} */ (document.querySelector('hearth-fire')).stats;
-      return power === 0 && particles > 300 && particles < 1500;
-    },
-  );
+  await tab.until('the classic fire burns', () => {
+    const { power, particles } = /** @type {any} */ (document.querySelector('hearth-fire')).stats;
+    return power === 0 && particles > 300 && particles < 1500;
+  });
   await assertBurns(tab);
   assert.deepEqual(tab.problems, []);
 });
@@ -190,16 +200,21 @@ test('the statistics fit the model', async () => {
   assert.ok(Math.abs(classic.stepLength - step) < 1e-3 * step, `steps of ${classic.stepLength} s`);
 
   await tab.fire((fire) => fire.set('model', 'combustion'));
-  await tab.until(
-    'power, embers and steps of a gas fire',
-    () => {
-      const { power, embers, stepLength, timeScale, particles } = /** @type {any} */ (
-        document.querySelector('hearth-fire')
-      ).stats;
-      return power > 50 && power < 600 && embers > 0 && stepLength > 0 && stepLength < 0.004
-        && timeScale > 0 && timeScale < 1.2 && particles > 2500;
-    },
-  );
+  await tab.until('power, embers and steps of a gas fire', () => {
+    const { power, embers, stepLength, timeScale, particles } = /** @type {any} */ (
+      document.querySelector('hearth-fire')
+    ).stats;
+    return (
+      power > 50 &&
+      power < 600 &&
+      embers > 0 &&
+      stepLength > 0 &&
+      stepLength < 0.004 &&
+      timeScale > 0 &&
+      timeScale < 1.2 &&
+      particles > 2500
+    );
+  });
 });
 
 /** Opens a small fire whose page has a simulated clock. */
@@ -210,15 +225,20 @@ async function onClock(attributes) {
   return tab;
 }
 
-for (const [model, scale] of [['combustion', 1], ['classic', 1], ['classic', 0.25]]) {
+for (const [model, scale] of [
+  ['combustion', 1],
+  ['classic', 1],
+  ['classic', 0.25],
+]) {
   test(`a second of the clock is ${scale} s of a ${model} fire with that time scale, and the fire reports it`, async () => {
     const tab = await onClock(`model="${model}" time-scale="${scale}"`);
     const { reported, shown, slowed } = await tab.fire(async (fire) => {
-      const next = () => new Promise((resolve) => {
-        fire.addEventListener('stats', () => resolve([fire.stats.time, performance.now() / 1000]), {
-          once: true,
+      const next = () =>
+        new Promise((resolve) => {
+          fire.addEventListener('stats', () => resolve([fire.stats.time, performance.now() / 1000]), {
+            once: true,
+          });
         });
-      });
       const [fireStart, clockStart] = await next();
       let [fireNow, clockNow] = [fireStart, clockStart];
       let slowed = false;
@@ -237,9 +257,10 @@ for (const [model, scale] of [['combustion', 1], ['classic', 1], ['classic', 0.2
 for (const model of Object.keys(ONLY)) {
   test(`a ${model} fire whose steps do not fit their frames burns slowly, reports it, and frames keep coming`, async () => {
     const tab = await onClock(`model="${model}"`);
-    const cost = (/** @type {number} */ milliseconds) => tab.evaluate((value) => {
-      /** @type {any} */ (window).clock.cost = value;
-    }, milliseconds);
+    const cost = (/** @type {number} */ milliseconds) =>
+      tab.evaluate((value) => {
+        /** @type {any} */ (window).clock.cost = value;
+      }, milliseconds);
     await cost(5);
     await tab.until('it reports that it is slowed', () => {
       const { slowed, timeScale, time } = /** @type {any} */ (document.querySelector('hearth-fire')).stats ?? {};

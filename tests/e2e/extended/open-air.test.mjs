@@ -45,19 +45,26 @@ test('a fire goes on while its domain, its source and its size change', async ()
   const tab = await browser.show(recording(FIRE));
   await tab.burnt(1);
   const age = await tab.fire((fire) => fire.stats.time);
-  const whole = await tab.fire((fire) => fire.to(
-    { domain_width: 2.4, domain_height: 2, source_x: 0.3, wind: 0.5 }, { duration: 600 },
-  ));
+  const whole = await tab.fire((fire) =>
+    fire.to({ domain_width: 2.4, domain_height: 2, source_x: 0.3, wind: 0.5 }, { duration: 600 }),
+  );
   assert.equal(whole, true);
-  assert.ok(await tab.fire((fire) => fire.stats.time) >= age, 'the fire does not start again');
+  assert.ok((await tab.fire((fire) => fire.stats.time)) >= age, 'the fire does not start again');
   await assertGlows(tab);
   await assertCalm(tab);
-  for (const [width, height] of [[400, 120], [120, 300], [240, 240]]) {
-    const before = await tab.fire((fire, [across, up]) => {
-      fire.style.width = `${across}px`;
-      fire.style.height = `${up}px`;
-      return fire.stats.time;
-    }, [width, height]);
+  for (const [width, height] of [
+    [400, 120],
+    [120, 300],
+    [240, 240],
+  ]) {
+    const before = await tab.fire(
+      (fire, [across, up]) => {
+        fire.style.width = `${across}px`;
+        fire.style.height = `${up}px`;
+        return fire.stats.time;
+      },
+      [width, height],
+    );
     await tab.burnt(before + 0.3);
     await assertCalm(tab);
   }

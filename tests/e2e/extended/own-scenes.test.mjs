@@ -23,19 +23,35 @@ async function openCard(query = 'scene=candle&paused', options = {}) {
   return { tab, panel };
 }
 
-const names = (tab) => tab.evaluate(() => [...document.querySelectorAll('.hearth-own input')].map((input) => /** @type {HTMLInputElement} */ (input).value));
-const named = (tab, list) => tab.until(`the scenes ${list}`, (wanted) => (
-  [...document.querySelectorAll('.hearth-own input')].map((input) => /** @type {HTMLInputElement} */ (input).value).join() === wanted
-), list.join());
-const alerted = (tab, pattern) => tab.until(`${pattern}`, (source) => (
-  new RegExp(source).test(document.querySelector('.hearth-own + [role=alert]')?.textContent ?? '')
-), pattern.source);
+const names = (tab) =>
+  tab.evaluate(() =>
+    [...document.querySelectorAll('.hearth-own input')].map((input) => /** @type {HTMLInputElement} */ (input).value),
+  );
+const named = (tab, list) =>
+  tab.until(
+    `the scenes ${list}`,
+    (wanted) =>
+      [...document.querySelectorAll('.hearth-own input')]
+        .map((input) => /** @type {HTMLInputElement} */ (input).value)
+        .join() === wanted,
+    list.join(),
+  );
+const alerted = (tab, pattern) =>
+  tab.until(
+    `${pattern}`,
+    (source) => new RegExp(source).test(document.querySelector('.hearth-own + [role=alert]')?.textContent ?? ''),
+    pattern.source,
+  );
 const press = (tab, label) => tab.page.click(`[aria-label="${label}"]`);
-const rename = (tab, from, to) => tab.evaluate(([label, value]) => {
-  const input = /** @type {HTMLInputElement} */ (document.querySelector(`[aria-label="Name of ${label}"]`));
-  input.value = value;
-  input.dispatchEvent(new Event('change'));
-}, [from, to]);
+const rename = (tab, from, to) =>
+  tab.evaluate(
+    ([label, value]) => {
+      const input = /** @type {HTMLInputElement} */ (document.querySelector(`[aria-label="Name of ${label}"]`));
+      input.value = value;
+      input.dispatchEvent(new Event('change'));
+    },
+    [from, to],
+  );
 
 test('a saved fire is in the list with its picture, and is shown again after other scenes', async () => {
   const { tab } = await openCard();
@@ -60,7 +76,12 @@ test('a saved fire is in the list with its picture, and is shown again after oth
 
 test('a list of the visit before is there, and a damaged one is not', async () => {
   for (const [kept, expected] of [
-    [JSON.stringify([{ name: 'Mine', config: { hearth: 2, preset: 'torch', values: {} }, picture: 'javascript:alert(1)' }]), ['Mine']],
+    [
+      JSON.stringify([
+        { name: 'Mine', config: { hearth: 2, preset: 'torch', values: {} }, picture: 'javascript:alert(1)' },
+      ]),
+      ['Mine'],
+    ],
     ['{"name": 1', []],
     ['[1, null, {"name": 3}, {"name": "x"}]', []],
   ]) {
@@ -86,7 +107,10 @@ test('storage that is full or forbidden is reported, and the list stays', async 
   const { tab } = await openCard();
   await tab.page.click('[data-card="save"]');
   await named(tab, ['Candle']);
-  for (const [name, pattern] of [['QuotaExceededError', /storage of this site is full/], ['SecurityError', /does not let the page store anything/]]) {
+  for (const [name, pattern] of [
+    ['QuotaExceededError', /storage of this site is full/],
+    ['SecurityError', /does not let the page store anything/],
+  ]) {
     await tab.evaluate((error) => {
       Storage.prototype.setItem = () => {
         throw new DOMException('', error);
@@ -100,24 +124,37 @@ test('storage that is full or forbidden is reported, and the list stays', async 
 });
 
 /** Drops a file on an element. */
-const drop = (tab, selector, file) => tab.evaluate(([where, { name, type, text }]) => {
-  const data = new DataTransfer();
-  data.items.add(new File([text], name, { type }));
-  const target = /** @type {Element} */ (document.querySelector(where));
-  const options = { dataTransfer: data, bubbles: true, composed: true, cancelable: true };
-  const over = new DragEvent('dragover', options);
-  target.dispatchEvent(over);
-  const event = new DragEvent('drop', options);
-  target.dispatchEvent(event);
-  return [over.defaultPrevented, event.defaultPrevented];
-}, [selector, file]);
-const messaged = (tab, pattern) => tab.until(`the message ${pattern}`, (source) => (
-  [...document.querySelectorAll('.hearth-controls :is([role=status], [role=alert])')].some(({ textContent }) => new RegExp(source).test(textContent ?? ''))
-), pattern.source);
+const drop = (tab, selector, file) =>
+  tab.evaluate(
+    ([where, { name, type, text }]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([text], name, { type }));
+      const target = /** @type {Element} */ (document.querySelector(where));
+      const options = { dataTransfer: data, bubbles: true, composed: true, cancelable: true };
+      const over = new DragEvent('dragover', options);
+      target.dispatchEvent(over);
+      const event = new DragEvent('drop', options);
+      target.dispatchEvent(event);
+      return [over.defaultPrevented, event.defaultPrevented];
+    },
+    [selector, file],
+  );
+const messaged = (tab, pattern) =>
+  tab.until(
+    `the message ${pattern}`,
+    (source) =>
+      [...document.querySelectorAll('.hearth-controls :is([role=status], [role=alert])')].some(({ textContent }) =>
+        new RegExp(source).test(textContent ?? ''),
+      ),
+    pattern.source,
+  );
 const settings = (wind, preset = 'candle') => JSON.stringify({ hearth: 2, preset, values: { wind } });
-const blows = (tab, wind) => tab.until(`a wind of ${wind}`, (wanted) => (
-  Math.abs(/** @type {any} */ (document.querySelector('hearth-fire')).params.wind - wanted) < 0.01
-), wind);
+const blows = (tab, wind) =>
+  tab.until(
+    `a wind of ${wind}`,
+    (wanted) => Math.abs(/** @type {any} */ (document.querySelector('hearth-fire')).params.wind - wanted) < 0.01,
+    wind,
+  );
 
 test('a file of settings that is dropped anywhere on the page is opened, and any other file is refused with a message', async () => {
   const tab = await browser.open('index.html?scene=candle&paused', { width: 1000, height: 700 });
@@ -125,7 +162,11 @@ test('a file of settings that is dropped anywhere on the page is opened, and any
   await new Panel(tab).mounted();
   let wind = 0.1;
   for (const selector of ['hearth-fire', '#panel', '.hearth-panel canvas', '#head', 'body']) {
-    for (const [name, type] of [['mine.json', 'application/json'], ['MINE.JSON', ''], ['mine', 'application/json;charset=utf-8']]) {
+    for (const [name, type] of [
+      ['mine.json', 'application/json'],
+      ['MINE.JSON', ''],
+      ['mine', 'application/json;charset=utf-8'],
+    ]) {
       wind += 0.1;
       assert.deepEqual(await drop(tab, selector, { name, type, text: settings(wind) }), [true, true], selector);
       await blows(tab, wind);
@@ -144,7 +185,10 @@ test('a file of settings that is dropped anywhere on the page is opened, and any
     assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), config);
   }
   // The element warns of settings that it refuses.
-  assert.deepEqual(tab.problems.filter((problem) => !/ is refused: /.test(problem)), []);
+  assert.deepEqual(
+    tab.problems.filter((problem) => !/ is refused: /.test(problem)),
+    [],
+  );
 });
 
 test('with an open toolbar a dropped file is opened once, and the toolbar keeps its pictures', async () => {
@@ -154,12 +198,20 @@ test('with an open toolbar a dropped file is opened once, and the toolbar keeps 
   await blows(tab, 0.6);
   await tab.page.click('[data-tool="undo"]');
   await blows(tab, 0);
-  await tab.until('no other step', () => document.querySelector('[data-tool="undo"]')?.getAttribute('aria-disabled') === 'true');
-  const disc = '<svg xmlns="http://www.w3.org/2000/svg" width="90" height="90"><circle cx="50%" cy="50%" r="40%"/></svg>';
+  await tab.until(
+    'no other step',
+    () => document.querySelector('[data-tool="undo"]')?.getAttribute('aria-disabled') === 'true',
+  );
+  const disc =
+    '<svg xmlns="http://www.w3.org/2000/svg" width="90" height="90"><circle cx="50%" cy="50%" r="40%"/></svg>';
   await drop(tab, '.hearth-overlay', { name: 'disc.svg', type: 'image/svg+xml', text: disc });
-  await tab.until('a mask', () => /** @type {any} */ (document.querySelector('hearth-fire')).objects.some(({ shape }) => shape === 'mask'));
+  await tab.until('a mask', () =>
+    /** @type {any} */ (document.querySelector('hearth-fire')).objects.some(({ shape }) => shape === 'mask'),
+  );
   await drop(tab, '.hearth-overlay', { name: 'notes.txt', type: 'text/plain', text: '' });
-  await tab.until('the words of the toolbar', () => /“notes.txt” is no image/.test(document.querySelector('.hearth-status')?.textContent ?? ''));
+  await tab.until('the words of the toolbar', () =>
+    /“notes.txt” is no image/.test(document.querySelector('.hearth-status')?.textContent ?? ''),
+  );
   assert.equal(await tab.evaluate(() => /no file of settings/.test(document.body.textContent ?? '')), false);
   assert.deepEqual(tab.problems, []);
 });

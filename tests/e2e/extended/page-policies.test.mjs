@@ -23,9 +23,10 @@ const at = (/** @type {string} */ thread, /** @type {string} */ body) => `${body
 </script>`;
 
 /** Whether the engine's files were asked for. */
-const loaded = (tab) => tab.evaluate(() => (
-  performance.getEntriesByType('resource').some(({ name }) => name.endsWith('hearth-engine_bg.wasm'))
-));
+const loaded = (tab) =>
+  tab.evaluate(() =>
+    performance.getEntriesByType('resource').some(({ name }) => name.endsWith('hearth-engine_bg.wasm')),
+  );
 
 for (const thread of ['worker', 'main']) {
   test(`with the engine in: ${thread}, a fire burns, pauses, survives a lost context and is destroyed`, async () => {
@@ -49,7 +50,10 @@ for (const thread of ['worker', 'main']) {
     });
     await tab.fire((fire) => document.body.append(fire));
     await tab.burnt(0.5);
-    assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+    assert.deepEqual(
+      tab.problems.filter((problem) => problem.startsWith('uncaught')),
+      [],
+    );
   });
 }
 
@@ -85,7 +89,8 @@ test('the engine draws on a canvas of the page where no offscreen canvas has Web
 });
 
 test('an eager fire loads at once, a lazy one when it comes near the viewport', async () => {
-  const far = (/** @type {string} */ loading) => `<div style="height: 3000px"></div><hearth-fire loading="${loading}"></hearth-fire>`;
+  const far = (/** @type {string} */ loading) =>
+    `<div style="height: 3000px"></div><hearth-fire loading="${loading}"></hearth-fire>`;
   const lazy = await browser.open(far('lazy'));
   await lazy.frames(20);
   assert.equal(await loaded(lazy), false, 'nothing is loaded for a fire out of sight');
@@ -99,7 +104,8 @@ test('an eager fire loads at once, a lazy one when it comes near the viewport', 
 });
 
 test('the poster is shown until the first picture, and while there is no picture', async () => {
-  const image = 'data:image/svg+xml,<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><rect width="1" height="1" fill="lime"/></svg>';
+  const image =
+    'data:image/svg+xml,<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><rect width="1" height="1" fill="lime"/></svg>';
   // The message and its button cover a part of it.
   const body = `<hearth-fire poster='${image}' style="width: 320px; height: 400px"></hearth-fire>`;
   const late = await browser.open(body, { draws: true, without: 'hearth-engine_bg.wasm' });
@@ -127,9 +133,10 @@ test('a picture has no more pixels than `max-pixels`', async () => {
     fire.maxPixels = '';
     fire.removeAttribute('max-pixels');
   });
-  await tab.until('the whole size', () => (
-    document.querySelector('hearth-fire')?.shadowRoot?.querySelector('canvas')?.width === 400
-  ));
+  await tab.until(
+    'the whole size',
+    () => document.querySelector('hearth-fire')?.shadowRoot?.querySelector('canvas')?.width === 400,
+  );
 });
 
 test('no more pictures are drawn a second than `fps-limit`', async () => {
@@ -147,7 +154,7 @@ test('no more pictures are drawn a second than `fps-limit`', async () => {
       count += 1;
       original.call(this, bitmap);
     };
-    for (const end = clock.frames + 120; clock.frames < end;) await new Promise(requestAnimationFrame);
+    for (const end = clock.frames + 120; clock.frames < end; ) await new Promise(requestAnimationFrame);
     prototype.transferFromImageBitmap = original;
     return count;
   });
@@ -155,15 +162,20 @@ test('no more pictures are drawn a second than `fps-limit`', async () => {
 });
 
 test('invalid limits, choices and touch actions are rejected by name', async () => {
-  const tab = await browser.show(recording(
-    '<hearth-fire fps-limit="fast" max-pixels="9" loading="soon" reduced-motion="no" touch-action="wave"></hearth-fire>',
-  ));
+  const tab = await browser.show(
+    recording(
+      '<hearth-fire fps-limit="fast" max-pixels="9" loading="soon" reduced-motion="no" touch-action="wave"></hearth-fire>',
+    ),
+  );
   await tab.burnt(0.2);
   const errors = await events(tab, 'error');
   const ids = errors.map(({ kind, id }) => `${kind} ${id}`).sort();
   assert.deepEqual(ids, [
-    'bad-parameter fps_limit', 'bad-parameter loading', 'bad-parameter max_pixels',
-    'bad-parameter reduced-motion', 'bad-parameter touch-action',
+    'bad-parameter fps_limit',
+    'bad-parameter loading',
+    'bad-parameter max_pixels',
+    'bad-parameter reduced-motion',
+    'bad-parameter touch-action',
   ]);
   const { message, min, max } = errors.find(({ id }) => id === 'fps_limit');
   assert.deepEqual([min, max], [10, 240]);
@@ -171,10 +183,9 @@ test('invalid limits, choices and touch actions are rejected by name', async () 
 });
 
 test('a finger on an interactive fire scrolls the page vertically unless `touch-action` forbids it', async () => {
-  const tab = await browser.open(
-    '<hearth-fire interactive></hearth-fire><div style="height: 3000px"></div>',
-    { touch: true },
-  );
+  const tab = await browser.open('<hearth-fire interactive></hearth-fire><div style="height: 3000px"></div>', {
+    touch: true,
+  });
   await tab.burnt(0.2);
   const action = () => tab.fire((fire) => getComputedStyle(fire.shadowRoot.querySelector('.root')).touchAction);
   assert.equal(await action(), 'pan-y');
@@ -189,14 +200,15 @@ test('a finger on an interactive fire scrolls the page vertically unless `touch-
 test('`toBlob` keeps the transparency of the picture', async () => {
   const tab = await browser.show('<hearth-fire paused></hearth-fire>', { draws: true });
   await tab.fire((fire) => fire.step(600));
-  const keep = (type) => tab.fire(async (fire, wanted) => {
-    const blob = await fire.toBlob(...(wanted ? [wanted, 0.9] : []));
-    const canvas = new OffscreenCanvas(240, 240);
-    const context = /** @type {any} */ (canvas.getContext('2d'));
-    context.drawImage(await createImageBitmap(blob), 0, 0);
-    const corner = [...context.getImageData(4, 4, 1, 1).data];
-    return { type: blob.type, corner, bytes: [...new Uint8Array(await blob.arrayBuffer())] };
-  }, type);
+  const keep = (type) =>
+    tab.fire(async (fire, wanted) => {
+      const blob = await fire.toBlob(...(wanted ? [wanted, 0.9] : []));
+      const canvas = new OffscreenCanvas(240, 240);
+      const context = /** @type {any} */ (canvas.getContext('2d'));
+      context.drawImage(await createImageBitmap(blob), 0, 0);
+      const corner = [...context.getImageData(4, 4, 1, 1).data];
+      return { type: blob.type, corner, bytes: [...new Uint8Array(await blob.arrayBuffer())] };
+    }, type);
   const png = await keep('');
   assert.equal(png.type, 'image/png');
   const picture = Picture.decode(Uint8Array.from(png.bytes));
@@ -207,11 +219,15 @@ test('`toBlob` keeps the transparency of the picture', async () => {
 });
 
 test('`toBlob` draws another width and background for the file, and the element stays as it is', async () => {
-  const tab = await browser.show('<hearth-fire preset="fireside" paused warm max-pixels="60000"></hearth-fire>', { draws: true, height: 400 });
+  const tab = await browser.show('<hearth-fire preset="fireside" paused warm max-pixels="60000"></hearth-fire>', {
+    draws: true,
+    height: 400,
+  });
   await tab.ready();
   const seen = await tab.fire(async (fire) => {
     const events = [];
-    for (const type of ['params-change', 'objects-change', 'error']) fire.addEventListener(type, () => events.push(type));
+    for (const type of ['params-change', 'objects-change', 'error'])
+      fire.addEventListener(type, () => events.push(type));
     const values = JSON.stringify(fire.params);
     const saved = async (how) => {
       const bitmap = await createImageBitmap(await fire.toBlob(how));
@@ -221,19 +237,44 @@ test('`toBlob` draws another width and background for the file, and the element 
       const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
       let glow = 0;
       for (let at = 0; at < data.length; at += 4) glow += data[at] > 200 ? 1 : 0;
-      return { size: [bitmap.width, bitmap.height], corner: [...data.slice(0, 4)], glow: glow / (bitmap.width * bitmap.height) };
+      return {
+        size: [bitmap.width, bitmap.height],
+        corner: [...data.slice(0, 4)],
+        glow: glow / (bitmap.width * bitmap.height),
+      };
     };
     const before = await saved();
     const [wide, cut, black] = await Promise.all([
-      saved({ width: 3 * before.size[0] }), saved({ background: 'transparent' }), saved({ background: 'black', type: 'image/webp', width: 64 }),
+      saved({ width: 3 * before.size[0] }),
+      saved({ background: 'transparent' }),
+      saved({ background: 'black', type: 'image/webp', width: 64 }),
     ]);
-    const refused = await fire.toBlob({ width: 9000 }).then(() => '', (error) => `${error.name}: ${error.message}`);
+    const refused = await fire.toBlob({ width: 9000 }).then(
+      () => '',
+      (error) => `${error.name}: ${error.message}`,
+    );
     const { width, height } = /** @type {any} */ (fire.shadowRoot).querySelector('canvas');
-    return { before, wide, cut, black, refused, after: await saved(), canvas: [width, height], events, kept: JSON.stringify(fire.params) === values };
+    return {
+      before,
+      wide,
+      cut,
+      black,
+      refused,
+      after: await saved(),
+      canvas: [width, height],
+      events,
+      kept: JSON.stringify(fire.params) === values,
+    };
   });
   const { before, wide, cut, black } = seen;
-  assert.deepEqual(wide.size, before.size.map((side) => 3 * side));
-  assert.ok(Math.abs(wide.glow / before.glow - 1) < 0.2, `${wide.glow} of the wide picture glow, ${before.glow} of the frame`);
+  assert.deepEqual(
+    wide.size,
+    before.size.map((side) => 3 * side),
+  );
+  assert.ok(
+    Math.abs(wide.glow / before.glow - 1) < 0.2,
+    `${wide.glow} of the wide picture glow, ${before.glow} of the frame`,
+  );
   assert.equal(before.corner[3], 255, 'the wall is opaque');
   assert.deepEqual([cut.size, cut.corner], [before.size, [0, 0, 0, 0]]);
   assert.ok(cut.glow > 0.01, 'a transparent picture shows the fire');
@@ -269,7 +310,10 @@ test('`captureStream` of a burning fire is a moving video', async () => {
     }
     for (const track of stream.getTracks()) track.stop();
     const [first, second] = pictures;
-    return { bright: Math.max(...second.filter((_, at) => at % 4 === 0)), moved: first.some((value, at) => Math.abs(value - second[at]) > 20) };
+    return {
+      bright: Math.max(...second.filter((_, at) => at % 4 === 0)),
+      moved: first.some((value, at) => Math.abs(value - second[at]) > 20),
+    };
   });
   assert.ok(seen.bright > 100, `${seen.bright}`);
   assert.ok(seen.moved);

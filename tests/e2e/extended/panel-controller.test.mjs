@@ -28,12 +28,15 @@ async function openPage(query, options) {
 
 /** A page that puts the panel into `#host`, which stands in `body`. @param {string} body @param {string} [parts] */
 async function openPanel(body, parts = '') {
-  const tab = await browser.open(`<hearth-fire id="fire" preset="campfire"></hearth-fire>${body}
+  const tab = await browser.open(
+    `<hearth-fire id="fire" preset="campfire"></hearth-fire>${body}
     <script type="module">
       import { mountPanel } from '/web/panel.js';
       const [host, fire] = [document.getElementById('host'), document.getElementById('fire')];
       fire.ready.then(() => mountPanel({ host, fire${parts} })).then(() => { window.stands = true; });
-    </script>`, { width: 700, height: 700 });
+    </script>`,
+    { width: 700, height: 700 },
+  );
   await tab.ready();
   await tab.until('the panel stands', () => /** @type {any} */ (window).stands);
   return { tab, panel: new Panel(tab) };
@@ -50,9 +53,10 @@ describe('the defaults', () => {
     await tab.frames(10);
     assert.equal(await scene(panel), 'Scene: Campfire');
     await panel.dragSlider('fuel_power', 0.5, 0.9);
-    await panel.until('it is another fire', (root) => (
-      root.querySelector('[data-action="scenes"]').textContent === 'Scene: Campfire, changed'
-    ));
+    await panel.until(
+      'it is another fire',
+      (root) => root.querySelector('[data-action="scenes"]').textContent === 'Scene: Campfire, changed',
+    );
     await panel.restore('fuel_power');
     await panel.value('fuel_power', 'the scene’s', (value) => value === CAMPFIRE.fuel_power);
     assert.equal(await scene(panel), 'Scene: Campfire');
@@ -74,14 +78,15 @@ describe('the next visit', () => {
     await first.tab.click(along(await first.panel.rectangleOf('group:Basics'), 0.5));
     await first.tab.frames(6);
     await first.tab.page.select(actionOf('quality'), 'low');
-    await first.tab.until('the quality', () => (
-      /** @type {any} */ (document.querySelector('hearth-fire')).quality === 'low'
-    ));
+    await first.tab.until(
+      'the quality',
+      () => /** @type {any} */ (document.querySelector('hearth-fire')).quality === 'low',
+    );
 
     const { tab } = await openPage('', { height: 800, remember: true });
     assert.equal(await tab.fire((fire) => fire.quality), 'low');
     const shown = () => tab.evaluate(() => Object.keys(/** @type {any} */ (window).panelRectangles ?? {}));
-    await tab.until('the rows', () => 'group:Basics' in (/** @type {any} */ (window).panelRectangles ?? {}));
+    await tab.until('the rows', () => /** @type {any} */ (window).panelRectangles?.['group:Basics'] !== undefined);
     assert.ok(!(await shown()).includes('source_width'), 'the group is folded still');
     assert.ok((await shown()).includes('source_height'), 'and the others are not');
     assert.doesNotMatch(await tab.evaluate(() => location.search), /quality/);
@@ -104,15 +109,18 @@ describe('the next visit', () => {
     const lower = await height(tab);
     assert.ok(lower < dragged - 20, `${lower} and not ${dragged}`);
     const again = await openPage('', { ...phone, remember: true });
-    assert.ok(Math.abs(await height(again.tab) - lower) < 2);
+    assert.ok(Math.abs((await height(again.tab)) - lower) < 2);
   });
 
   test('works without storage', async () => {
     const { tab, panel } = await openPage('', {
       height: 800,
-      before: () => Object.defineProperty(window, 'localStorage', {
-        get() { throw new DOMException('forbidden', 'SecurityError'); },
-      }),
+      before: () =>
+        Object.defineProperty(window, 'localStorage', {
+          get() {
+            throw new DOMException('forbidden', 'SecurityError');
+          },
+        }),
     });
     await tab.click(along(await panel.rectangleOf('group:Basics'), 0.5));
     await tab.frames(6);
@@ -146,10 +154,14 @@ describe('keys', () => {
     await tab.evaluate(() => /** @type {any} */ (document.activeElement)?.blur());
     await tab.key('Space');
     assert.equal(await paused(tab), true);
-    await tab.evaluate(() => { document.documentElement.dataset.shortcuts = 'off'; });
+    await tab.evaluate(() => {
+      document.documentElement.dataset.shortcuts = 'off';
+    });
     await tab.key('Space');
     assert.equal(await paused(tab), true);
-    await tab.evaluate(() => { delete document.documentElement.dataset.shortcuts; });
+    await tab.evaluate(() => {
+      delete document.documentElement.dataset.shortcuts;
+    });
 
     await tab.evaluate(() => {
       const link = Object.assign(document.createElement('a'), { href: '#there', textContent: 'elsewhere' });
@@ -231,9 +243,9 @@ describe('its position', () => {
 
   test('with forced colours, the accessible controls replace the panel; they have its groups, and announce each value once', async () => {
     const { tab } = await openPage('');
-    const groups = await tab.page.$$eval('.hearth-controls fieldset', (sets) => sets
-      .filter((set) => !(/** @type {any} */ (set).hidden))
-      .map((set) => set.querySelector('legend')?.textContent));
+    const groups = await tab.page.$$eval('.hearth-controls fieldset', (sets) =>
+      sets.filter((set) => !(/** @type {any} */ (set).hidden)).map((set) => set.querySelector('legend')?.textContent),
+    );
     const used = PARAMETERS.filter(({ models }) => models.includes('combustion')).map(({ group }) => group);
     const [basics, ...others] = new Set(used);
     assert.deepEqual(groups, [basics, 'Objects', ...others]);
@@ -241,13 +253,15 @@ describe('its position', () => {
     assert.equal(loud, 1, 'only the line of the error is a live region');
     const client = await tab.page.createCDPSession();
     await client.send('Emulation.setEmulatedMedia', { features: [{ name: 'forced-colors', value: 'active' }] });
-    await tab.until('the accessible controls are shown', () => (
-      document.querySelector('.hearth-controls.alone') && !document.querySelector('.hearth-panel canvas')
-    ));
+    await tab.until(
+      'the accessible controls are shown',
+      () => document.querySelector('.hearth-controls.alone') && !document.querySelector('.hearth-panel canvas'),
+    );
     assert.ok(await tab.page.$eval(controlOf('fuel_power'), (control) => control.getBoundingClientRect().width > 100));
     await client.send('Emulation.setEmulatedMedia', { features: [] });
-    await tab.until('the panel is back', () => (
-      document.querySelector('.hearth-panel canvas') && !document.querySelector('.hearth-controls.alone')
-    ));
+    await tab.until(
+      'the panel is back',
+      () => document.querySelector('.hearth-panel canvas') && !document.querySelector('.hearth-controls.alone'),
+    );
   });
 });

@@ -15,7 +15,10 @@ before(async () => {
 });
 after(() => browser?.close());
 
-const SIZES = [{ width: 1280, height: 800 }, { width: 390, height: 844, touch: true }];
+const SIZES = [
+  { width: 1280, height: 800 },
+  { width: 390, height: 844, touch: true },
+];
 
 const propertyOf = (/** @type {string} */ name) => `[data-property="${name}"]`;
 
@@ -46,9 +49,12 @@ async function scenePage(name) {
 }
 
 const scene = (panel) => panel.in((root) => root.querySelector('[data-action="scenes"]').textContent);
-const titled = (panel, text) => panel.until(`the scene is called ${text}`, (root, wanted) => (
-  root.querySelector('[data-action="scenes"]').textContent === `Scene: ${wanted}`
-), text);
+const titled = (panel, text) =>
+  panel.until(
+    `the scene is called ${text}`,
+    (root, wanted) => root.querySelector('[data-action="scenes"]').textContent === `Scene: ${wanted}`,
+    text,
+  );
 
 /** Clicks a button of the group with the mouse. */
 async function press(panel, tab, action) {
@@ -66,7 +72,10 @@ describe('a mouse', () => {
       const { domain_width: width, domain_height: height } = await tab.fire((fire) => fire.params);
       const apart = Math.hypot(solid.x - source.x, solid.y - source.y);
       assert.ok(apart >= (source.width + solid.width) / 2, `it stands ${apart} from the source`);
-      assert.ok(Math.abs(solid.x) + solid.width / 2 <= width / 2 && solid.y + solid.width / 2 <= height, 'it is in the frame');
+      assert.ok(
+        Math.abs(solid.x) + solid.width / 2 <= width / 2 && solid.y + solid.width / 2 <= height,
+        'it is in the frame',
+      );
       await titled(panel, 'Default, changed');
 
       const rail = await panel.pointAt(propertyOf('solid:width'));
@@ -95,10 +104,14 @@ describe('a mouse', () => {
       assert.deepEqual(tab.problems, []);
 
       // A link shows the same fire.
-      const query = await tab.until('the address has the width', (wanted) => {
-        const text = new URLSearchParams(location.search).get('objects');
-        return text?.includes(wanted) && location.search;
-      }, `"width":${dragged.width}`);
+      const query = await tab.until(
+        'the address has the width',
+        (wanted) => {
+          const text = new URLSearchParams(location.search).get('objects');
+          return text?.includes(wanted) && location.search;
+        },
+        `"width":${dragged.width}`,
+      );
       const other = await openPage(query.slice(1), size);
       assert.deepEqual(await objects(other.tab), [source, dragged]);
       await other.panel.pointAt(actionOf('select-object'));
@@ -136,21 +149,29 @@ describe('buttons act on the fire at the selected object', () => {
   test('which is the place of each call', async () => {
     const { tab, panel } = await scenePage('default');
     await tab.fire((fire) => fire.set('ember_rate', 0));
-    const id = await tab.fire((fire) => (
-      fire.addObject({ kind: 'solid', shape: 'box', x: 0.3, y: 0.6, width: 0.1, height: 0.1, material: 'wood' })
-    ));
-    await panel.until('the solid is in the list', (root, wanted) => (
-      [...root.querySelector('[data-action="select-object"]').options].some(({ value }) => value === wanted)
-    ), String(id));
+    const id = await tab.fire((fire) =>
+      fire.addObject({ kind: 'solid', shape: 'box', x: 0.3, y: 0.6, width: 0.1, height: 0.1, material: 'wood' }),
+    );
+    await panel.until(
+      'the solid is in the list',
+      (root, wanted) =>
+        [...root.querySelector('[data-action="select-object"]').options].some(({ value }) => value === wanted),
+      String(id),
+    );
     await panel.pointAt(actionOf('select-object'));
     await tab.click(along(await panel.rectangleOf(`object:${id}`), 0.5));
     await press(panel, tab, 'ignite');
     await until(tab, 'the solid has fuel', (all) => all.at(-1).fuel === 'wood');
-    const fuel = (wanted) => tab.until(`the fuel is ${wanted}`, async (word) => {
-      const fire = document.querySelector('hearth-fire');
-      await fire.step(20);
-      return fire.stats?.fuel === word;
-    }, wanted);
+    const fuel = (wanted) =>
+      tab.until(
+        `the fuel is ${wanted}`,
+        async (word) => {
+          const fire = document.querySelector('hearth-fire');
+          await fire.step(20);
+          return fire.stats?.fuel === word;
+        },
+        wanted,
+      );
     await fuel('burning');
     await press(panel, tab, 'extinguish');
     await fuel('out');
@@ -178,15 +199,20 @@ describe('buttons act on the fire at the selected object', () => {
     await panel.pointAt(actionOf('undo'));
     await panel.press('undo');
     await until(tab, 'no fuel', (all) => all.at(-1)?.fuel === 'none');
-    await tab.fire((fire) => { for (const name of ['spray', 'sparks', 'stir']) delete fire[name]; });
+    await tab.fire((fire) => {
+      for (const name of ['spray', 'sparks', 'stir']) delete fire[name];
+    });
     assert.deepEqual(tab.problems, []);
   });
 
   test('or show the reason why they cannot', async () => {
     const { tab, panel } = await scenePage('default');
-    const statusBegins = (words) => panel.until(`the words ${words}`, (root, wanted) => (
-      root.querySelector('.hearth-controls [role="status"]').textContent.startsWith(wanted)
-    ), words);
+    const statusBegins = (words) =>
+      panel.until(
+        `the words ${words}`,
+        (root, wanted) => root.querySelector('.hearth-controls [role="status"]').textContent.startsWith(wanted),
+        words,
+      );
     await tab.page.select(actionOf('select-object'), '1');
     await press(panel, tab, 'extinguish');
     await statusBegins('A source has no fuel');
@@ -215,9 +241,11 @@ test('an object is named and switched off, in the list of the panel and by its o
     field.dispatchEvent(new Event('change'));
   });
   await until(tab, 'the log has a name', (all) => all[1].name === 'Back log');
-  await panel.until('the list has the name', (root) => (
-    [...root.querySelector('[data-action="select-object"]').options].some(({ text }) => text === 'Back log · Solid 2 · off')
-  ));
+  await panel.until('the list has the name', (root) =>
+    [...root.querySelector('[data-action="select-object"]').options].some(
+      ({ text }) => text === 'Back log · Solid 2 · off',
+    ),
+  );
   await titled(panel, 'Campfire, changed');
   for (let step = 0; step < 2; step += 1) {
     await panel.pointAt(actionOf('undo'));
@@ -240,7 +268,13 @@ test('a source on a solid goes with it, and undo restores both', async () => {
   await panel.pointAt(actionOf('undo'));
   await panel.press('undo');
   const all = await until(tab, 'both again', (all) => all.length === 3);
-  assert.deepEqual(all.slice(1).map(({ kind, shape }) => [kind, shape]), [['solid', 'circle'], ['source', 'solid']]);
+  assert.deepEqual(
+    all.slice(1).map(({ kind, shape }) => [kind, shape]),
+    [
+      ['solid', 'circle'],
+      ['source', 'solid'],
+    ],
+  );
 });
 
 test('the scene is changed when an object moves, and is not when it returns', async () => {
@@ -258,9 +292,13 @@ test('the scene is changed when an object moves, and is not when it returns', as
 test('the list follows the page, and a removed object is not selected', async () => {
   const { tab, panel } = await scenePage('default');
   await tab.fire((fire) => fire.addObject({ kind: 'solid', shape: 'box', material: 'brick' }));
-  const listed = (/** @type {string[]} */ names) => panel.until(`the list has ${names}`, (root, wanted) => (
-    [...root.querySelector('[data-action="select-object"]').options].map(({ text }) => text).join() === wanted
-  ), ['none', ...names].join());
+  const listed = (/** @type {string[]} */ names) =>
+    panel.until(
+      `the list has ${names}`,
+      (root, wanted) =>
+        [...root.querySelector('[data-action="select-object"]').options].map(({ text }) => text).join() === wanted,
+      ['none', ...names].join(),
+    );
   await listed(['Source 1', 'Solid 2 · brick box']);
   await panel.pointAt(actionOf('select-object'));
   await panel.rectangleOf('object:2');
@@ -282,9 +320,13 @@ test('a search finds a property and shows its row', async () => {
   // The logs are lines, which have no corners: the first stone has some.
   await panel.rectangleOf('object:5');
   // Each letter finds fewer rows, which move.
-  await tab.until('the only row', () => (
-    Object.keys(/** @type {any} */ (window).panelRectangles).filter((name) => name.startsWith('label:')).join() === 'label:model,label:solid:corner'
-  ));
+  await tab.until(
+    'the only row',
+    () =>
+      Object.keys(/** @type {any} */ (window).panelRectangles)
+        .filter((name) => name.startsWith('label:'))
+        .join() === 'label:model,label:solid:corner',
+  );
   const rail = await panel.rectangleOf('solid:corner');
   await tab.drag(along(rail, 0.3), along(rail, 0.2));
   await until(tab, 'rounder', (all) => all[4].corner > 0.1);
@@ -292,14 +334,24 @@ test('a search finds a property and shows its row', async () => {
 
 test('the sixty-fourth solid is the last, and a text gives the reason', async () => {
   const { tab, panel } = await scenePage('default');
-  await tab.fire((fire) => fire.set({
-    objects: [{ kind: 'source' }, ...Array.from({ length: 64 }, (_, at) => ({ kind: 'solid', x: at / 8 - 4, width: 0.1 }))],
-  }));
+  await tab.fire((fire) =>
+    fire.set({
+      objects: [
+        { kind: 'source' },
+        ...Array.from({ length: 64 }, (_, at) => ({ kind: 'solid', x: at / 8 - 4, width: 0.1 })),
+      ],
+    }),
+  );
   const button = actionOf('add:solid');
-  await panel.until('the button is off', (root, selector) => (
-    root.querySelector(selector).getAttribute('aria-disabled') === 'true'
-  ), button);
-  assert.match(await panel.in((root) => root.querySelector('fieldset[name="Objects"]').textContent), /at most 64 solids/);
+  await panel.until(
+    'the button is off',
+    (root, selector) => root.querySelector(selector).getAttribute('aria-disabled') === 'true',
+    button,
+  );
+  assert.match(
+    await panel.in((root) => root.querySelector('fieldset[name="Objects"]').textContent),
+    /at most 64 solids/,
+  );
   await press(panel, tab, 'add:solid');
   await tab.frames(6);
   assert.equal((await objects(tab)).length, 65);
@@ -318,10 +370,15 @@ test('accessible controls add, change, reset and delete by keys', async () => {
   const { id, width, power } = now.at(-1);
   assert.deepEqual([width, power], [now[0].width / 2, now[0].power / 2]);
   await panel.until('its controls', (root) => root.querySelector('[data-property="source:width"]').checkVisibility());
-  const names = await tab.page.$$eval('[data-property]', (found) => found
-    .filter((control) => control.checkVisibility())
-    .map((control) => [control.dataset.property, control.labels?.[0]?.textContent]));
-  assert.ok(names.every(([, name]) => name), JSON.stringify(names));
+  const names = await tab.page.$$eval('[data-property]', (found) =>
+    found
+      .filter((control) => control.checkVisibility())
+      .map((control) => [control.dataset.property, control.labels?.[0]?.textContent]),
+  );
+  assert.ok(
+    names.every(([, name]) => name),
+    JSON.stringify(names),
+  );
   assert.ok(names.every(([place]) => place.startsWith('source:')));
 
   await tab.page.focus(propertyOf('source:width'));
@@ -330,9 +387,14 @@ test('accessible controls add, change, reset and delete by keys', async () => {
   assert.deepEqual(wider.slice(0, -1), now.slice(0, -1));
   // The list selects; the first source has its parameters instead of properties, and a name.
   await tab.page.select(actionOf('select-object'), '1');
-  await panel.until('its name alone', (root) => (
-    [...root.querySelectorAll('[data-property]')].filter((row) => row.checkVisibility()).map((row) => row.dataset.property).join() === 'source:name'
-  ));
+  await panel.until(
+    'its name alone',
+    (root) =>
+      [...root.querySelectorAll('[data-property]')]
+        .filter((row) => row.checkVisibility())
+        .map((row) => row.dataset.property)
+        .join() === 'source:name',
+  );
   await tab.page.select(actionOf('select-object'), '5');
   await tab.page.focus(propertyOf('solid:angle'));
   await tab.key('ArrowRight');

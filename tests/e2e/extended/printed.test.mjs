@@ -27,21 +27,33 @@ after(() => browser?.close());
 test('every equation as printed has a pair of fires that differ in it alone, and a number that distinguishes them', async () => {
   const tab = await browser.open('printed.html', PHONE);
   for (const flag of Object.keys(RATIOS)) {
-    await tab.until(`the numbers of ${flag}`, (id) => (
-      document.querySelector(`[data-flag="${id}"] [data-number="printed"]`)?.textContent !== '…'
-    ), flag);
+    await tab.until(
+      `the numbers of ${flag}`,
+      (id) => document.querySelector(`[data-flag="${id}"] [data-number="printed"]`)?.textContent !== '…',
+      flag,
+    );
   }
   await tab.until('the end', () => document.getElementById('status')?.textContent === '');
-  const pairs = await tab.evaluate(() => [...document.querySelectorAll('section')].map((section) => ({
-    flag: section.dataset.flag,
-    attributes: [...section.querySelectorAll('hearth-fire')].map((fire) => (
-      fire.getAttributeNames().filter((name) => !['alt', 'max-pixels'].includes(name))
-    )),
-    numbers: [...section.querySelectorAll('[data-number]')].map((cell) => Number(cell.textContent)),
-  })));
+  const pairs = await tab.evaluate(() =>
+    [...document.querySelectorAll('section')].map((section) => ({
+      flag: section.dataset.flag,
+      attributes: [...section.querySelectorAll('hearth-fire')].map((fire) =>
+        fire.getAttributeNames().filter((name) => !['alt', 'max-pixels'].includes(name)),
+      ),
+      numbers: [...section.querySelectorAll('[data-number]')].map((cell) => Number(cell.textContent)),
+    })),
+  );
   const printed = PARAMETERS.map(({ id }) => id).filter((id) => id.startsWith('printed_'));
-  assert.deepEqual(pairs.map(({ flag }) => flag), printed, 'the page has all of them');
-  for (const { flag = '', attributes, numbers: [corrected, asPrinted] } of pairs) {
+  assert.deepEqual(
+    pairs.map(({ flag }) => flag),
+    printed,
+    'the page has all of them',
+  );
+  for (const {
+    flag = '',
+    attributes,
+    numbers: [corrected, asPrinted],
+  } of pairs) {
     assert.deepEqual(attributes, [['preset'], ['preset', flag.replaceAll('_', '-')]]);
     const [least, most] = RATIOS[flag];
     const ratio = asPrinted / corrected;

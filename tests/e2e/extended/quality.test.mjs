@@ -26,11 +26,16 @@ const small = { width: 260, height: 260 };
 
 /** Waits until the fire has about so many particles, and reports this quality. */
 function settles(tab, quality, particles = PARTICLES[quality]) {
-  return tab.until(`${quality}, ${particles} particles`, (name, count) => {
-    const { stats } = /** @type {any} */ (document.querySelector('hearth-fire'));
-    // The number fills the frame. Open air fills less at first, and in a wide view up to twice as many.
-    return stats?.quality === name && stats.particles > 0.5 * count && stats.particles <= 2 * count;
-  }, quality, particles);
+  return tab.until(
+    `${quality}, ${particles} particles`,
+    (name, count) => {
+      const { stats } = /** @type {any} */ (document.querySelector('hearth-fire'));
+      // The number fills the frame. Open air fills less at first, and in a wide view up to twice as many.
+      return stats?.quality === name && stats.particles > 0.5 * count && stats.particles <= 2 * count;
+    },
+    quality,
+    particles,
+  );
 }
 
 for (const quality of Object.keys(PARTICLES)) {
@@ -38,9 +43,11 @@ for (const quality of Object.keys(PARTICLES)) {
     const tab = await browser.show(recording(`<hearth-fire quality="${quality}"></hearth-fire>`), small);
     await tab.burnt(0.1);
     await settles(tab, quality);
-    const { requested, params, reason } = await tab.fire((fire) => (
-      { requested: fire.quality, params: fire.params, reason: fire.stats.qualityReason }
-    ));
+    const { requested, params, reason } = await tab.fire((fire) => ({
+      requested: fire.quality,
+      params: fire.params,
+      reason: fire.stats.qualityReason,
+    }));
     assert.deepEqual([requested, params, reason], [quality, DEFAULTS, 'as requested']);
     assert.deepEqual(await events(tab, 'params-change'), []);
     assert.deepEqual(tab.problems, []);
@@ -53,7 +60,12 @@ test('a burning fire changes its quality and burns on', async () => {
   const time = await tab.fire((fire) => fire.stats.time);
   for (const [quality, change] of [
     ['low', (fire) => fire.setAttribute('quality', 'low')],
-    ['medium', (fire) => { fire.quality = 'medium'; }],
+    [
+      'medium',
+      (fire) => {
+        fire.quality = 'medium';
+      },
+    ],
   ]) {
     await tab.fire(change);
     await settles(tab, quality);
@@ -99,15 +111,23 @@ const eightCores = () => Object.defineProperty(navigator, 'hardwareConcurrency',
 test('with a quality or a number of particles the same seed gives the same fire, whatever quality the device starts with', async () => {
   const asked = ['quality="medium"', 'max-particles="1500"', 'max-particles="3000"'];
   const [slow, fast] = [[], []];
-  for (const [fires, before] of /** @type {[object[], () => void][]} */ ([[slow, twoCores], [fast, eightCores]])) {
+  for (const [fires, before] of /** @type {[object[], () => void][]} */ ([
+    [slow, twoCores],
+    [fast, eightCores],
+  ])) {
     for (const attributes of asked) {
-      const tab = await browser.show(`<hearth-fire seed="7" ${attributes} autoplay="false"></hearth-fire>`, { ...small, before });
-      fires.push(await tab.fire(async (fire) => {
-        await fire.ready;
-        await fire.step(40);
-        const { time, particles, embers, neighbours } = fire.stats;
-        return { time, particles, embers, neighbours };
-      }));
+      const tab = await browser.show(`<hearth-fire seed="7" ${attributes} autoplay="false"></hearth-fire>`, {
+        ...small,
+        before,
+      });
+      fires.push(
+        await tab.fire(async (fire) => {
+          await fire.ready;
+          await fire.step(40);
+          const { time, particles, embers, neighbours } = fire.stats;
+          return { time, particles, embers, neighbours };
+        }),
+      );
       assert.deepEqual(tab.problems, []);
     }
   }
@@ -121,17 +141,16 @@ test('an unknown quality is rejected with an error event, and the last good one 
   for (const bad of ['best', '', 'LOW', '2']) {
     await tab.fire((fire, value) => fire.setAttribute('quality', value), bad);
   }
-  await tab.until('four errors', () => (
-    /** @type {any} */ (window).events.filter(({ type }) => type === 'error').length === 4
-  ));
+  await tab.until(
+    'four errors',
+    () => /** @type {any} */ (window).events.filter(({ type }) => type === 'error').length === 4,
+  );
   const [{ kind, id, value, message }] = await events(tab, 'error');
   assert.deepEqual([kind, id, value], ['bad-parameter', 'quality', 'best']);
   assert.match(message, /quality.*"best".*auto, low, medium, high/);
   assert.equal(await tab.fire((fire) => fire.quality), 'low');
   await tab.fire((fire) => fire.removeAttribute('quality'));
-  await tab.until('auto is back', () => (
-    /** @type {any} */ (document.querySelector('hearth-fire')).quality === 'auto'
-  ));
+  await tab.until('auto is back', () => /** @type {any} */ (document.querySelector('hearth-fire')).quality === 'auto');
 });
 
 test('quality is kept when set early, in the address, and off the page', async () => {
@@ -154,19 +173,24 @@ test('quality is kept when set early, in the address, and off the page', async (
 test('with quality auto, a fire that does not fit its frames gets a lower quality and reports why', async () => {
   const tab = await browser.open(
     // On a machine that does not begin with the lowest quality.
-    `<script>(${eightCores})()</script>${onPageThread(recording(
-      '<hearth-fire max-pixels="10000" style="width: 1600px; height: 1200px"></hearth-fire>',
-    ))}`,
+    `<script>(${eightCores})()</script>${onPageThread(
+      recording('<hearth-fire max-pixels="10000" style="width: 1600px; height: 1200px"></hearth-fire>'),
+    )}`,
     { width: 400, height: 300, before: simulateClock },
   );
   await tab.ready();
-  await tab.evaluate(() => { /** @type {any} */ (window).clock.cost = 5; });
-  await tab.until('it is of low quality', () => (
-    /** @type {any} */ (document.querySelector('hearth-fire')).stats?.quality === 'low'
-  ));
-  const { requested, reason, params } = await tab.fire((fire) => (
-    { requested: fire.quality, reason: fire.stats.qualityReason, params: fire.params }
-  ));
+  await tab.evaluate(() => {
+    /** @type {any} */ (window).clock.cost = 5;
+  });
+  await tab.until(
+    'it is of low quality',
+    () => /** @type {any} */ (document.querySelector('hearth-fire')).stats?.quality === 'low',
+  );
+  const { requested, reason, params } = await tab.fire((fire) => ({
+    requested: fire.quality,
+    reason: fire.stats.qualityReason,
+    params: fire.params,
+  }));
   assert.equal(requested, 'auto');
   assert.match(reason, /\d ms .*1,200 particles instead of [36],\d00$/);
   assert.deepEqual(params, DEFAULTS);
@@ -202,9 +226,11 @@ test('the panel and its accessible controls set the quality, and show a quality 
   const panel = await new Panel(tab).mounted();
   const control = '[data-action="quality"]';
   const shown = () => tab.page.$eval(control, (element) => /** @type {any} */ (element).value);
-  await tab.until('the accessible control shows it', (selector) => (
-    /** @type {any} */ (document.querySelector(selector)).value === 'medium'
-  ), control);
+  await tab.until(
+    'the accessible control shows it',
+    (selector) => /** @type {any} */ (document.querySelector(selector)).value === 'medium',
+    control,
+  );
   await panel.pointAt(control);
   await tab.click(along(await panel.rectangleOf('quality:low'), 0.5));
   await settles(tab, 'low');
@@ -225,9 +251,10 @@ test('another quality does not remove the message that a visitor is reading', as
   await tab.burnt(0.1);
   await new Panel(tab).mounted();
   // Words in the header push down the rows below it.
-  const top = () => tab.page.$eval(controlOf('fuel_power'), (control) => (
-    Number(/** @type {any} */ (control).dataset.rect?.split(' ')[1])
-  ));
+  const top = () =>
+    tab.page.$eval(controlOf('fuel_power'), (control) =>
+      Number(/** @type {any} */ (control).dataset.rect?.split(' ')[1]),
+    );
   const before = await top();
   await tab.fire((fire) => fire.setAttribute('quality', 'best'));
   await tab.frames(6);

@@ -59,12 +59,17 @@ function mortal() {
 }
 
 /** Lets time limits pass until that many errors are reported: the next question to a worker takes a while. */
-const reported = (tab, number) => tab.until(`${number} errors are reported`, (wanted) => {
-  const scope = /** @type {any} */ (window);
-  const enough = () => scope.events.filter(({ type }) => type === 'error').length >= wanted;
-  if (!enough()) scope.count(1);
-  return enough();
-}, number);
+const reported = (tab, number) =>
+  tab.until(
+    `${number} errors are reported`,
+    (wanted) => {
+      const scope = /** @type {any} */ (window);
+      const enough = () => scope.events.filter(({ type }) => type === 'error').length >= wanted;
+      if (!enough()) scope.count(1);
+      return enough();
+    },
+    number,
+  );
 const count = (tab, seconds) => tab.evaluate((time) => /** @type {any} */ (window).count(time), seconds);
 
 /** Waits until the page has heard of `number` restorations, and asserts that it heard of no failure. */
@@ -77,7 +82,10 @@ async function assertReturns(tab, number = 1) {
   await assertBurns(tab);
 }
 
-for (const [what, call] of /** @type {[string, 'reset' | 'sparks'][]} */ ([['ends', 'reset'], ['hangs', 'sparks']])) {
+for (const [what, call] of /** @type {[string, 'reset' | 'sparks'][]} */ ([
+  ['ends', 'reset'],
+  ['hangs', 'sparks'],
+])) {
   test(`an engine that ${what} is followed by another, which continues the fire`, async () => {
     const tab = await browser.open(BODY, { before: countManually, beforeWorker: mortal });
     await tab.burnt(0.5);
@@ -85,12 +93,22 @@ for (const [what, call] of /** @type {[string, 'reset' | 'sparks'][]} */ ([['end
     const before = await tab.fire((fire) => fire.params);
     await tab.fire((fire, method) => {
       const { shadowRoot } = fire;
-      Object.assign(window, { answers: [fire[method](0, 1), fire.step(3)].map((answer) => answer.then(() => 'done', ({ kind }) => kind)) });
+      Object.assign(window, {
+        answers: [fire[method](0, 1), fire.step(3)].map((answer) =>
+          answer.then(
+            () => 'done',
+            ({ kind }) => kind,
+          ),
+        ),
+      });
       return shadowRoot.querySelector('canvas').width;
     }, call);
     await reported(tab, 1);
     // Nothing that was asked of the old engine stays pending.
-    assert.deepEqual(await tab.evaluate(() => Promise.all(/** @type {any} */ (window).answers)), ['stopped', 'stopped']);
+    assert.deepEqual(await tab.evaluate(() => Promise.all(/** @type {any} */ (window).answers)), [
+      'stopped',
+      'stopped',
+    ]);
     await assertReturns(tab);
     assert.deepEqual(await tab.fire((fire) => fire.params), before);
     const [error] = await events(tab, 'error');
@@ -106,7 +124,10 @@ for (const [what, call] of /** @type {[string, 'reset' | 'sparks'][]} */ ([['end
 
 test('children have their objects in the next fire, with what changed while the engine stopped', async () => {
   const children = '<hearth-source x="0.1"></hearth-source><hearth-solid x="0.2"></hearth-solid>';
-  const tab = await browser.open(BODY.replace('</hearth-fire>', `${children}</hearth-fire>`), { before: countManually, beforeWorker: mortal });
+  const tab = await browser.open(BODY.replace('</hearth-fire>', `${children}</hearth-fire>`), {
+    before: countManually,
+    beforeWorker: mortal,
+  });
   await tab.burnt(0.1);
   await tab.fire((fire) => {
     fire.reset();
@@ -118,9 +139,12 @@ test('children have their objects in the next fire, with what changed while the 
   await assertReturns(tab);
   await tab.until('every child has its object', () => {
     const fire = /** @type {any} */ (document.querySelector('hearth-fire'));
-    const list = [...fire.querySelectorAll('hearth-source, hearth-solid')].map(({ objectId }) => (
-      fire.objects.filter(({ id }) => id === objectId).map(({ kind, x, y }) => [kind, x, y].join(' ')).join()
-    ));
+    const list = [...fire.querySelectorAll('hearth-source, hearth-solid')].map(({ objectId }) =>
+      fire.objects
+        .filter(({ id }) => id === objectId)
+        .map(({ kind, x, y }) => [kind, x, y].join(' '))
+        .join(),
+    );
     return fire.objects.length === 3 && list.join() === 'source -0.1 0.25,solid 0.2 0.9,solid 0 0.5';
   });
 });
@@ -208,7 +232,15 @@ test('an engine that stops three times in a minute leaves a poster, words and a 
   }
   await tab.fire((fire) => void fire.reset());
   await reported(tab, 3);
-  assert.equal(await tab.fire((fire) => fire.ready.then(() => '', ({ kind }) => kind)), 'stopped');
+  assert.equal(
+    await tab.fire((fire) =>
+      fire.ready.then(
+        () => '',
+        ({ kind }) => kind,
+      ),
+    ),
+    'stopped',
+  );
   const seen = await tab.fire((fire) => ({
     words: fire.shadowRoot.querySelector('[role=status]').textContent,
     poster: document.querySelector('[slot=poster]')?.checkVisibility(),
@@ -228,11 +260,16 @@ test('a context that never comes back is followed by another', async () => {
   const tab = await browser.open(BODY, { before: countManually });
   await tab.burnt(0.5);
   await tab.loseContext();
-  await tab.until('the loss is reported', () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'));
+  await tab.until('the loss is reported', () =>
+    /** @type {any} */ (window).events.some(({ type }) => type === 'error'),
+  );
   await count(tab, 5);
   await tab.until('the fire is back', () => /** @type {any} */ (window).restored === 1);
   const errors = await events(tab, 'error');
-  assert.deepEqual(errors.map(({ kind }) => kind), ['context-lost', 'stopped']);
+  assert.deepEqual(
+    errors.map(({ kind }) => kind),
+    ['context-lost', 'stopped'],
+  );
   assert.match(errors[1].message, /has not restored its graphics context/);
   await assertBurns(tab);
 });
@@ -241,7 +278,9 @@ test('a fire that is added while the context is lost is ready when it can be see
   const tab = await browser.open(BODY, { before: countManually });
   await tab.burnt(0.3);
   await tab.loseContext();
-  await tab.until('the loss is reported', () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'));
+  await tab.until('the loss is reported', () =>
+    /** @type {any} */ (window).events.some(({ type }) => type === 'error'),
+  );
   const [early, late] = await tab.evaluate(async () => {
     const fire = /** @type {any} */ (document.createElement('hearth-fire'));
     fire.style.cssText = 'width: 120px; height: 150px';
@@ -263,7 +302,13 @@ test('a fire out of sight is ready without a picture, and a picture of it is ref
     fire.loading = 'eager';
     await fire.ready;
     let waits = true;
-    const picture = fire.toBlob().then(() => 'a picture', ({ message }) => message).finally(() => (waits = false));
+    const picture = fire
+      .toBlob()
+      .then(
+        () => 'a picture',
+        ({ message }) => message,
+      )
+      .finally(() => (waits = false));
     while (waits) {
       /** @type {any} */ (window).count(1);
       await new Promise(requestAnimationFrame);
@@ -275,28 +320,31 @@ test('a fire out of sight is ready without a picture, and a picture of it is ref
 });
 
 test('a fire of a main thread whose engine has damaged memory is continued with other memory', async () => {
-  const tab = await browser.open(`${BODY}<script type="module">
+  const tab = await browser.open(
+    `${BODY}<script type="module">
     import { HearthFire } from '/web/hearth-fire.js';
     HearthFire.engine = 'main';
-  </script>`, {
-    before: () => {
-      const { instantiate } = WebAssembly;
-      const scope = /** @type {any} */ (window);
-      scope.memories = [];
-      WebAssembly.instantiate = async (/** @type {any[]} */ ...of) => {
-        const made = /** @type {any} */ (await /** @type {any} */ (instantiate)(...of));
-        scope.memories.push(made.exports.memory);
-        return made;
-      };
-      const { prototype } = WebGL2RenderingContext;
-      const original = prototype.drawArraysInstanced;
-      prototype.drawArraysInstanced = function drawArraysInstanced(...call) {
-        if (scope.defect) new Uint8Array(scope.memories.at(-1).buffer).fill(255);
-        scope.defect = false;
-        return original.apply(this, call);
-      };
+  </script>`,
+    {
+      before: () => {
+        const { instantiate } = WebAssembly;
+        const scope = /** @type {any} */ (window);
+        scope.memories = [];
+        WebAssembly.instantiate = async (/** @type {any[]} */ ...of) => {
+          const made = /** @type {any} */ (await /** @type {any} */ (instantiate)(...of));
+          scope.memories.push(made.exports.memory);
+          return made;
+        };
+        const { prototype } = WebGL2RenderingContext;
+        const original = prototype.drawArraysInstanced;
+        prototype.drawArraysInstanced = function drawArraysInstanced(...call) {
+          if (scope.defect) new Uint8Array(scope.memories.at(-1).buffer).fill(255);
+          scope.defect = false;
+          return original.apply(this, call);
+        };
+      },
     },
-  });
+  );
   await tab.burnt(0.3);
   await tab.evaluate(() => Object.assign(window, { defect: true }));
   await tab.until('the fire is back', () => /** @type {any} */ (window).restored === 1);
@@ -306,23 +354,26 @@ test('a fire of a main thread whose engine has damaged memory is continued with 
 });
 
 test('a fire of a main thread whose engine throws is continued', async () => {
-  const tab = await browser.open(`${BODY}<script type="module">
+  const tab = await browser.open(
+    `${BODY}<script type="module">
     import { HearthFire } from '/web/hearth-fire.js';
     HearthFire.engine = 'main';
-  </script>`, {
-    before: () => {
-      const { prototype } = WebGL2RenderingContext;
-      const original = prototype.drawArraysInstanced;
-      prototype.drawArraysInstanced = function drawArraysInstanced(...call) {
-        const scope = /** @type {any} */ (window);
-        if (scope.defect) {
-          scope.defect = false;
-          throw new Error('a defect');
-        }
-        return original.apply(this, call);
-      };
+  </script>`,
+    {
+      before: () => {
+        const { prototype } = WebGL2RenderingContext;
+        const original = prototype.drawArraysInstanced;
+        prototype.drawArraysInstanced = function drawArraysInstanced(...call) {
+          const scope = /** @type {any} */ (window);
+          if (scope.defect) {
+            scope.defect = false;
+            throw new Error('a defect');
+          }
+          return original.apply(this, call);
+        };
+      },
     },
-  });
+  );
   await tab.burnt(0.3);
   await tab.evaluate(() => Object.assign(window, { defect: true }));
   await tab.until('the fire is back', () => /** @type {any} */ (window).restored === 1);

@@ -49,7 +49,7 @@ test('an engine with steps of half a second leaves the page’s thread most of i
     const [work, first] = [clock.work, clock.frames];
     await frames(2000);
     const worked = clock.work - work;
-    return worked / (worked + (clock.frames - first) * 1000 / 60);
+    return worked / (worked + ((clock.frames - first) * 1000) / 60);
   });
   assert.ok(share > 0.1 && share < 0.5, `the engine takes ${share} of the thread`);
   assert.deepEqual(tab.problems, []);
@@ -75,9 +75,12 @@ test('on the page’s thread a number of particles that takes too long is reduce
 test('on the page’s thread a fire starts with at most ten thousand particles', async () => {
   // Steps of eight milliseconds neither lower the number nor raise it.
   const tab = await onSlowPage('max-particles="100000"', 2);
-  const first = await tab.fire((fire) => new Promise((resolve) => {
-    fire.addEventListener('stats', () => resolve(fire.stats.particles), { once: true });
-  }));
+  const first = await tab.fire(
+    (fire) =>
+      new Promise((resolve) => {
+        fire.addEventListener('stats', () => resolve(fire.stats.particles), { once: true });
+      }),
+  );
   assert.ok(first < 11_000, `${first} particles`);
   assert.equal(await tab.fire((fire) => fire.params.max_particles), 100_000);
 });
@@ -89,7 +92,9 @@ test('wasm of another version is refused, and both versions are named', async ()
   const names = (/** @type {string} */ domain) => `${String.fromCharCode(domain.length)}${domain}`;
   const body = Buffer.from(wasm.toString('latin1').replaceAll(names(version), names('9.8.7')), 'latin1');
   const tab = await browser.open('<hearth-fire></hearth-fire>', { files: { 'hearth-engine_bg.wasm': { body } } });
-  const { kind, message } = await tab.fire((fire) => fire.ready.catch((error) => ({ kind: error.kind, message: error.message })));
+  const { kind, message } = await tab.fire((fire) =>
+    fire.ready.catch((error) => ({ kind: error.kind, message: error.message })),
+  );
   assert.equal(kind, 'load');
   assert.ok(message.includes(`its wasm has version 9.8.7, the element has version ${version}`), message);
 });
@@ -100,14 +105,18 @@ test('a script of another version than its wasm is refused, and the version is n
   const tab = await browser.open('<hearth-fire></hearth-fire>', {
     files: { 'hearth-engine.js': { body: glue.replaceAll(version, '9.8.7') } },
   });
-  const { kind, message } = await tab.fire((fire) => fire.ready.catch((error) => ({ kind: error.kind, message: error.message })));
+  const { kind, message } = await tab.fire((fire) =>
+    fire.ready.catch((error) => ({ kind: error.kind, message: error.message })),
+  );
   assert.equal(kind, 'load');
   assert.ok(message.includes(`"${version}"`), message);
 });
 
 test('a worker of another version is not used, and both versions are named', async () => {
   const body = "onmessage = () => postMessage({ type: 'started', version: '9.8.7' });";
-  const tab = await browser.open('<hearth-fire max-pixels="10000"></hearth-fire>', { files: { 'engine/worker.js': { body } } });
+  const tab = await browser.open('<hearth-fire max-pixels="10000"></hearth-fire>', {
+    files: { 'engine/worker.js': { body } },
+  });
   await tab.burnt(0.1);
   assert.equal(tab.problems.length, 1, tab.problems.join('\n'));
   assert.match(tab.problems[0], /worker\.js has version 9\.8\.7, the element has version \d+\.\d+\.\d+/);
@@ -119,7 +128,12 @@ test('a fire without memory for its particles refuses them with a message, and a
     files: { 'hearth-engine_bg.wasm': { body } },
   });
   await tab.burnt(0.2);
-  const message = await tab.fire((fire) => fire.set('max_particles', 100_000).then(() => '', (error) => error.message));
+  const message = await tab.fire((fire) =>
+    fire.set('max_particles', 100_000).then(
+      () => '',
+      (error) => error.message,
+    ),
+  );
   assert.match(message, /max_particles = 100000 is refused: it must be fewer, because there is no memory left/);
   const times = await tab.evaluate(async () => {
     const fires = /** @type {any[]} */ ([...document.querySelectorAll('hearth-fire')]);
@@ -141,7 +155,10 @@ test('a fire for which there is no memory at all reports it, and the others burn
   const message = await tab.evaluate(() => {
     document.body.insertAdjacentHTML('beforeend', '<hearth-fire src="/many.json"></hearth-fire>');
     const fire = /** @type {any} */ (document.body.lastElementChild);
-    return fire.ready.then(() => '', (/** @type {Error} */ error) => error.message);
+    return fire.ready.then(
+      () => '',
+      (/** @type {Error} */ error) => error.message,
+    );
   });
   assert.match(message, /max_particles = 100000 .*no memory left/);
   await tab.burnt((await tab.fire((fire) => fire.stats.time)) + 0.1);

@@ -21,39 +21,48 @@ before(async () => {
 after(() => browser?.close());
 
 /** The accessible name and the text of the bar; null where there is none. */
-const bar = (tab, selector = 'hearth-fire') => tab.on(selector, (fire) => {
-  const found = fire.shadowRoot.querySelector('[part="scale"]');
-  if (!found?.checkVisibility()) return null;
-  const { left, bottom, height } = found.getBoundingClientRect();
-  const outer = fire.getBoundingClientRect();
-  return {
-    label: found.getAttribute('aria-label'),
-    role: found.getAttribute('role'),
-    marks: [...found.querySelectorAll('span')].map((mark) => mark.textContent),
-    left: left - outer.left,
-    below: outer.bottom - bottom,
-    height,
-  };
-});
+const bar = (tab, selector = 'hearth-fire') =>
+  tab.on(selector, (fire) => {
+    const found = fire.shadowRoot.querySelector('[part="scale"]');
+    if (!found?.checkVisibility()) return null;
+    const { left, bottom, height } = found.getBoundingClientRect();
+    const outer = fire.getBoundingClientRect();
+    return {
+      label: found.getAttribute('aria-label'),
+      role: found.getAttribute('role'),
+      marks: [...found.querySelectorAll('span')].map((mark) => mark.textContent),
+      left: left - outer.left,
+      below: outer.bottom - bottom,
+      height,
+    };
+  });
 
 /** Waits until the bar's label is so. */
-const labelled = (tab, pattern) => tab.until(`the bar's label matches ${pattern}`, (wanted) => {
-  const found = document.querySelector('hearth-fire')?.shadowRoot?.querySelector('[part="scale"]');
-  return found?.checkVisibility() && new RegExp(wanted).test(found.getAttribute('aria-label') ?? '');
-}, pattern.source);
+const labelled = (tab, pattern) =>
+  tab.until(
+    `the bar's label matches ${pattern}`,
+    (wanted) => {
+      const found = document.querySelector('hearth-fire')?.shadowRoot?.querySelector('[part="scale"]');
+      return found?.checkVisibility() && new RegExp(wanted).test(found.getAttribute('aria-label') ?? '');
+    },
+    pattern.source,
+  );
 
 /** Waits until there is no bar in sight. */
-const gone = (tab) => tab.until('there is no bar', () => (
-  !document.querySelector('hearth-fire')?.shadowRoot?.querySelector('[part="scale"]')?.checkVisibility()
-));
+const gone = (tab) =>
+  tab.until(
+    'there is no bar',
+    () => !document.querySelector('hearth-fire')?.shadowRoot?.querySelector('[part="scale"]')?.checkVisibility(),
+  );
 
 describe('the bar', () => {
   test('is loaded and shown with a quantity and its unit, and hidden without one', async () => {
     const tab = await browser.show('<hearth-fire></hearth-fire>');
     await tab.burnt(0.3);
-    const loaded = () => tab.evaluate(() => (
-      performance.getEntriesByType('resource').some(({ name }) => /\/(scale|quantities)\.js$/.test(name))
-    ));
+    const loaded = () =>
+      tab.evaluate(() =>
+        performance.getEntriesByType('resource').some(({ name }) => /\/(scale|quantities)\.js$/.test(name)),
+      );
     assert.equal(await bar(tab), null);
     assert.equal(await loaded(), false);
     assert.equal(await tab.fire((fire) => fire.stats.scale), null);
@@ -68,9 +77,14 @@ describe('the bar', () => {
 
     for (const [name, { unit, signed }] of Object.entries(QUANTITIES)) {
       await tab.fire((fire, mode) => fire.set('display_mode', mode), name);
-      await tab.until('its range', () => (/** @type {any} */ (document.querySelector('hearth-fire'))).stats.scale);
+      await tab.until('its range', () => /** @type {any} */ (document.querySelector('hearth-fire')).stats.scale);
       const label = { particles: 'Temperature', velocity: 'Speed' }[name] ?? name[0].toUpperCase() + name.slice(1);
-      await labelled(tab, new RegExp(`^${label}, ${signed ? '−' : ''}[\\d.·⁻⁰-⁹\u202f]+ to [\\d.·⁻⁰-⁹\u202f]+${unit && `\u00a0${unit}`}$`));
+      await labelled(
+        tab,
+        new RegExp(
+          `^${label}, ${signed ? '−' : ''}[\\d.·⁻⁰-⁹\u202f]+ to [\\d.·⁻⁰-⁹\u202f]+${unit && `\u00a0${unit}`}$`,
+        ),
+      );
     }
     await tab.fire((fire) => fire.set('display_mode', 'paper'));
     await gone(tab);
@@ -85,9 +99,11 @@ describe('the bar', () => {
     await labelled(tab, /^Temperature/);
     await tab.fire((fire) => {
       const bar = fire.shadowRoot.querySelector('[part="scale"]');
-      const seen = (/** @type {any} */ (window).seen = []);
-      new MutationObserver(() => seen.push(bar.hidden ? '' : bar.getAttribute('aria-label')))
-        .observe(bar, { attributeFilter: ['hidden', 'aria-label'] });
+      const seen = [];
+      /** @type {any} */ (window).seen = seen;
+      new MutationObserver(() => seen.push(bar.hidden ? '' : bar.getAttribute('aria-label'))).observe(bar, {
+        attributeFilter: ['hidden', 'aria-label'],
+      });
     });
     for (const mode of ['particles', 'velocity', 'temperature']) {
       await tab.fire(async (fire, wanted) => {
@@ -97,7 +113,7 @@ describe('the bar', () => {
         await made;
       }, mode);
       await labelled(tab, mode === 'velocity' ? /^Speed/ : /^Temperature/);
-      await tab.until('its range', () => (/** @type {any} */ (document.querySelector('hearth-fire'))).stats.scale);
+      await tab.until('its range', () => /** @type {any} */ (document.querySelector('hearth-fire')).stats.scale);
     }
     const seen = await tab.evaluate(() => /** @type {any} */ (window).seen);
     assert.ok(seen.some((label) => label.startsWith('Speed')) && !seen.includes(''), String(seen));
@@ -166,10 +182,11 @@ describe('the bar', () => {
   });
 
   test('is left out of a fire too small for it, and of one that is gone', async () => {
-    const sized = (side) => `<hearth-fire display-mode="density" style="width: ${side}px; height: ${side}px"></hearth-fire>`;
+    const sized = (side) =>
+      `<hearth-fire display-mode="density" style="width: ${side}px; height: ${side}px"></hearth-fire>`;
     const tab = await browser.show(sized(150));
     await tab.burnt(0.3);
-    await tab.until('its range', () => (/** @type {any} */ (document.querySelector('hearth-fire'))).stats?.scale);
+    await tab.until('its range', () => /** @type {any} */ (document.querySelector('hearth-fire')).stats?.scale);
     await tab.frames(10);
     assert.equal(await bar(tab), null);
     await tab.fire((fire) => (fire.style.height = fire.style.width = '170px'));
@@ -184,9 +201,13 @@ describe('the bar', () => {
       { height: 640, reducedMotion: true },
     );
     await tab.ready();
-    await tab.until('the panel', () => document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.hearth-panel'));
+    await tab.until('the panel', () =>
+      document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.hearth-panel'),
+    );
     await labelled(tab, /^Density/);
-    const sheet = await tab.fire((fire) => fire.shadowRoot.querySelector('.hearth-panel').getBoundingClientRect().height);
+    const sheet = await tab.fire(
+      (fire) => fire.shadowRoot.querySelector('.hearth-panel').getBoundingClientRect().height,
+    );
     const { below } = await bar(tab);
     assert.ok(below > sheet, `${below} above the edge, and the sheet is ${sheet} high`);
     await tab.fire((fire) => fire.play());
@@ -208,11 +229,12 @@ describe('the bar', () => {
     const tab = await browser.open('<hearth-fire display-mode="density"></hearth-fire>', {
       without: 'element/view/scale.js',
       before: () => {
-        const errors = (/** @type {any} */ (window).errors = []);
+        const errors = [];
+        /** @type {any} */ (window).errors = errors;
         addEventListener('error', () => {}, true);
-        document.addEventListener('DOMContentLoaded', () => document.querySelector('hearth-fire')?.addEventListener(
-          'error', ({ detail }) => errors.push(detail.kind),
-        ));
+        document.addEventListener('DOMContentLoaded', () =>
+          document.querySelector('hearth-fire')?.addEventListener('error', ({ detail }) => errors.push(detail.kind)),
+        );
       },
     });
     // The element requests the bar once the quantity has a range, and its code on demand.

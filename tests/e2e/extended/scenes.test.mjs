@@ -29,37 +29,51 @@ const PHONE = { width: 360, height: 640, ratio: 3, touch: true, pixels: 30_000 }
 const focused = (panel) => panel.in((root) => root.activeElement?.dataset.scene);
 
 /** The names of the scenes that are marked. */
-const marked = (panel) => panel.in((root) => (
-  [...root.querySelectorAll('[data-scene][aria-current="true"]')].map((tile) => tile.dataset.scene)
-));
+const marked = (panel) =>
+  panel.in((root) => [...root.querySelectorAll('[data-scene][aria-current="true"]')].map((tile) => tile.dataset.scene));
 
 const heading = (panel) => panel.in((root, button) => root.querySelector(button).textContent, actionOf('scenes'));
 
 /** Waits until the fire started from that scene. */
-const isScene = (tab, name) => tab.until(`the scene ${name}`, (wanted) => (
-  /** @type {any} */ (document.querySelector('hearth-fire')).preset === wanted
-), name);
+const isScene = (tab, name) =>
+  tab.until(
+    `the scene ${name}`,
+    (wanted) => /** @type {any} */ (document.querySelector('hearth-fire')).preset === wanted,
+    name,
+  );
 
 describe('the scenes', () => {
   test('are complete, each with a picture and a description', async () => {
     const { tab, panel } = await openPage();
     await panel.openScenes();
-    const tiles = await panel.in((root) => [...root.querySelectorAll('[data-scene]')].map((tile) => ({
-      name: tile.dataset.scene,
-      text: tile.textContent,
-      alt: tile.querySelector('img').alt,
-      lazy: tile.querySelector('img').loading,
-    })));
-    assert.deepEqual(tiles, PRESETS.map(({ name, label, description }) => ({
-      name, text: label, alt: description, lazy: 'lazy',
-    })));
+    const tiles = await panel.in((root) =>
+      [...root.querySelectorAll('[data-scene]')].map((tile) => ({
+        name: tile.dataset.scene,
+        text: tile.textContent,
+        alt: tile.querySelector('img').alt,
+        lazy: tile.querySelector('img').loading,
+      })),
+    );
+    assert.deepEqual(
+      tiles,
+      PRESETS.map(({ name, label, description }) => ({
+        name,
+        text: label,
+        alt: description,
+        lazy: 'lazy',
+      })),
+    );
     // Those in sight come, and the others when they are about to be.
     for (const { name } of PRESETS) {
       await tab.on(`[data-scene="${name}"]`, (tile) => tile.scrollIntoView({ block: 'nearest' }));
-      await tab.until(`the picture of ${name}`, (wanted) => {
-        const image = /** @type {any} */ (document.querySelector(`[data-scene="${wanted}"] img`));
-        return image.complete && image.naturalWidth > 0;
-      }, name);
+      await tab.until(
+        `the picture of ${name}`,
+        (wanted) => {
+          const image = /** @type {any} */ (document.querySelector(`[data-scene="${wanted}"] img`));
+          return image.complete && image.naturalWidth > 0;
+        },
+        name,
+      );
     }
     assert.deepEqual(tab.problems, []);
   });
@@ -88,9 +102,11 @@ describe('the scenes', () => {
       const used = PARAMETERS.filter(({ models }) => models.includes(expected.model));
       const now = await tab.fire((fire) => fire.params);
       for (const { id } of used) assert.equal(now[id], expected[id], `${id} of ${name}`);
-      await tab.until('it is marked', (wanted) => (
-        document.querySelector('.hearth-card [aria-current="true"]')?.getAttribute('data-scene') === wanted
-      ), name);
+      await tab.until(
+        'it is marked',
+        (wanted) => document.querySelector('.hearth-card [aria-current="true"]')?.getAttribute('data-scene') === wanted,
+        name,
+      );
       assert.equal((await marked(panel)).length, 1);
     }
     await tab.page.click('[data-card="close"]');
@@ -149,7 +165,10 @@ describe('the scenes', () => {
       fire.importConfig = () => Promise.reject(new Error('no such fire'));
     });
     await tab.page.click(`[data-scene="${PRESETS[1].name}"]`);
-    await panel.until('the status shows the error', (root) => root.querySelector('.hearth-controls [role=status]').textContent === 'no such fire');
+    await panel.until(
+      'the status shows the error',
+      (root) => root.querySelector('.hearth-controls [role=status]').textContent === 'no such fire',
+    );
     assert.deepEqual(await marked(panel), ['default']);
   });
 
@@ -157,16 +176,19 @@ describe('the scenes', () => {
     const missing = PRESETS[1].name;
     const { tab, panel } = await openPage('scene=default', { files: { [`scenes/${missing}.jpg`]: { drop: true } } });
     await panel.openScenes();
-    const places = () => panel.in((root) => (
-      [...root.querySelectorAll('[data-scene]')].map((tile) => {
-        const { x, y, width, height } = tile.getBoundingClientRect();
-        return [x, y, width, height];
-      })
-    ));
+    const places = () =>
+      panel.in((root) =>
+        [...root.querySelectorAll('[data-scene]')].map((tile) => {
+          const { x, y, width, height } = tile.getBoundingClientRect();
+          return [x, y, width, height];
+        }),
+      );
     const before = await places();
-    await tab.until('it is known that it does not come', (name) => (
-      document.querySelector(`[data-scene="${name}"]`)?.classList.contains('bare')
-    ), missing);
+    await tab.until(
+      'it is known that it does not come',
+      (name) => document.querySelector(`[data-scene="${name}"]`)?.classList.contains('bare'),
+      missing,
+    );
     await tab.frames(10);
     assert.deepEqual(await places(), before);
     const shown = await panel.in((root, name) => {
@@ -183,21 +205,26 @@ describe('on a phone', () => {
   for (const inside of [false, true]) {
     test(`a finger pushes and taps them in the sheet ${inside ? 'of a fire' : 'of the page'}`, async () => {
       const tab = await browser.open(
-        inside ? '<hearth-fire controls style="width: 360px; height: 640px"></hearth-fire>' : 'index.html?scene=default',
+        inside
+          ? '<hearth-fire controls style="width: 360px; height: 640px"></hearth-fire>'
+          : 'index.html?scene=default',
         PHONE,
       );
       await tab.ready();
       const panel = await new Panel(tab, { inside }).mounted();
       await panel.openScenes();
-      const rowBox = (name) => panel.in((root, wanted) => {
-        const { x, y, width, height } = root.querySelector(`[data-scene="${wanted}"]`).getBoundingClientRect();
-        return { x: x + width / 2, y: y + height / 2, top: y, bottom: y + height };
-      }, name);
+      const rowBox = (name) =>
+        panel.in((root, wanted) => {
+          const { x, y, width, height } = root.querySelector(`[data-scene="${wanted}"]`).getBoundingClientRect();
+          return { x: x + width / 2, y: y + height / 2, top: y, bottom: y + height };
+        }, name);
       const { top, bottom } = await rowBox('default');
       assert.ok(top >= 0.55 * PHONE.height && bottom <= PHONE.height, 'the fire stays in sight');
-      const cut = await panel.in((root) => [...root.querySelectorAll('[data-scene] > span')].filter((name) => (
-        name.scrollHeight > name.clientHeight + 1 || name.scrollWidth > name.clientWidth + 1
-      )).map((name) => name.textContent));
+      const cut = await panel.in((root) =>
+        [...root.querySelectorAll('[data-scene] > span')]
+          .filter((name) => name.scrollHeight > name.clientHeight + 1 || name.scrollWidth > name.clientWidth + 1)
+          .map((name) => name.textContent),
+      );
       assert.deepEqual(cut, [], 'names are read to their ends');
       for (const name of [PRESETS[1].name, PRESETS[5].name]) {
         for (let pushes = 0; (await rowBox(name)).x > PHONE.width - 20 && pushes < 20; pushes += 1) {

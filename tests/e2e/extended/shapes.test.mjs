@@ -13,7 +13,13 @@ before(async () => {
 });
 after(() => browser?.close());
 
-const STAR = [[0, 0.3], [-0.18, -0.24], [0.285, 0.09], [-0.285, 0.09], [0.18, -0.24]];
+const STAR = [
+  [0, 0.3],
+  [-0.18, -0.24],
+  [0.285, 0.09],
+  [-0.285, 0.09],
+  [0.18, -0.24],
+];
 const STAR_TEXT = '0,0.3 -0.18,-0.24 0.285,0.09 -0.285,0.09 0.18,-0.24';
 
 const FIRE = `<hearth-fire autoplay="false" max-pixels="90000" fuel-power="0" ember-rate="0"
@@ -50,15 +56,41 @@ function refusal(tab, act) {
 test('a star is opaque inside and transparent outside, and travels with the settings', async () => {
   const tab = await browser.show(FIRE);
   await tab.ready();
-  const id = await tab.fire((fire, points) => fire.addObject({ kind: 'solid', shape: 'polygon', points, y: 0.6 }), STAR);
-  const inside = [[0, 0.6], [0, 0.84], [0.2, 0.67], [-0.13, 0.42]];
-  const outside = [[0, 0.4], [0.2, 0.8], [-0.2, 0.8], [-0.25, 0.5]];
-  assert.deepEqual(await opacities(tab, inside), inside.map(() => 255));
-  assert.deepEqual(await opacities(tab, outside), outside.map(() => 0));
+  const id = await tab.fire(
+    (fire, points) => fire.addObject({ kind: 'solid', shape: 'polygon', points, y: 0.6 }),
+    STAR,
+  );
+  const inside = [
+    [0, 0.6],
+    [0, 0.84],
+    [0.2, 0.67],
+    [-0.13, 0.42],
+  ];
+  const outside = [
+    [0, 0.4],
+    [0.2, 0.8],
+    [-0.2, 0.8],
+    [-0.25, 0.5],
+  ];
+  assert.deepEqual(
+    await opacities(tab, inside),
+    inside.map(() => 255),
+  );
+  assert.deepEqual(
+    await opacities(tab, outside),
+    outside.map(() => 0),
+  );
   const config = await tab.fire((fire) => fire.exportConfig());
   assert.deepEqual(config.objects.at(-1), { kind: 'solid', shape: 'polygon', y: 0.6, points: STAR_TEXT });
   await tab.fire((fire, id) => fire.changeObject(id, { shape: 'stroke', height: 0.04, angle: 180 }), id);
-  assert.deepEqual(await opacities(tab, [[0, 0.3], [0, 0.6], [0, 0.66]]), [255, 0, 0]);
+  assert.deepEqual(
+    await opacities(tab, [
+      [0, 0.3],
+      [0, 0.6],
+      [0, 0.66],
+    ]),
+    [255, 0, 0],
+  );
   await tab.fire((fire, config) => fire.importConfig(JSON.stringify(config)), config);
   assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), config);
 });
@@ -80,9 +112,17 @@ test('a word is a mask that is drawn, and gas stays out', async () => {
   const letters = middle.map((opacity) => (opacity === 15 ? '#' : '.')).join('');
   assert.match(letters, /^\.*#+\.+#+\.*$/, 'the upright strokes of both letters');
   // Edges are left out: the picture has fewer pixels than the mask.
-  const sure = places.filter((_, at) => at > 0 && at < 39 && middle[at - 1] === middle[at] && middle[at] === middle[at + 1]);
-  const drawn = await opacities(tab, sure.map((along) => [(along - 0.5) * solid.width, 0.6]));
-  assert.deepEqual(drawn, sure.map((along) => 17 * pixels.at(along, 0.5)));
+  const sure = places.filter(
+    (_, at) => at > 0 && at < 39 && middle[at - 1] === middle[at] && middle[at] === middle[at + 1],
+  );
+  const drawn = await opacities(
+    tab,
+    sure.map((along) => [(along - 0.5) * solid.width, 0.6]),
+  );
+  assert.deepEqual(
+    drawn,
+    sure.map((along) => 17 * pixels.at(along, 0.5)),
+  );
   assert.ok(drawn.includes(0) && drawn.includes(255), `${drawn}`);
   const [first, second] = await tab.fire(async (fire) => {
     const kept = await fire.exportConfig();
@@ -102,22 +142,49 @@ test('a word is a mask that is drawn, and gas stays out', async () => {
   const at = ([x, y]) => pixels.at(x / solid.width + 0.5, (0.6 - y) / solid.height + 0.5);
   const around = gas.filter(([x, y]) => Math.abs(x) < solid.width / 2 && Math.abs(y - 0.6) < solid.height / 2);
   assert.ok(around.length > 20, `${around.length} particles between the letters`);
-  assert.deepEqual(around.filter((place) => at(place) === 15), []);
+  assert.deepEqual(
+    around.filter((place) => at(place) === 15),
+    [],
+  );
 });
 
 test('outlines and masks of another form are refused with a message', async () => {
   const tab = await browser.show(FIRE);
   await tab.ready();
-  const points = /^RangeError: objects\[1\]\.points = .* is refused: it must be 2 to 256 pairs of numbers from -10 to 10 m/s;
+  const points =
+    /^RangeError: objects\[1\]\.points = .* is refused: it must be 2 to 256 pairs of numbers from -10 to 10 m/s;
   for (const [act, words] of [
     [(fire) => fire.addObject({ kind: 'solid', points: [] }), points],
     [(fire) => fire.addObject({ kind: 'solid', points: [[0, 0]] }), points],
-    [(fire) => fire.addObject({ kind: 'solid', points: [[0, 0], [NaN, 1]] }), points],
+    [
+      (fire) =>
+        fire.addObject({
+          kind: 'solid',
+          points: [
+            [0, 0],
+            [NaN, 1],
+          ],
+        }),
+      points,
+    ],
     [(fire) => fire.addObject({ kind: 'solid', points: [[0, 0], [1]] }), points],
-    [(fire) => fire.addObject({ kind: 'solid', points: [[0, 0], [11, 1]] }), points],
+    [
+      (fire) =>
+        fire.addObject({
+          kind: 'solid',
+          points: [
+            [0, 0],
+            [11, 1],
+          ],
+        }),
+      points,
+    ],
     [(fire) => fire.addObject({ kind: 'solid', points: Array(1e5).fill([0, 0]) }), points],
     [(fire) => fire.addObject({ kind: 'solid', points: 7 }), points],
-    [(fire) => fire.addObject({ kind: 'solid', mask: 'https://example.com/star.png' }), /objects\[1\]\.mask = .* of a mask/],
+    [
+      (fire) => fire.addObject({ kind: 'solid', mask: 'https://example.com/star.png' }),
+      /objects\[1\]\.mask = .* of a mask/,
+    ],
     [(fire) => fire.addObject({ kind: 'solid', mask: 'x'.repeat(1e6) }), /objects\[1\]\.mask = .* of a mask/],
     [(_, masks) => masks.maskOfText(' ', '700 1em serif'), /text = " " is refused/],
     [(_, masks) => masks.maskOfText('FIRE', 'big'), /font = "big" is refused: it must be a CSS font/],

@@ -26,14 +26,18 @@ describe('the panel', () => {
    */
   async function openPage(options = {}) {
     const tab = await browser.open('index.html?scene=classic', {
-      width: 760, height: 600, before: keepCopies, ...options,
+      width: 760,
+      height: 600,
+      before: keepCopies,
+      ...options,
     });
     await tab.ready();
     await tab.fire((fire, values) => fire.set(values), VALUES);
     const panel = await new Panel(tab).mounted();
-    const { config, params } = await tab.fire(async (fire) => (
-      { config: await fire.exportConfig(), params: fire.params }
-    ));
+    const { config, params } = await tab.fire(async (fire) => ({
+      config: await fire.exportConfig(),
+      params: fire.params,
+    }));
     return { tab, panel, config, params };
   }
 
@@ -58,9 +62,13 @@ describe('the panel', () => {
   async function pasteSettings(tab, panel, text) {
     await panel.share('paste');
     await tab.until('the card is there', () => document.querySelector('[data-card="paste"] textarea'));
-    await tab.page.$eval('[data-card="paste"] textarea', (field, value) => {
-      /** @type {HTMLTextAreaElement} */ (field).value = value;
-    }, text);
+    await tab.page.$eval(
+      '[data-card="paste"] textarea',
+      (field, value) => {
+        /** @type {HTMLTextAreaElement} */ (field).value = value;
+      },
+      text,
+    );
     await tab.click(along(await tab.rectangle('[data-card="use"]'), 0.5));
   }
 
@@ -69,7 +77,11 @@ describe('the panel', () => {
     const link = await copied(tab, panel, 'link');
     assert.match(await panel.message(), /copied.*link/i);
     assert.deepEqual(Object.keys(Object.fromEntries(new URL(link).searchParams)).sort(), [
-      'background', 'max-particles', 'printed-euler', 'scene', 'viscosity',
+      'background',
+      'max-particles',
+      'printed-euler',
+      'scene',
+      'viscosity',
     ]);
     const other = await browser.show(link);
     await other.ready();
@@ -152,20 +164,21 @@ describe('the panel', () => {
       [`{"hearth": 2, "values": {"seed": "${'9'.repeat(70_000)}"}}`, /64/],
     ]) {
       await pasteSettings(tab, panel, text);
-      const reason = await tab.until(`${text.slice(0, 60)} is refused`, () => (
-        document.querySelector('.hearth-card [role="alert"]')?.textContent
-      ));
+      const reason = await tab.until(
+        `${text.slice(0, 60)} is refused`,
+        () => document.querySelector('.hearth-card [role="alert"]')?.textContent,
+      );
       assert.match(reason, /** @type {RegExp} */ (words));
       assert.equal(await tab.page.$eval(field, (input) => /** @type {any} */ (input).value.length), text.length);
       assert.deepEqual(await paramsOf(tab), params);
       await tab.key('Escape');
       await tab.until('the card is gone', () => !document.querySelector('.hearth-card'));
     }
-    assert.equal(
-      await tab.page.$eval(actionOf('undo'), (button) => button.getAttribute('aria-disabled')),
-      'true',
+    assert.equal(await tab.page.$eval(actionOf('undo'), (button) => button.getAttribute('aria-disabled')), 'true');
+    assert.deepEqual(
+      tab.problems.filter((problem) => problem.startsWith('uncaught')),
+      [],
     );
-    assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
   });
 
   test('shows the text, selected, where the browser does not let it copy', async () => {
@@ -177,8 +190,12 @@ describe('the panel', () => {
     await panel.share('copy:json');
     const shown = await tab.until('a card with the text', () => {
       const field = /** @type {any} */ (document.activeElement);
-      return field?.matches('[data-card="copy"] textarea')
-        && { text: field.value, selected: field.selectionEnd - field.selectionStart };
+      return (
+        field?.matches('[data-card="copy"] textarea') && {
+          text: field.value,
+          selected: field.selectionEnd - field.selectionStart,
+        }
+      );
     });
     assert.deepEqual(JSON.parse(shown.text), config);
     assert.equal(shown.selected, shown.text.length);
@@ -211,7 +228,9 @@ describe('the panel', () => {
     await tab.until('the card is there', () => document.querySelector('[data-card="save"]'));
     await tab.page.select('[data-card="scale"]', '2');
     await tab.page.select('[data-card="background"]', 'black');
-    const { width } = await tab.fire((fire) => createImageBitmap(/** @type {any} */ (fire.shadowRoot).querySelector('canvas')).then(({ width }) => ({ width })));
+    const { width } = await tab.fire((fire) =>
+      createImageBitmap(/** @type {any} */ (fire.shadowRoot).querySelector('canvas')).then(({ width }) => ({ width })),
+    );
     await tab.page.click('[data-card="save"]');
     const { name, start, size } = await tab.until('a file', () => /** @type {any} */ (window).saved);
     assert.match(name, /\.png$/);

@@ -61,10 +61,7 @@ test('the library loads with a policy that allows wasm, and else rejects with th
   const policy = (/** @type {string} */ scripts) => ({
     'content-security-policy': `default-src 'self'; img-src data:; script-src ${scripts}`,
   });
-  const good = [
-    { headers: policy("'self' 'wasm-unsafe-eval'") },
-    { files: { [wasm]: { type: 'text/plain' } } },
-  ];
+  const good = [{ headers: policy("'self' 'wasm-unsafe-eval'") }, { files: { [wasm]: { type: 'text/plain' } } }];
   /** @type {[object, RegExp][]} */
   const bad = [
     [{ headers: policy("'self'") }, /could not be loaded: CompileError/],
@@ -122,9 +119,14 @@ test('a simulation in a browser changes to the classic model, or throws and goes
       return [...classics, changed].map((sim) => `${sim.get('model')} ${sim.objects.length}`);
     }, url);
     assert.deepEqual(both, ['classic 1', 'classic 1', 'classic 2']);
-    const without = await browser.open(page, { files: { 'hearth-sim_classic.wasm': gone, 'hearth-sim_bodies.wasm': gone } });
+    const without = await browser.open(page, {
+      files: { 'hearth-sim_classic.wasm': gone, 'hearth-sim_bodies.wasm': gone },
+    });
     const { thrown, model, bits } = await without.evaluate(change, url);
-    assert.match(thrown, /the part "classic" of the wasm could not be loaded: Error: .*hearth-sim_classic\.wasm answers 404/);
+    assert.match(
+      thrown,
+      /the part "classic" of the wasm could not be loaded: Error: .*hearth-sim_classic\.wasm answers 404/,
+    );
     assert.equal(model, 'combustion');
     assert.ok(bits.length > 0);
     const rejected = await without.evaluate(async (from) => {
@@ -162,7 +164,13 @@ test('a simulation in a browser changes to the classic model, or throws and goes
 async function burns(/** @type {any} */ tab) {
   const middle = async () => (await tab.picture()).crop(0.25, 0.4, 0.75, 1);
   const glows = (/** @type {any} */ picture) => picture.glowing() >= 0.02;
-  const picture = await eventually('the lower middle glows', middle, glows, () => tab.frames(4), (dark) => dark.glowing());
+  const picture = await eventually(
+    'the lower middle glows',
+    middle,
+    glows,
+    () => tab.frames(4),
+    (dark) => dark.glowing(),
+  );
   await tab.frames(12);
   const moved = picture.difference(await middle());
   assert.ok(moved > 0.2, `the picture moved by ${moved}`);
@@ -219,17 +227,26 @@ test('every example of the documentation runs, and prints or draws something', a
   assert.ok(SAMPLES.length > 0);
   const browser = await Browser.launch();
   try {
-    const frames = SAMPLES.map((html) => `<iframe width="380" height="280" src="${browser.server.publish(html)}"></iframe>`);
-    const tab = await browser.open(`<!doctype html><link rel="icon" href="data:,">${frames.join('')}`, { width: 1200, height: 900 });
+    const frames = SAMPLES.map(
+      (html) => `<iframe width="380" height="280" src="${browser.server.publish(html)}"></iframe>`,
+    );
+    const tab = await browser.open(`<!doctype html><link rel="icon" href="data:,">${frames.join('')}`, {
+      width: 1200,
+      height: 900,
+    });
     for (const [at, frame] of tab.page.mainFrame().childFrames().entries()) {
-      await frame.waitForFunction(() => {
-        const canvas = document.querySelector('canvas');
-        if (!canvas) return document.querySelector('#out')?.textContent;
-        const { width, height } = canvas;
-        const blank = Object.assign(document.createElement('canvas'), { width, height });
-        return canvas.toDataURL() !== blank.toDataURL();
-      }).catch((error) => assert.fail(`example ${at + 1} prints and draws nothing: ${error.message}`));
-      await frame.evaluate(() => { for (const button of document.querySelectorAll('button')) button.click(); });
+      await frame
+        .waitForFunction(() => {
+          const canvas = document.querySelector('canvas');
+          if (!canvas) return document.querySelector('#out')?.textContent;
+          const { width, height } = canvas;
+          const blank = Object.assign(document.createElement('canvas'), { width, height });
+          return canvas.toDataURL() !== blank.toDataURL();
+        })
+        .catch((error) => assert.fail(`example ${at + 1} prints and draws nothing: ${error.message}`));
+      await frame.evaluate(() => {
+        for (const button of document.querySelectorAll('button')) button.click();
+      });
     }
     await tab.frames(10);
     assert.deepEqual(await tab.problemsAfterFrame(), []);

@@ -18,12 +18,19 @@ const SMALL = 'paused quality="low" style="width: 40px; height: 50px"';
 
 /** Waits until the page has warned so often; gives the warnings. */
 async function warnings(tab, count) {
-  await eventually(`${count} warnings`, () => tab.problems, ({ length }) => length >= count, () => tab.frames(1));
+  await eventually(
+    `${count} warnings`,
+    () => tab.problems,
+    ({ length }) => length >= count,
+    () => tab.frames(1),
+  );
   return tab.problems;
 }
 
 test('attributes without effect cause one warning, in HTML or set later; removed ones cause none', async () => {
-  const tab = await browser.show(`<hearth-fire ${SMALL} data-a="1" class="a" v-if="b" quailty="low"></hearth-fire>`.repeat(2));
+  const tab = await browser.show(
+    `<hearth-fire ${SMALL} data-a="1" class="a" v-if="b" quailty="low"></hearth-fire>`.repeat(2),
+  );
   await tab.ready();
   await tab.fire((fire) => {
     fire.setAttribute('expozure', '1');
@@ -43,15 +50,26 @@ test('attributes without effect cause one warning, in HTML or set later; removed
 
 test('`controls` names the parameters of the panel, and unknown names are reported', async () => {
   const tab = await browser.open(
-    recording('<hearth-fire paused quality="low" controls="fuel_power wind, palete hot-colour" style="width: 700px; height: 500px"></hearth-fire>'),
-    { files: { 'panel.js': { body: `export async function mountPanel({ only }) {
+    recording(
+      '<hearth-fire paused quality="low" controls="fuel_power wind, palete hot-colour" style="width: 700px; height: 500px"></hearth-fire>',
+    ),
+    {
+      files: {
+        'panel.js': {
+          body: `export async function mountPanel({ only }) {
       (window.mounted ??= []).push(only ?? 'all');
       return { destroy() { window.mounted.push('gone'); } };
-    }` } } },
+    }`,
+        },
+      },
+    },
   );
-  const mounted = (wanted) => tab.until(`${JSON.stringify(wanted)}`, (all) => (
-    JSON.stringify(/** @type {any} */ (window).mounted) === JSON.stringify(all)
-  ), wanted);
+  const mounted = (wanted) =>
+    tab.until(
+      `${JSON.stringify(wanted)}`,
+      (all) => JSON.stringify(/** @type {any} */ (window).mounted) === JSON.stringify(all),
+      wanted,
+    );
   const list = [['fuel_power', 'wind', 'hot_colour']];
   await mounted(list);
   const [error] = await tab.until('a refusal', () => {
@@ -61,13 +79,19 @@ test('`controls` names the parameters of the panel, and unknown names are report
   assert.deepEqual([error.kind, error.id, error.value], ['bad-parameter', 'controls', 'palete']);
   assert.match(error.message, /did you mean palette\?/);
   assert.equal(await tab.fire((fire) => fire.controls), 'fuel_power wind, palete hot-colour');
-  for (const [value, shown, read] of [['', 'all', true], ['controls', 'all', 'controls'], ['exposure', ['exposure'], 'exposure']]) {
+  for (const [value, shown, read] of [
+    ['', 'all', true],
+    ['controls', 'all', 'controls'],
+    ['exposure', ['exposure'], 'exposure'],
+  ]) {
     await tab.fire((fire, text) => fire.setAttribute('controls', text), value);
     list.push('gone', shown);
     await mounted(list);
     assert.equal(await tab.fire((fire) => fire.controls), read);
   }
-  await tab.fire((fire) => { fire.controls = false; });
+  await tab.fire((fire) => {
+    fire.controls = false;
+  });
   await mounted([...list, 'gone']);
   const set = await tab.fire((fire) => {
     fire.controls = 'wind';

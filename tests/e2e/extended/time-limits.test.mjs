@@ -29,7 +29,9 @@ function hurry() {
 /** Runs in the page: a download of `late.json` starts when the test calls `arrive`. */
 function holdFile() {
   const { fetch } = window;
-  const arrival = new Promise((resolve) => (/** @type {any} */ (window).arrive = resolve));
+  const arrival = new Promise((resolve) => {
+    /** @type {any} */ (window).arrive = resolve;
+  });
   window.fetch = async (...request) => {
     if (String(request[0]).endsWith('late.json')) await arrival;
     return fetch(...request);
@@ -39,16 +41,22 @@ function holdFile() {
 const settings = (values, more) => ({ body: JSON.stringify({ hearth: 2, values, ...more }), type: 'application/json' });
 
 /** The sources of the changes, of this page's fire, that set a value. */
-const changes = (tab, id) => tab.evaluate((wanted) => (
-  /** @type {any} */ (window).events
-    .filter(({ type, detail }) => type === 'params-change' && detail.id === wanted)
-    .map(({ detail }) => [detail.value, detail.source])
-), id);
+const changes = (tab, id) =>
+  tab.evaluate(
+    (wanted) =>
+      /** @type {any} */ (window).events
+        .filter(({ type, detail }) => type === 'params-change' && detail.id === wanted)
+        .map(({ detail }) => [detail.value, detail.source]),
+    id,
+  );
 
 test('a fire begins with its preset and attributes if its file never arrives', async () => {
-  const tab = await browser.open(recording(`<hearth-fire ${SMALL} src="never.json" preset="candle" wind="0.5"></hearth-fire>`), {
-    files: { 'never.json': { silent: true } },
-  });
+  const tab = await browser.open(
+    recording(`<hearth-fire ${SMALL} src="never.json" preset="candle" wind="0.5"></hearth-fire>`),
+    {
+      files: { 'never.json': { silent: true } },
+    },
+  );
   await tab.ready();
   assert.deepEqual(await tab.fire((fire) => [fire.preset, fire.wind]), ['candle', 0.5]);
   await assertBurns(tab);
@@ -95,7 +103,10 @@ for (const [how, act] of /** @type {[string, (fire: any) => unknown][]} */ ([
     await tab.evaluate(() => /** @type {any} */ (window).arrive());
     await tab.fire((fire) => fire.set('wind', 0.1));
     assert.equal(await tab.fire((fire) => fire.bloom), 0.4);
-    assert.deepEqual((await changes(tab, 'bloom')).map(([value]) => value), [0.4]);
+    assert.deepEqual(
+      (await changes(tab, 'bloom')).map(([value]) => value),
+      [0.4],
+    );
     assert.deepEqual(await events(tab, 'error'), []);
   });
 }
@@ -112,7 +123,10 @@ for (const [what, act] of /** @type {[string, (fire: any) => unknown][]} */ ([
     await tab.fire(act);
     while (!tab.problems.some((problem) => /never\.json.*ERR_ABORTED/.test(problem))) await tab.frames(1);
     if (what.startsWith('changing')) {
-      await tab.until('the other is applied', () => /** @type {any} */ (document.querySelector('hearth-fire')).bloom === 0.4);
+      await tab.until(
+        'the other is applied',
+        () => /** @type {any} */ (document.querySelector('hearth-fire')).bloom === 0.4,
+      );
     }
     assert.deepEqual(await events(tab, 'error'), []);
     await assertBurns(tab);
@@ -124,7 +138,12 @@ test('wasm that never comes is reported within its limit, and the next attempt b
     files: { [WASM]: { silent: true } },
     before: hurry,
   });
-  const failure = await tab.fire((fire) => fire.ready.then(() => null, ({ kind, message }) => [kind, message]));
+  const failure = await tab.fire((fire) =>
+    fire.ready.then(
+      () => null,
+      ({ kind, message }) => [kind, message],
+    ),
+  );
   assert.equal(failure[0], 'load');
   assert.match(failure[1], /could not be loaded: no answer within 60 s/);
   assert.equal((await events(tab, 'error'))[0].message, failure[1]);
@@ -152,9 +171,10 @@ test('code that never comes rejects the call that needs it', async () => {
     before: () => {
       const { setTimeout } = window;
       // Only the code that the test's calls need is in a hurry: a busy machine may be slow with the rest.
-      window.setTimeout = /** @type {any} */ ((act, time, ...rest) => (
-        setTimeout(act, time === 30_000 && /** @type {any} */ (window).isHurried ? 300 : time, ...rest)
-      ));
+      window.setTimeout = /** @type {any} */ (
+        (act, time, ...rest) =>
+          setTimeout(act, time === 30_000 && /** @type {any} */ (window).isHurried ? 300 : time, ...rest)
+      );
     },
   });
   await tab.ready();
@@ -162,13 +182,21 @@ test('code that never comes rejects the call that needs it', async () => {
     /** @type {any} */ (window).isHurried = true;
   });
   for (const call of [['to', { wind: 1 }], ['toBlob']]) {
-    const outcome = await tab.fire((fire, name, ...values) => (
-      fire[name](...values).then(() => '', ({ message }) => message)
-    ), ...call);
+    const outcome = await tab.fire(
+      (fire, name, ...values) =>
+        fire[name](...values).then(
+          () => '',
+          ({ message }) => message,
+        ),
+      ...call,
+    );
     assert.match(outcome, /no answer within 30 s/);
   }
   const errors = await events(tab, 'error');
-  assert.deepEqual(errors.map(({ kind }) => kind), ['load', 'load']);
+  assert.deepEqual(
+    errors.map(({ kind }) => kind),
+    ['load', 'load'],
+  );
   await assertBurns(tab);
 });
 

@@ -54,16 +54,29 @@ test('a drag blows flames its way, and keys blow and throw sparks from the cross
   const tab = await openTools(browser, WIDE, CLASSIC);
   await tool(tab, 'blow');
   assert.match(await toolStatus(tab), /^Blow: Drag to blow/);
-  const blown = (right, left, by) => assert.ok(right > left + 0.01, `blown to the right by ${by}, the flames are at ${right}, to the left at ${left}`);
-  blown(...await glowsAfter(tab, [1, -1].map((way) => () => drag(tab, [-0.1 * way, 0.3], [0.1 * way, 0.3]))), 'a drag');
+  const blown = (right, left, by) =>
+    assert.ok(right > left + 0.01, `blown to the right by ${by}, the flames are at ${right}, to the left at ${left}`);
+  blown(
+    ...(await glowsAfter(
+      tab,
+      [1, -1].map((way) => () => drag(tab, [-0.1 * way, 0.3], [0.1 * way, 0.3])),
+    )),
+    'a drag',
+  );
   await tab.page.focus('.hearth-overlay');
   const cross = () => tab.on('.hearth-overlay .cross', (path) => path.getBoundingClientRect().y);
   await tab.key('Enter');
   const middle = await cross();
   for (let down = 0; down < 4; down += 1) await chord(tab, 'Shift', 'ArrowDown');
-  assert.ok(await cross() > middle, 'with Shift, an arrow moves the cross');
+  assert.ok((await cross()) > middle, 'with Shift, an arrow moves the cross');
   const at = await cross();
-  blown(...await glowsAfter(tab, ['ArrowRight', 'ArrowLeft'].map((key) => () => tab.key(key))), 'keys');
+  blown(
+    ...(await glowsAfter(
+      tab,
+      ['ArrowRight', 'ArrowLeft'].map((key) => () => tab.key(key)),
+    )),
+    'keys',
+  );
   assert.equal(await cross(), at, 'an arrow blows and moves nothing');
   await tab.key('k');
   assert.match(await toolStatus(tab), /The classic model has none/);
@@ -73,9 +86,11 @@ test('a drag blows flames its way, and keys blow and throw sparks from the cross
   const before = await embers(tab);
   await tab.key('Enter');
   await tab.key('Enter');
-  assert.equal(await embers(tab) - before, 48);
+  assert.equal((await embers(tab)) - before, 48);
   assert.equal(await tab.fire((fire) => fire.objects.length), 1);
-  const names = await tab.evaluate(() => ['blow', 'sparks'].map((name) => document.querySelector(`[data-tool="${name}"]`)?.getAttribute('aria-label')));
+  const names = await tab.evaluate(() =>
+    ['blow', 'sparks'].map((name) => document.querySelector(`[data-tool="${name}"]`)?.getAttribute('aria-label')),
+  );
   assert.deepEqual(names, ['Blow (B)', 'Sparks (K)']);
   assert.deepEqual(tab.problems, []);
 });

@@ -41,19 +41,27 @@ async function sprayed(tab, act) {
 
 /** Sprays enough water from there; returns the state of the fuels that the fire then reports. */
 async function putOut(tab, x, y) {
-  await tab.fire(async (fire, [across, up]) => {
-    for (let call = 0; call < 60; call += 1) {
-      await fire.spray(across, up, 0, -3, 20);
-      await fire.step(16);
-    }
-  }, [x, y]);
+  await tab.fire(
+    async (fire, [across, up]) => {
+      for (let call = 0; call < 60; call += 1) {
+        await fire.spray(across, up, 0, -3, 20);
+        await fire.step(16);
+      }
+    },
+    [x, y],
+  );
   return fuelAfter(tab, 400);
 }
 
 test('a press lights wood and keys spray water, which puts it out; a solid that has fallen is dragged from where it is', async () => {
   const tab = await openTools(browser, WIDE, PAUSED);
   const id = await add(tab, { kind: 'solid', shape: 'box', x: 0.3, y: 0.6, width: 0.1, height: 0.1, material: 'wood' });
-  const fuel = () => tab.until('fuel', (solid) => document.querySelector('hearth-fire').objects.find((object) => object.id === solid)?.fuel === 'wood', id);
+  const fuel = () =>
+    tab.until(
+      'fuel',
+      (solid) => document.querySelector('hearth-fire').objects.find((object) => object.id === solid)?.fuel === 'wood',
+      id,
+    );
   await tool(tab, 'ignite');
   assert.match(await toolStatus(tab), /^Ignite: Press a solid/);
   await tap(tab, 0.3, 0.6);
@@ -74,9 +82,22 @@ test('a press lights wood and keys spray water, which puts it out; a solid that 
   const { x, y } = await tab.fire((fire) => fire.toMetres(fire.clientWidth / 2, fire.clientHeight / 2));
   for (const [across, up] of byKeys) assert.ok(close(across, x, 0.01) && close(up, y, 0.01), `${across}, ${up}`);
   await tool(tab, 'undo');
-  await tab.until('no fuel', (solid) => document.querySelector('hearth-fire').objects.find((object) => object.id === solid)?.fuel === 'none', id);
+  await tab.until(
+    'no fuel',
+    (solid) => document.querySelector('hearth-fire').objects.find((object) => object.id === solid)?.fuel === 'none',
+    id,
+  );
 
-  const free = await add(tab, { kind: 'solid', shape: 'box', x: 0.3, y: 1, width: 0.12, height: 0.12, motion: 'free', material: 'wood' });
+  const free = await add(tab, {
+    kind: 'solid',
+    shape: 'box',
+    x: 0.3,
+    y: 1,
+    width: 0.12,
+    height: 0.12,
+    motion: 'free',
+    material: 'wood',
+  });
   const now = () => tab.fire(async (fire, solid) => (await fire.freeSolids()).find((body) => body.id === solid), free);
   await tab.fire((fire) => fire.step(300));
   const fallen = await now();
@@ -84,11 +105,18 @@ test('a press lights wood and keys spray water, which puts it out; a solid that 
   await tab.frames(3);
   await tool(tab, 'select');
   await drag(tab, [fallen.x, fallen.y], [fallen.x + 0.1, fallen.y + 0.2]);
-  await tab.until('the move', (solid) => {
-    const object = document.querySelector('hearth-fire').objects.find((found) => found.id === solid);
-    return object.motion === 'free' && object.x > 0.36;
-  }, free);
+  await tab.until(
+    'the move',
+    (solid) => {
+      const object = document.querySelector('hearth-fire').objects.find((found) => found.id === solid);
+      return object.motion === 'free' && object.x > 0.36;
+    },
+    free,
+  );
   const moved = await now();
-  assert.ok(close(moved.x, fallen.x + 0.1, 0.03) && close(moved.y, fallen.y + 0.2, 0.03), `it is at ${moved.x}, ${moved.y} m`);
+  assert.ok(
+    close(moved.x, fallen.x + 0.1, 0.03) && close(moved.y, fallen.y + 0.2, 0.03),
+    `it is at ${moved.x}, ${moved.y} m`,
+  );
   assert.deepEqual(tab.problems, []);
 });

@@ -20,9 +20,14 @@ const PAUSED = 'scene=default&paused&quality=low';
 const CHARTS = ['Flame height', 'Power', 'Luminosity', 'Luminosity spectrum', 'Temperature', 'Velocity'];
 
 /** The descriptions of the charts, by their titles; hidden ones are left out. */
-const charts = (tab) => tab.evaluate(() => Object.fromEntries([...document.querySelectorAll('.hearth-plots .chart')]
-  .filter((element) => element.checkVisibility())
-  .map((element) => (element.getAttribute('aria-label') ?? '').split(/: (.*)/s))));
+const charts = (tab) =>
+  tab.evaluate(() =>
+    Object.fromEntries(
+      [...document.querySelectorAll('.hearth-plots .chart')]
+        .filter((element) => element.checkVisibility())
+        .map((element) => (element.getAttribute('aria-label') ?? '').split(/: (.*)/s)),
+    ),
+  );
 
 /** Steps the fire so often, each time for so long [s of fire], which is a row of the record. */
 async function burn(tab, rows, seconds = 0.2) {
@@ -30,11 +35,15 @@ async function burn(tab, rows, seconds = 0.2) {
     await tab.fire(async (fire, length) => {
       await fire.step(Math.max(1, Math.round(length / (fire.stats?.stepLength || 0.003))));
       // The page measures once a frame, and before this.
-      await new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); });
+      await new Promise((resolve) => {
+        requestAnimationFrame(() => requestAnimationFrame(resolve));
+      });
       await fire.measure(0, 0);
     }, seconds);
   }
-  await tab.until('the charts', () => /now/.test(document.querySelector('.hearth-plots .chart:nth-of-type(2)')?.getAttribute('aria-label') ?? ''));
+  await tab.until('the charts', () =>
+    /now/.test(document.querySelector('.hearth-plots .chart:nth-of-type(2)')?.getAttribute('aria-label') ?? ''),
+  );
 }
 
 /** Opens the plots with the key, and waits until they show something. */
@@ -58,8 +67,19 @@ async function saved(tab) {
   await tab.evaluate(keepSaved);
   await tab.page.click('.hearth-plots header button');
   const { name, type, text } = await tab.until('a file', () => /** @type {any} */ (window).saved);
-  const [names, ...lines] = text.trimEnd().split('\r\n').map((line) => line.split(','));
-  const columns = Object.fromEntries(names.map((title, at) => [title, lines.map((line) => line[at]).filter((field) => field !== '').map(Number)]));
+  const [names, ...lines] = text
+    .trimEnd()
+    .split('\r\n')
+    .map((line) => line.split(','));
+  const columns = Object.fromEntries(
+    names.map((title, at) => [
+      title,
+      lines
+        .map((line) => line[at])
+        .filter((field) => field !== '')
+        .map(Number),
+    ]),
+  );
   return { name, type, columns };
 }
 
@@ -75,8 +95,15 @@ async function assertShows(tab, size) {
   assert.match(shown.Temperature, /^over the height at x = 0\.00 m, on average at most \d+ K, at \d\.\d\d m$/);
   assert.match(shown['Luminosity spectrum'], /not measured long enough/);
   const [card, bar] = [await tab.rectangle('.hearth-plots'), await tab.rectangle('.hearth-toolbar')];
-  assert.ok(card.x >= 0 && card.y >= 0 && card.x + card.width <= size.width && card.y + card.height <= size.height, JSON.stringify(card));
-  const apart = card.x >= bar.x + bar.width || card.x + card.width <= bar.x || card.y >= bar.y + bar.height || card.y + card.height <= bar.y;
+  assert.ok(
+    card.x >= 0 && card.y >= 0 && card.x + card.width <= size.width && card.y + card.height <= size.height,
+    JSON.stringify(card),
+  );
+  const apart =
+    card.x >= bar.x + bar.width ||
+    card.x + card.width <= bar.x ||
+    card.y >= bar.y + bar.height ||
+    card.y + card.height <= bar.y;
   assert.ok(apart, `the plots at ${JSON.stringify(card)} cover the tools at ${JSON.stringify(bar)}`);
   assert.deepEqual(await violations(tab), []);
   await tab.page.focus('.hearth-plots header button');
@@ -97,10 +124,13 @@ for (const size of PHONES) {
     await tool(tab, 'stir');
     const [message, card] = await tab.until('a message', () => {
       const status = document.querySelector('.hearth-status');
-      return status?.textContent && [status, document.querySelector('.hearth-plots')].map((element) => {
-        const { left, right, top, bottom } = /** @type {Element} */ (element).getBoundingClientRect();
-        return { left, right, top, bottom };
-      });
+      return (
+        status?.textContent &&
+        [status, document.querySelector('.hearth-plots')].map((element) => {
+          const { left, right, top, bottom } = /** @type {Element} */ (element).getBoundingClientRect();
+          return { left, right, top, bottom };
+        })
+      );
     });
     assert.ok(message.right <= card.left && message.left >= 0, JSON.stringify([message, card]));
     assert.deepEqual(tab.problems, []);
@@ -109,14 +139,24 @@ for (const size of PHONES) {
 
 test('plots are loaded with their first use, their CSV has the numbers of stats and measures, and they follow the fire', async () => {
   const tab = await openTools(browser, WIDE, PAUSED);
-  const loaded = () => tab.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name).filter((name) => name.includes('/plots/')));
+  const loaded = () =>
+    tab.evaluate(() =>
+      performance
+        .getEntriesByType('resource')
+        .map(({ name }) => name)
+        .filter((name) => name.includes('/plots/')),
+    );
   assert.deepEqual(await loaded(), []);
   await assertShows(tab, WIDE);
   assert.ok((await loaded()).some((name) => name.includes('/plots/')));
   await openPlots(tab);
   await burn(tab, 20, 0.05);
   const { name, type, columns } = await csv(tab);
-  const [shown, stats, measures] = [await charts(tab), await tab.fire((fire) => fire.stats), await tab.fire((fire) => fire.measure(0, 0))];
+  const [shown, stats, measures] = [
+    await charts(tab),
+    await tab.fire((fire) => fire.stats),
+    await tab.fire((fire) => fire.measure(0, 0)),
+  ];
   assert.deepEqual([name, type], ['hearth.csv', 'text/csv']);
   const { 'time [s]': times, 'power [kW/m]': power, 'flame height [m]': heights } = columns;
   assert.ok(times.length >= 15, `${times.length} rows`);
@@ -131,7 +171,8 @@ test('plots are loaded with their first use, their CSV has the numbers of stats 
   const temperatures = columns['temperature [K]'];
   assert.equal(columns['height at x = 0 m [m]'].length, 64);
   assert.equal(temperatures.length, 64);
-  for (const [at, { temperature }] of measures.profile.entries()) assert.ok(Math.abs(temperature - temperatures[at]) < 0.01);
+  for (const [at, { temperature }] of measures.profile.entries())
+    assert.ok(Math.abs(temperature - temperatures[at]) < 0.01);
   assert.ok(Math.max(...columns['mean temperature [K]']) > 1000);
 
   const now = async () => Number(/^now (\d+) kW/.exec((await charts(tab)).Power)?.[1]);
@@ -142,15 +183,21 @@ test('plots are loaded with their first use, their CSV has the numbers of stats 
   assert.ok(after > 1.5 * before, `${before}, then ${after} kW/m`);
 
   await tab.fire((fire) => {
-    const seen = /** @type {any} */ (window).seen = fire.stats ? [1000 / fire.stats.fps] : [];
+    const seen = fire.stats ? [1000 / fire.stats.fps] : [];
+    /** @type {any} */ (window).seen = seen;
     fire.addEventListener('stats', ({ detail }) => seen.push(1000 / detail.fps));
     fire.play();
   });
-  await tab.until('a frame time', () => /^Frame time: now \d+ ms/.test(document.querySelector('.hearth-plots .chart')?.getAttribute('aria-label') ?? ''));
+  await tab.until('a frame time', () =>
+    /^Frame time: now \d+ ms/.test(document.querySelector('.hearth-plots .chart')?.getAttribute('aria-label') ?? ''),
+  );
   await tab.fire((fire) => fire.pause());
   const frames = (await csv(tab)).columns['frame time [ms]'];
   const seen = await tab.evaluate(() => /** @type {any} */ (window).seen);
-  assert.ok(seen.some((time) => Math.abs(frames.at(-1) - time) < 0.01 * time), `${frames.at(-1)} ms, and ${seen} in stats`);
+  assert.ok(
+    seen.some((time) => Math.abs(frames.at(-1) - time) < 0.01 * time),
+    `${frames.at(-1)} ms, and ${seen} in stats`,
+  );
   await tab.key('g');
   assert.equal(await tab.evaluate(() => document.querySelector('.hearth-plots')), null);
   assert.deepEqual(tab.problems, []);
@@ -161,7 +208,10 @@ test('the classic model has no power, and its own height, light, spectrum and pr
   await openPlots(tab);
   await burn(tab, 28);
   const shown = await charts(tab);
-  assert.deepEqual(Object.keys(shown), CHARTS.filter((title) => title !== 'Power'));
+  assert.deepEqual(
+    Object.keys(shown),
+    CHARTS.filter((title) => title !== 'Power'),
+  );
   assert.match(shown['Flame height'], /^now (0\.[1-9]|[1-9])/);
   const { columns } = await csv(tab);
   assert.equal('power [kW/m]' in columns, false);

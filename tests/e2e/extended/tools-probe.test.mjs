@@ -16,20 +16,31 @@ after(() => browser?.close());
 const PAUSED = 'scene=default&paused&quality=low';
 
 /** What the probe shows, once it shows it at a place [m]; without one, now. */
-const read = (tab, x, y) => tab.until(`values at ${x}, ${y} m`, (at) => {
-  const rows = [...document.querySelectorAll('.hearth-probe dl > div')].map((row) => [...row.children].map((cell) => cell.textContent));
-  const values = Object.fromEntries(rows);
-  const [right, up] = (values.at ?? '').split(',').map(Number.parseFloat);
-  const isThere = Number.isFinite(up) && (at === null || (Math.abs(right - at[0]) < 0.02 && Math.abs(up - at[1]) < 0.02));
-  return isThere && rows.length > 1 ? values : false;
-}, x === undefined ? null : [x, y]);
+const read = (tab, x, y) =>
+  tab.until(
+    `values at ${x}, ${y} m`,
+    (at) => {
+      const rows = [...document.querySelectorAll('.hearth-probe dl > div')].map((row) =>
+        [...row.children].map((cell) => cell.textContent),
+      );
+      const values = Object.fromEntries(rows);
+      const [right, up] = (values.at ?? '').split(',').map(Number.parseFloat);
+      const isThere =
+        Number.isFinite(up) && (at === null || (Math.abs(right - at[0]) < 0.02 && Math.abs(up - at[1]) < 0.02));
+      return isThere && rows.length > 1 ? values : false;
+    },
+    x === undefined ? null : [x, y],
+  );
 
 /** The hottest height above the middle [m], and what the fire measures there. */
-const hottest = (tab) => tab.fire(async (fire) => {
-  const { profile } = await fire.measure(0, 0);
-  // Not behind what is at the edges of the page.
-  return profile.filter(({ y }) => y > 0.2 && y < 1.2).reduce((best, sample) => ((sample.temperature ?? 0) > (best.temperature ?? 0) ? sample : best));
-});
+const hottest = (tab) =>
+  tab.fire(async (fire) => {
+    const { profile } = await fire.measure(0, 0);
+    // Not behind what is at the edges of the page.
+    return profile
+      .filter(({ y }) => y > 0.2 && y < 1.2)
+      .reduce((best, sample) => ((sample.temperature ?? 0) > (best.temperature ?? 0) ? sample : best));
+  });
 
 const kelvin = ({ temperature }) => Number(/^(\d+) K$/.exec(temperature)?.[1]);
 
@@ -57,7 +68,10 @@ test('a place of the flame is hot and rises, and far air has the temperature of 
   assert.equal(cold.soot, '0.00');
 
   const [list, window] = [await tab.rectangle('.hearth-probe dl'), size];
-  assert.ok(list.x >= 0 && list.y >= 0 && list.x + list.width <= window.width && list.y + list.height <= window.height, JSON.stringify(list));
+  assert.ok(
+    list.x >= 0 && list.y >= 0 && list.x + list.width <= window.width && list.y + list.height <= window.height,
+    JSON.stringify(list),
+  );
   assert.equal(await canUndo(tab), false);
   await tool(tab, 'stir');
   assert.equal(await tab.evaluate(() => document.querySelector('.hearth-probe')), null);
@@ -68,34 +82,50 @@ test('a mouse reads without a press and keys read at the cross, in both models, 
   const tab = await openTools(browser, WIDE, PAUSED);
   await tab.burnt(1);
   await tool(tab, 'probe');
-  for (const [x, y] of [[0.1, 0.6], [-0.2, 1]]) {
+  for (const [x, y] of [
+    [0.1, 0.6],
+    [-0.2, 1],
+  ]) {
     await tab.mouse('move', await pixel(tab, x, y));
     const shown = await read(tab, x, y);
     const { place } = await tab.fire((fire, at) => fire.measure(...at), [x, y]);
-    assert.ok(Math.abs(kelvin(shown) - place.temperature) < 30, `${shown.temperature}, and ${place.temperature} K measured`);
+    assert.ok(
+      Math.abs(kelvin(shown) - place.temperature) < 30,
+      `${shown.temperature}, and ${place.temperature} K measured`,
+    );
   }
   await tab.page.focus('.hearth-overlay');
   await tab.key('p');
-  const middle = (await tab.until('the middle', () => {
-    const at = [...document.querySelectorAll('.hearth-probe dl > div')].at(-1)?.lastElementChild?.textContent;
-    return at?.startsWith('0.00') && at;
-  })).split(',').map(Number.parseFloat);
+  const middle = (
+    await tab.until('the middle', () => {
+      const at = [...document.querySelectorAll('.hearth-probe dl > div')].at(-1)?.lastElementChild?.textContent;
+      return at?.startsWith('0.00') && at;
+    })
+  )
+    .split(',')
+    .map(Number.parseFloat);
   await chord(tab, 'Shift', 'ArrowRight');
   await tab.key('ArrowUp');
   assert.ok(kelvin(await read(tab, middle[0] + 0.1, middle[1] + 0.01)) > 200);
   await tab.key('Enter');
-  await tab.until('the values as a message', () => (
-    /^temperature \d+ K, velocity .+, density [\d.]+ kg\/m³, oxygen [\d.]+ %, fuel/.test(document.querySelector('.hearth-status')?.textContent ?? '')
-  ));
+  await tab.until('the values as a message', () =>
+    /^temperature \d+ K, velocity .+, density [\d.]+ kg\/m³, oxygen [\d.]+ %, fuel/.test(
+      document.querySelector('.hearth-status')?.textContent ?? '',
+    ),
+  );
   assert.equal(await tab.on('[data-tool="probe"]', (button) => button.getAttribute('aria-label')), 'Probe (P)');
 
   await tap(tab, 0, 0.5);
   const { temperature } = await read(tab, 0, 0.5);
   await tab.fire((fire) => fire.play());
-  await tab.until('another temperature', (first) => {
-    const now = document.querySelector('.hearth-probe dd')?.textContent;
-    return now && now !== first;
-  }, temperature);
+  await tab.until(
+    'another temperature',
+    (first) => {
+      const now = document.querySelector('.hearth-probe dd')?.textContent;
+      return now && now !== first;
+    },
+    temperature,
+  );
 
   await tab.fire((fire) => fire.pause());
   await tab.fire((fire) => fire.set('model', 'classic'));

@@ -16,9 +16,15 @@ after(() => browser?.close());
 
 test('keys and clicks add to the selection, move, duplicate, align and order all of it', async () => {
   const tab = await openTools(browser);
-  await tab.fire((fire) => fire.set({ objects: [
-    { kind: 'source', id: 1 }, { kind: 'solid', id: 2, x: 0, y: 1, width: 0.1 }, { kind: 'solid', id: 3, x: 0.3, y: 1.1, width: 0.2 },
-  ] }));
+  await tab.fire((fire) =>
+    fire.set({
+      objects: [
+        { kind: 'source', id: 1 },
+        { kind: 'solid', id: 2, x: 0, y: 1, width: 0.1 },
+        { kind: 'solid', id: 3, x: 0.3, y: 1.1, width: 0.2 },
+      ],
+    }),
+  );
   await tab.page.select('.hearth-toolbar select[aria-label="Selected object"]', '2');
   await tab.page.focus('.hearth-overlay');
   // Enter shows the cross at the selected object.
@@ -43,8 +49,13 @@ test('keys and clicks add to the selection, move, duplicate, align and order all
   await tab.page.focus('[data-tool="align-left"]');
   for (const key of ['ArrowRight', 'ArrowRight', 'Enter']) await tab.key(key);
   await until(tab, 'aligned at the right', ([, a, b]) => close(a.x + 0.05, b.x + 0.1, 2e-3));
-  const names = await tab.evaluate(() => [...document.querySelectorAll('.hearth-align button')].map((button) => button.getAttribute('aria-label')));
-  assert.deepEqual(names, ['left', 'centre', 'right', 'top', 'middle', 'bottom'].map((to) => `Align: ${to}`));
+  const names = await tab.evaluate(() =>
+    [...document.querySelectorAll('.hearth-align button')].map((button) => button.getAttribute('aria-label')),
+  );
+  assert.deepEqual(
+    names,
+    ['left', 'centre', 'right', 'top', 'middle', 'bottom'].map((to) => `Align: ${to}`),
+  );
   const aligns = () => tab.on('.hearth-align', (bar) => bar.checkVisibility());
   assert.equal(await aligns(), true);
   await tool(tab, 'several');
@@ -63,7 +74,10 @@ test('keys and clicks add to the selection, move, duplicate, align and order all
   await until(tab, 'the order of drawing', (all) => all.map(({ id }) => id).join() === '2,1,3');
   await tab.page.select('.hearth-toolbar select[aria-label="Selected object"]', '1');
   const disabled = (name) => tab.on(`[data-tool="${name}"]`, (button) => button.getAttribute('aria-disabled'));
-  assert.deepEqual([await disabled('front'), await disabled('back')], ['true', 'true'], 'a source has no place in front');
+  assert.deepEqual(
+    [await disabled('front'), await disabled('back')],
+    ['true', 'true'],
+    'a source has no place in front',
+  );
   assert.deepEqual(tab.problems, []);
 });
-

@@ -46,10 +46,14 @@ test('keys draw, choose, move, turn, scale, duplicate and delete without a point
 test('a fire with controls offers the tools inside of it, loaded on request', async () => {
   const tab = await browser.open('<hearth-fire controls style="width: 700px; height: 500px"></hearth-fire>', WIDE);
   await tab.ready();
-  const loaded = () => tab.evaluate(() => performance.getEntriesByType('resource').some(({ name }) => name.endsWith('/tools.js')));
-  const inside = (selector) => tab.until(`${selector} inside`, (wanted) => (
-    document.querySelector('hearth-fire')?.shadowRoot?.querySelector(wanted) !== null
-  ), selector);
+  const loaded = () =>
+    tab.evaluate(() => performance.getEntriesByType('resource').some(({ name }) => name.endsWith('/tools.js')));
+  const inside = (selector) =>
+    tab.until(
+      `${selector} inside`,
+      (wanted) => document.querySelector('hearth-fire')?.shadowRoot?.querySelector(wanted) !== null,
+      selector,
+    );
   await inside('.hearth-draw');
   assert.equal(await loaded(), false);
   await tab.page.click('hearth-fire >>> .hearth-draw');
@@ -59,7 +63,10 @@ test('a fire with controls offers the tools inside of it, loaded on request', as
   await drag(tab, [-0.1, 1.1], [0.1, 0.9]);
   await until(tab, 'two', (all) => all.length === 2);
   await tab.page.click('hearth-fire >>> [data-tool="close"]');
-  await tab.until('no toolbar', () => !document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.hearth-toolbar'));
+  await tab.until(
+    'no toolbar',
+    () => !document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.hearth-toolbar'),
+  );
   await tab.fire((fire) => fire.removeAttribute('controls'));
   await tab.until('no button', () => !document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.hearth-draw'));
   assert.deepEqual(tab.problems, []);

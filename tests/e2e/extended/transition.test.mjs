@@ -49,28 +49,50 @@ async function open(html = FIRE) {
 /** Puts the clock, and waits until the fire has these values, or nearly. */
 async function at(tab, share, wanted) {
   await tab.evaluate((now) => /** @type {any} */ (window).clock(now), share);
-  await tab.until(`${JSON.stringify(wanted)} at ${share}`, (values) => {
-    const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
-    return Object.entries(values).every(([id, value]) => (
-      typeof value === 'number' ? Math.abs(params[id] - value) < 1e-4 * Math.max(1, Math.abs(value)) : params[id] === value
-    ));
-  }, wanted);
+  await tab.until(
+    `${JSON.stringify(wanted)} at ${share}`,
+    (values) => {
+      const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
+      return Object.entries(values).every(([id, value]) =>
+        typeof value === 'number'
+          ? Math.abs(params[id] - value) < 1e-4 * Math.max(1, Math.abs(value))
+          : params[id] === value,
+      );
+    },
+    wanted,
+  );
 }
 
 /** Begins, and keeps what becomes of it in `window.ended` by name. */
 function begin(tab, name, values, how) {
-  return tab.fire((fire, key, to, options) => {
-    const ended = (/** @type {any} */ (window).ended ??= {});
-    fire.to(to, options).then((whole) => (ended[key] = whole), (error) => (ended[key] = [error.name, error.id, error.value]));
-  }, name, values, how);
+  return tab.fire(
+    (fire, key, to, options) => {
+      const page = /** @type {any} */ (window);
+      page.ended ??= {};
+      const ended = page.ended;
+      fire.to(to, options).then(
+        (whole) => (ended[key] = whole),
+        (error) => (ended[key] = [error.name, error.id, error.value]),
+      );
+    },
+    name,
+    values,
+    how,
+  );
 }
 
 /** What has become of it. */
 function end(tab, name) {
-  return tab.until(`${name} ends`, (key) => {
-    const { ended } = /** @type {any} */ (window);
-    return key in ended && [ended[key]];
-  }, name).then(([value]) => value);
+  return tab
+    .until(
+      `${name} ends`,
+      (key) => {
+        const { ended } = /** @type {any} */ (window);
+        return key in ended && [ended[key]];
+      },
+      name,
+    )
+    .then(([value]) => value);
 }
 
 test('numbers go evenly, or by equal ratios, and arrive exactly', async () => {
@@ -123,7 +145,12 @@ test('an easing of CSS bends the way, 600 ms of ease-in-out without one', async 
 test('colours are interpolated, and choices change at once', async () => {
   const tab = await open();
   await tab.fire((fire) => fire.set({ background: '#000000', hot_colour: '#ff0000' }));
-  await begin(tab, 'one', { background: 'white', hot_colour: 'blue', palette: 'custom', printed_kernel: true, seed: 7 }, { easing: 'linear' });
+  await begin(
+    tab,
+    'one',
+    { background: 'white', hot_colour: 'blue', palette: 'custom', printed_kernel: true, seed: 7 },
+    { easing: 'linear' },
+  );
   await at(tab, 0, { palette: 'custom', printed_kernel: true, seed: 7, background: '#000000' });
   await tab.evaluate(() => /** @type {any} */ (window).clock(0.5));
   const between = await tab.until('a grey', () => {
@@ -171,7 +198,10 @@ test('one bad value refuses all of them, as set does, and nothing moves', async 
   assert.deepEqual(await tab.fire((fire) => fire.params), before);
   const reported = await events(tab, 'error');
   assert.ok(reported.length >= 10 && reported.every(({ kind, message }) => kind === 'bad-parameter' && message));
-  assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+  assert.deepEqual(
+    tab.problems.filter((problem) => problem.startsWith('uncaught')),
+    [],
+  );
 });
 
 test('setting a value ends its transition, and the others continue', async () => {

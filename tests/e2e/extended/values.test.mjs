@@ -113,7 +113,12 @@ test('replacing all values keeps an automatic seed, unless they name one', async
     await next();
     return kept;
   });
-  assert.deepEqual(found, [['torch', own, own], ['seed', own, own], ['default', 3, 3], ['default', own, own]]);
+  assert.deepEqual(found, [
+    ['torch', own, own],
+    ['seed', own, own],
+    ['default', 3, 3],
+    ['default', own, own],
+  ]);
   assert.deepEqual(tab.problems, []);
 });
 
@@ -141,7 +146,8 @@ test('a colour is any colour of CSS, and its settings hold it as hex', async () 
   );
   await tab.ready();
   assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), {
-    hearth: 2, values: { background: '#663399', hot_colour: '#008080' },
+    hearth: 2,
+    values: { background: '#663399', hot_colour: '#008080' },
   });
   for (const [colour, hex] of COLOURS) {
     const found = await tab.fire(async (fire, value) => {
@@ -161,9 +167,28 @@ test('a colour is any colour of CSS, and its settings hold it as hex', async () 
 test('an invalid colour is rejected by name, and the last one stays', async () => {
   const tab = await browser.show(recording(`<hearth-fire ${SMALL} background="teal"></hearth-fire>`));
   await tab.ready();
-  const nonsense = ['reddish', 'inherit', 'initial', '#12', 'rgb(', 'red; color: blue', 'var(--none', 'var(--none)', 'linear-gradient(red, blue)', '', 'none'];
+  const nonsense = [
+    'reddish',
+    'inherit',
+    'initial',
+    '#12',
+    'rgb(',
+    'red; color: blue',
+    'var(--none',
+    'var(--none)',
+    'linear-gradient(red, blue)',
+    '',
+    'none',
+  ];
   for (const value of nonsense) {
-    const outcome = await tab.fire((fire, text) => fire.set('background', text).then(() => 'taken', (error) => [error.name, error.id, error.value]), value);
+    const outcome = await tab.fire(
+      (fire, text) =>
+        fire.set('background', text).then(
+          () => 'taken',
+          (error) => [error.name, error.id, error.value],
+        ),
+      value,
+    );
     assert.deepEqual(outcome, ['RangeError', 'background', value]);
   }
   assert.equal(await tab.fire((fire) => fire.background), '#008080');

@@ -21,9 +21,12 @@ async function openPage(options) {
 const config = (tab) => tab.fire((fire) => fire.exportConfig());
 /** The preset, and the solids with all of their values. */
 const things = (tab) => tab.fire((fire) => [fire.preset, fire.objects.filter(({ kind }) => kind === 'solid')]);
-const shows = (panel, letter) => panel.until(`state ${letter} is shown`, (root, wanted) => (
-  root.querySelector(`[data-action="compare:${wanted}"]`).getAttribute('aria-pressed') === 'true'
-), letter);
+const shows = (panel, letter) =>
+  panel.until(
+    `state ${letter} is shown`,
+    (root, wanted) => root.querySelector(`[data-action="compare:${wanted}"]`).getAttribute('aria-pressed') === 'true',
+    letter,
+  );
 const compare = async (panel, letter) => {
   await panel.press(`compare:${letter}`);
   await shows(panel, letter);
@@ -74,13 +77,17 @@ test('random values are those of another fire of the same scene: one step of und
   await panel.pointAt(actionOf('randomise'));
   const [before, all] = [await config(tab), await things(tab)];
   await panel.press('randomise');
-  await panel.until('it is another fire', (root) => (
-    root.querySelector('[data-action="scenes"]').textContent === 'Scene: Campfire, changed'
-  ));
+  await panel.until(
+    'it is another fire',
+    (root) => root.querySelector('[data-action="scenes"]').textContent === 'Scene: Campfire, changed',
+  );
   assert.deepEqual(await things(tab), all);
   await panel.pointAt(actionOf('undo'));
   await panel.press('undo');
-  await panel.until('it is the first one', (root) => root.querySelector('[data-action="scenes"]').textContent === 'Scene: Campfire');
+  await panel.until(
+    'it is the first one',
+    (root) => root.querySelector('[data-action="scenes"]').textContent === 'Scene: Campfire',
+  );
   assert.deepEqual(await config(tab), before);
   assert.deepEqual(tab.problems, []);
 });

@@ -27,10 +27,22 @@ test('the height of the world fits the picture, its origin is the lower middle',
   await tab.ready();
   const height = DEFAULTS.domain_height;
   for (const [pixels, metres] of [
-    [{ x: 160, y: 210 }, { x: 0, y: 0 }],
-    [{ x: 160, y: 10 }, { x: 0, y: height }],
-    [{ x: 260, y: 110 }, { x: height / 2, y: height / 2 }],
-    [{ x: 10, y: 210 }, { x: -0.75 * height, y: 0 }],
+    [
+      { x: 160, y: 210 },
+      { x: 0, y: 0 },
+    ],
+    [
+      { x: 160, y: 10 },
+      { x: 0, y: height },
+    ],
+    [
+      { x: 260, y: 110 },
+      { x: height / 2, y: height / 2 },
+    ],
+    [
+      { x: 10, y: 210 },
+      { x: -0.75 * height, y: 0 },
+    ],
   ]) {
     const there = await tab.fire((fire, { x, y }) => fire.toMetres(x, y), pixels);
     assertNear(there, metres, `toMetres(${pixels.x}, ${pixels.y})`);

@@ -43,21 +43,23 @@ function keepPictures() {
 const open = (html, options = {}) => browser.open(recording(html), { ...small, before: keepPictures, ...options });
 
 /** A fire whose pictures are counted from the first one. */
-const show = (html, options = {}) => browser.show(
-  `<script>Object.assign(window, { pictures: 0, fades: 0, holdFades: false })</script>${recording(html)}`,
-  { ...small, before: keepPictures, ...options },
-);
+const show = (html, options = {}) =>
+  browser.show(
+    `<script>Object.assign(window, { pictures: 0, fades: 0, holdFades: false })</script>${recording(html)}`,
+    { ...small, before: keepPictures, ...options },
+  );
 
 /** What the inside of the first fire shows. */
-const seen = (tab) => tab.fire((fire) => {
-  const root = fire.shadowRoot;
-  return {
-    drawn: 'drawn' in root.querySelector('.root').dataset,
-    poster: getComputedStyle(root.querySelector('.poster')).display !== 'none',
-    before: root.querySelectorAll('.before').length,
-    pictures: /** @type {any} */ (window).pictures,
-  };
-});
+const seen = (tab) =>
+  tab.fire((fire) => {
+    const root = fire.shadowRoot;
+    return {
+      drawn: 'drawn' in root.querySelector('.root').dataset,
+      poster: getComputedStyle(root.querySelector('.poster')).display !== 'none',
+      before: root.querySelectorAll('.before').length,
+      pictures: /** @type {any} */ (window).pictures,
+    };
+  });
 
 /** What part of the picture's height has light. */
 async function flame(tab) {
@@ -75,29 +77,34 @@ test('the first picture is that of a fire that has burnt, and ready waits for it
   const { time, paused } = await tab.fire((fire) => fire.stats);
   assert.ok(time >= 3 && time < 3.1, `${time} s`);
   assert.ok(paused);
-  assert.ok(await flame(tab) > 0.2, `${await flame(tab)} of the height`);
+  assert.ok((await flame(tab)) > 0.2, `${await flame(tab)} of the height`);
   assert.deepEqual(tab.problems, []);
 });
 
 test('a stored burning scene is shown at once, in every quality', async () => {
   for (const quality of ['low', 'high']) {
-    const tab = await show(`<hearth-fire preset="fireside" warm quality="${quality}" paused></hearth-fire>`, { draws: true });
+    const tab = await show(`<hearth-fire preset="fireside" warm quality="${quality}" paused></hearth-fire>`, {
+      draws: true,
+    });
     await tab.ready();
     const { time, particles, limit } = await tab.fire((fire) => fire.stats);
     // Exactly where it is kept: no step was made, and none is needed.
-    assert.equal((time * 1000).toFixed(3), (await keptTime(tab) * 1000).toFixed(3));
+    assert.equal((time * 1000).toFixed(3), ((await keptTime(tab)) * 1000).toFixed(3));
     // A scene may have a number of its own: its cap is twice what fills the frame. Open air fills somewhat less or
     // more.
     const own = await tab.fire((fire) => fire.params.max_particles / 2);
     const number = limit ? { low: 1200, high: 6700 }[quality] : own;
     assert.ok(Math.abs(particles / number - 1) < 0.45, `${particles} of ${number}`);
-    assert.ok(await flame(tab) > 0.2);
+    assert.ok((await flame(tab)) > 0.2);
     assert.deepEqual(tab.problems, []);
   }
 });
 
 test('other values than those of the kept fire burn first, and those of the look do not matter', async () => {
-  for (const [attributes, kept] of [['exposure="1" backdrop="none"', true], ['fuel-power="150"', false]]) {
+  for (const [attributes, kept] of [
+    ['exposure="1" backdrop="none"', true],
+    ['fuel-power="150"', false],
+  ]) {
     const tab = await show(`<hearth-fire preset="fireside" warm="1" paused ${attributes}></hearth-fire>`);
     await tab.ready();
     const time = await tab.fire((fire) => fire.stats.time);
@@ -123,7 +130,9 @@ test('a damaged stored fire is reported, a missing one is not, and the fire burn
 test('the picture before stays until the new fire is warm, and fades into it', async () => {
   const tab = await show('<hearth-fire warm="1" paused></hearth-fire>', { draws: true });
   await tab.ready();
-  await tab.evaluate(() => { /** @type {any} */ (window).holdFades = true; });
+  await tab.evaluate(() => {
+    /** @type {any} */ (window).holdFades = true;
+  });
   for (const [at, change] of [
     (fire) => fire.setAttribute('preset', 'candle'),
     (fire) => fire.importConfig({ preset: 'torch' }),
@@ -133,15 +142,24 @@ test('the picture before stays until the new fire is warm, and fades into it', a
     await tab.fire(change);
     const { pictures, drawn } = await seen(tab);
     assert.ok(drawn);
-    if (pictures === at + 1) assert.ok(was.difference(await tab.firePicture()) < 1 || (await seen(tab)).pictures > pictures);
+    if (pictures === at + 1)
+      assert.ok(was.difference(await tab.firePicture()) < 1 || (await seen(tab)).pictures > pictures);
     await tab.until('one picture of the new fire', (count) => /** @type {any} */ (window).pictures === count, at + 2);
     // The previous frame lies over it until it has faded.
     const { before: over } = await seen(tab);
     assert.equal(over, 1);
-    await tab.fire((fire) => fire.shadowRoot.querySelector('.before').getAnimations().forEach((animation) => { animation.finish(); }));
-    await tab.until('what has faded is gone', () => (
-      document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.before') === null
-    ));
+    await tab.fire((fire) =>
+      fire.shadowRoot
+        .querySelector('.before')
+        .getAnimations()
+        .forEach((animation) => {
+          animation.finish();
+        }),
+    );
+    await tab.until(
+      'what has faded is gone',
+      () => document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.before') === null,
+    );
     const blob = await tab.fire(async (fire) => (await fire.toBlob()).size);
     assert.ok(blob > 500);
   }
@@ -151,8 +169,10 @@ test('the picture before stays until the new fire is warm, and fades into it', a
 test('where less motion is wanted nothing fades, and the still is a warm fire', async () => {
   const tab = await open('<hearth-fire warm="2"></hearth-fire>', { reducedMotion: true });
   await tab.ready();
-  assert.ok(await tab.fire((fire) => fire.paused && fire.stats.time) >= 2);
-  await tab.fire((fire) => { fire.preset = 'candle'; });
+  assert.ok((await tab.fire((fire) => fire.paused && fire.stats.time)) >= 2);
+  await tab.fire((fire) => {
+    fire.preset = 'candle';
+  });
   await tab.until('a second picture', () => /** @type {any} */ (window).pictures === 2);
   assert.equal(await tab.evaluate(() => /** @type {any} */ (window).fades), 0);
   assert.equal((await seen(tab)).before, 0);
@@ -176,7 +196,9 @@ test('a fire that is hidden, removed or loses its context while it warms is show
   const hidden = await show('<hearth-fire warm="1" paused style="display: none"></hearth-fire>');
   await hidden.ready();
   assert.equal((await seen(hidden)).pictures, 0);
-  await hidden.fire((fire) => { fire.style.display = ''; });
+  await hidden.fire((fire) => {
+    fire.style.display = '';
+  });
   await hidden.until('its picture', () => /** @type {any} */ (window).pictures === 1);
   const time = await hidden.fire((fire) => fire.stats.time);
   assert.ok(time >= 1, `${time} s`);
@@ -193,7 +215,9 @@ test('a fire that is hidden, removed or loses its context while it warms is show
 
   const lost = await show('<hearth-fire warm="2" paused></hearth-fire>');
   await lost.ready();
-  await lost.fire((fire) => { fire.reset(); });
+  await lost.fire((fire) => {
+    fire.reset();
+  });
   await lost.loseContext(100);
   await lost.until('its picture', () => /** @type {any} */ (window).pictures >= 2);
 });
@@ -204,31 +228,46 @@ test('an invalid warm time is rejected with the allowed range', async () => {
   assert.equal(await tab.fire((fire) => fire.warm), 0);
   const [error] = await events(tab, 'error');
   assert.match(error.message, /warm = soon is refused: it must be a number of seconds from 0 to 30/);
-  assert.deepEqual(await tab.fire((fire) => {
-    const all = [];
-    for (const warm of [true, 2.5, false, 31, null]) {
-      fire.warm = warm;
-      all.push(fire.warm, fire.getAttribute('warm'));
-    }
-    return all;
-  }), [3, '', 2.5, '2.5', 0, null, 0, '31', 0, null]);
+  assert.deepEqual(
+    await tab.fire((fire) => {
+      const all = [];
+      for (const warm of [true, 2.5, false, 31, null]) {
+        fire.warm = warm;
+        all.push(fire.warm, fire.getAttribute('warm'));
+      }
+      return all;
+    }),
+    [3, '', 2.5, '2.5', 0, null, 0, '31', 0, null],
+  );
 });
 
 test('a small fire has few particles and reports it, unless their number is set', async () => {
   const tab = await open('<hearth-fire style="width: 64px; height: 64px"></hearth-fire>', { width: 1000, height: 700 });
-  const has = (count, limit) => tab.until(`${count} particles by ${limit}`, (number, words) => {
-    const { stats } = /** @type {any} */ (document.querySelector('hearth-fire'));
-    // The number fills the frame. Open air fills less at first, and never more than twice as many.
-    return stats?.limit === words && stats.particles > 0.5 * number && stats.particles <= 2 * number;
-  }, count, limit);
+  const has = (count, limit) =>
+    tab.until(
+      `${count} particles by ${limit}`,
+      (number, words) => {
+        const { stats } = /** @type {any} */ (document.querySelector('hearth-fire'));
+        // The number fills the frame. Open air fills less at first, and never more than twice as many.
+        return stats?.limit === words && stats.particles > 0.5 * number && stats.particles <= 2 * number;
+      },
+      count,
+      limit,
+    );
   await has(300, 'size');
-  await tab.fire((fire) => { fire.style.cssText = 'width: 240px; height: 300px'; });
+  await tab.fire((fire) => {
+    fire.style.cssText = 'width: 240px; height: 300px';
+  });
   await has(400, 'size');
-  await tab.fire((fire) => { fire.quality = 'low'; });
+  await tab.fire((fire) => {
+    fire.quality = 'low';
+  });
   await has(1200, 'quality low');
   await tab.fire((fire) => fire.set('max_particles', 800));
   await has(800, '');
-  await tab.fire((fire) => { fire.quality = null; });
+  await tab.fire((fire) => {
+    fire.quality = null;
+  });
   await has(800, '');
   await tab.fire((fire) => fire.restore('max_particles'));
   await has(400, 'size');
@@ -245,13 +284,11 @@ function keptTime(tab) {
 /** Run in the page before anything of it: what comes of a kept fire is something else. */
 function damage() {
   const real = fetch;
-  window.fetch = (url, ...rest) => (
-    String(url).endsWith('.fire') ? Promise.resolve(new Response(new Uint8Array(100))) : real(url, ...rest)
-  );
+  window.fetch = (url, ...rest) =>
+    String(url).endsWith('.fire') ? Promise.resolve(new Response(new Uint8Array(100))) : real(url, ...rest);
 }
 function lose() {
   const real = fetch;
-  window.fetch = (url, ...rest) => (
-    String(url).endsWith('.fire') ? Promise.reject(new TypeError('gone')) : real(url, ...rest)
-  );
+  window.fetch = (url, ...rest) =>
+    String(url).endsWith('.fire') ? Promise.reject(new TypeError('gone')) : real(url, ...rest);
 }

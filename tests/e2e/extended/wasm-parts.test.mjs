@@ -18,18 +18,24 @@ const CLASSIC = 'hearth-engine_classic.wasm';
 const BODIES = 'hearth-engine_bodies.wasm';
 
 /** How often the page fetched a file. @param {import('../driver.mjs').Tab} tab @param {string} file */
-const fetched = (tab, file) => tab.evaluate((end) => (
-  performance.getEntriesByType('resource').filter(({ name }) => name.endsWith(end)).length
-), file);
+const fetched = (tab, file) =>
+  tab.evaluate((end) => performance.getEntriesByType('resource').filter(({ name }) => name.endsWith(end)).length, file);
 
 /** The fire's model, and how often the page fetched the part for it. @param {import('../driver.mjs').Tab} tab */
-const state = async (tab) => ({ model: await tab.fire((fire) => fire.params.model), fetched: await fetched(tab, CLASSIC) });
+const state = async (tab) => ({
+  model: await tab.fire((fire) => fire.params.model),
+  fetched: await fetched(tab, CLASSIC),
+});
 
 /** A page whose engine runs on `thread`. @param {string} thread @param {string} body */
-const page = (thread, body) => recording(body).replace('<script>', `<script type="module">
+const page = (thread, body) =>
+  recording(body).replace(
+    '<script>',
+    `<script type="module">
     import { HearthFire } from '/web/hearth-fire.js';
     HearthFire.engine = '${thread}';
-  </script><script>`);
+  </script><script>`,
+  );
 
 for (const thread of ['worker', 'main']) {
   test(`the first classic fire fetches the part, and calls keep their order (${thread})`, async () => {
@@ -62,17 +68,20 @@ test('a fire that does not get a part keeps its settings and burns on, and the c
     files: { [CLASSIC]: { body: empty, type: 'application/wasm' }, [BODIES]: { status: 404, body: '' } },
   });
   await tab.burnt(0.3);
-  const outcomes = await tab.fire((fire) => Promise.allSettled([
-    fire.set({ model: 'classic' }),
-    fire.set('wind', 0.5),
-    fire.importConfig({ preset: 'paper-fire' }),
-    fire.addObject({ kind: 'solid', fuel: 'wood' }),
-    fire.addObject({ kind: 'solid', motion: 'free' }),
-    fire.addObject({ kind: 'solid' }),
-    fire.spray(0, 1),
-  ]).then((all) => all.map(({ status, reason }) => reason?.message ?? status)));
+  const outcomes = await tab.fire((fire) =>
+    Promise.allSettled([
+      fire.set({ model: 'classic' }),
+      fire.set('wind', 0.5),
+      fire.importConfig({ preset: 'paper-fire' }),
+      fire.addObject({ kind: 'solid', fuel: 'wood' }),
+      fire.addObject({ kind: 'solid', motion: 'free' }),
+      fire.addObject({ kind: 'solid' }),
+      fire.spray(0, 1),
+    ]).then((all) => all.map(({ status, reason }) => reason?.message ?? status)),
+  );
   const classic = /^The code for the classic model could not be loaded: its wasm has version none/;
-  const bodies = /^The code for fuels, water and free solids could not be loaded: .*hearth-engine_bodies\.wasm gave 404$/;
+  const bodies =
+    /^The code for fuels, water and free solids could not be loaded: .*hearth-engine_bodies\.wasm gave 404$/;
   for (const at of [0, 2]) assert.match(outcomes[at], classic);
   for (const at of [3, 4, 6]) assert.match(outcomes[at], bodies);
   for (const at of [1, 5]) assert.equal(outcomes[at], 'fulfilled');
@@ -84,7 +93,15 @@ test('a fire that does not get a part keeps its settings and burns on, and the c
 test('a classic fire that does not get its part shows the poster, the reason and a button', async () => {
   const body = recording('<hearth-fire preset="paper-fire"><p slot="poster" id="poster">A poster</p></hearth-fire>');
   const tab = await browser.open(body, { files: { [CLASSIC]: { status: 404, body: '' } } });
-  assert.equal(await tab.fire((fire) => fire.ready.then(() => '', ({ kind }) => kind)), 'load');
+  assert.equal(
+    await tab.fire((fire) =>
+      fire.ready.then(
+        () => '',
+        ({ kind }) => kind,
+      ),
+    ),
+    'load',
+  );
   const [error] = await events(tab, 'error');
   assert.match(error.message, /^The code for the classic model could not be loaded/);
   assert.ok(await tab.fire((fire) => fire.shadowRoot.querySelector('button').checkVisibility()));
@@ -95,7 +112,9 @@ test('the first solid with fuel fetches its part, burns when it is lit, and goes
   // Beside a low fire: the flames of a strong one reach it and light it again.
   const solid = { kind: 'solid', shape: 'box', x: 0.7, y: 0.2, width: 0.1, height: 0.1, fuel: 'wood', load: 1 };
   // Steps that the clock does not count: the same fire on a busy machine, where a flame would light it at another time.
-  const tab = await browser.open('<hearth-fire autoplay="false" seed="1" max-particles="1500" ember-rate="0" fuel-power="60"></hearth-fire>');
+  const tab = await browser.open(
+    '<hearth-fire autoplay="false" seed="1" max-particles="1500" ember-rate="0" fuel-power="60"></hearth-fire>',
+  );
   await tab.ready();
   await tab.fire((fire) => fire.step(100));
   assert.equal(await fetched(tab, BODIES), 0);
@@ -128,7 +147,8 @@ test('the first solid with fuel fetches its part, burns when it is lit, and goes
     const calls = [fire.ignite(99), fire.ignite(5, 5), fire.extinguish(1), fire.ignite(NaN, 1), fire.ignite('x')];
     return (await Promise.allSettled(calls)).map(({ reason }) => reason?.message ?? 'done');
   });
-  for (const message of refused.slice(0, 3)) assert.match(message, /^place = \d+ is refused: it must be a solid with fuel/);
+  for (const message of refused.slice(0, 3))
+    assert.match(message, /^place = \d+ is refused: it must be a solid with fuel/);
   for (const message of refused.slice(3)) assert.match(message, /is refused/);
   await assertBurns(tab);
 });
@@ -153,7 +173,13 @@ test('the first spray fetches its part and puts out the fire', async () => {
   assert.equal(await fetched(tab, BODIES), 1);
   assert.deepEqual(await tab.problemsAfterFrame(), []);
   const refused = await tab.fire(async (fire) => {
-    const calls = [fire.spray(0, Infinity), fire.spray(0, 1, 21), fire.spray(0, 1, 0, 0, 0), fire.spray(0, 1, 0, 0, 1001), fire.spray('x', 1)];
+    const calls = [
+      fire.spray(0, Infinity),
+      fire.spray(0, 1, 21),
+      fire.spray(0, 1, 0, 0, 0),
+      fire.spray(0, 1, 0, 0, 1001),
+      fire.spray('x', 1),
+    ];
     await fire.set('model', 'classic');
     calls.push(fire.spray(0, 0.5));
     return (await Promise.allSettled(calls)).map(({ reason }) => reason?.message ?? 'done');

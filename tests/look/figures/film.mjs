@@ -83,7 +83,9 @@ export class Film {
     const number = (id) => Number(fire.value(id));
     /** Seconds of fire in one of the clock. */
     this.pace = number('time_scale');
-    this.base = HEIGHT * (1 - Math.max(number('source_height'), number('seam') * number('domain_height')) / number('domain_height'));
+    this.base =
+      HEIGHT *
+      (1 - Math.max(number('source_height'), number('seam') * number('domain_height')) / number('domain_height'));
     this.source = (number('source_width') / number('domain_height')) * HEIGHT;
     this.behind = behinds();
   }
@@ -95,9 +97,10 @@ export class Film {
     for (; this.pictures < seconds * RATE; this.pictures += 1) {
       const time = this.pictures / RATE;
       this.fire.burn(this.start + time * this.pace);
-      const light = this.pictures % LIGHT_EVERY === 0
-        ? this.brush.light(this.fire, WIDTH, HEIGHT)
-        : this.brush.paint(this.fire, WIDTH, HEIGHT);
+      const light =
+        this.pictures % LIGHT_EVERY === 0
+          ? this.brush.light(this.fire, WIDTH, HEIGHT)
+          : this.brush.paint(this.fire, WIDTH, HEIGHT);
       if (light) this.seeLight(light);
       this.see(time, this.brush.pixels(WIDTH, HEIGHT));
     }
@@ -247,11 +250,19 @@ function behinds() {
   for (let at = 0; at < count; at += 1) {
     const [x, y] = [(at % WIDTH) / WIDTH, Math.floor(at / WIDTH) / HEIGHT];
     let light = 0.75 - 0.45 * y;
-    for (const [size, share] of [[3, 0.22], [9, 0.14], [31, 0.09], [83, 0.06]]) {
-      light += share * Math.sin(size * (x + 0.37 * y) + 2 * Math.sin(size * 0.7 * y + size)) * Math.cos(size * (y - 0.21 * x));
+    for (const [size, share] of [
+      [3, 0.22],
+      [9, 0.14],
+      [31, 0.09],
+      [83, 0.06],
+    ]) {
+      light +=
+        share * Math.sin(size * (x + 0.37 * y) + 2 * Math.sin(size * 0.7 * y + size)) * Math.cos(size * (y - 0.21 * x));
     }
     const tint = 0.5 + 0.5 * Math.sin(5 * x + 3 * y);
-    const rgb = [0.9 + 0.1 * tint, 0.95, 1.05 - 0.25 * tint].map((share) => 255 * Math.min(Math.max(light * share, 0), 1));
+    const rgb = [0.9 + 0.1 * tint, 0.95, 1.05 - 0.25 * tint].map(
+      (share) => 255 * Math.min(Math.max(light * share, 0), 1),
+    );
     photograph.set(rgb, 3 * at);
   }
   return [new Uint8Array(3 * count), new Uint8Array(3 * count).fill(255), photograph];

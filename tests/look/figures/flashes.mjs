@@ -35,7 +35,10 @@ const MOST = 6;
  * flow of single ones through two pictures, now a little more and now less, is no flash
  * after flash.
  */
-const TOGETHER = [{ long: 0.02, over: 1 }, { long: 0.05, over: 0.5 }];
+const TOGETHER = [
+  { long: 0.02, over: 1 },
+  { long: 0.05, over: 0.5 },
+];
 
 /** How often every place has changed, one way and the other. */
 class Changes {
@@ -208,9 +211,7 @@ export class Flashes {
     this.pixel = pixel;
     this.field = FIELD.map((side) => Math.max(1, Math.round(side / pixel)));
     // Fields that overlap by all but an eighth: the upper left of each.
-    this.corners = places(this.field[0], width).flatMap((x) => (
-      places(this.field[1], height).map((y) => [x, y])
-    ));
+    this.corners = places(this.field[0], width).flatMap((x) => places(this.field[1], height).map((y) => [x, y]));
     const count = width * height;
     this.kinds = Object.entries({ general: new Light(count), red: new Red(count) }).map(([name, changes]) => ({
       name,
@@ -278,27 +279,34 @@ export class Flashes {
     const stride = this.width + 1;
     const [right, low] = [Math.min(x + this.field[0], this.width), Math.min(y + this.field[1], this.height)];
     const { sums } = this;
-    return (sums[low * stride + right] - sums[y * stride + right] - sums[low * stride + x] + sums[y * stride + x])
-      * (this.pixel ** 2 / (FIELD[0] * FIELD[1]));
+    return (
+      (sums[low * stride + right] - sums[y * stride + right] - sums[low * stride + x] + sums[y * stride + x]) *
+      (this.pixel ** 2 / (FIELD[0] * FIELD[1]))
+    );
   }
 
   /** What was found: for each kind, and whether all is well. */
   found() {
-    const kinds = Object.fromEntries(this.kinds.map(({ name, flickers, together }) => {
-      const most = SHARES.map((_, at) => (
-        Math.max(...together.flatMap((/** @type {Together[]} */ shares) => [...shares[at].most]))
-      ));
-      const flashes = Math.max(...most.filter((_, at) => SHARES[at] >= SMALL)) / 2;
-      return [name, {
-        /** Pairs of opposing changes of more than a quarter of a field in a second. */
-        flashes,
-        /** More than that share of a field flashed more than three times in a second. */
-        area: Math.max(0, ...SHARES.filter((_, at) => most[at] > MOST)),
-        /** And that share did, each place when it would. */
-        flickers,
-        passes: flashes <= MOST / 2,
-      }];
-    }));
+    const kinds = Object.fromEntries(
+      this.kinds.map(({ name, flickers, together }) => {
+        const most = SHARES.map((_, at) =>
+          Math.max(...together.flatMap((/** @type {Together[]} */ shares) => [...shares[at].most])),
+        );
+        const flashes = Math.max(...most.filter((_, at) => SHARES[at] >= SMALL)) / 2;
+        return [
+          name,
+          {
+            /** Pairs of opposing changes of more than a quarter of a field in a second. */
+            flashes,
+            /** More than that share of a field flashed more than three times in a second. */
+            area: Math.max(0, ...SHARES.filter((_, at) => most[at] > MOST)),
+            /** And that share did, each place when it would. */
+            flickers,
+            passes: flashes <= MOST / 2,
+          },
+        ];
+      }),
+    );
     return { ...kinds, passes: Object.values(kinds).every(({ passes }) => passes) };
   }
 }

@@ -32,9 +32,7 @@ function painter(format = '', without = []) {
 function lessCapable(context, without) {
   const { getExtension, getSupportedExtensions } = WebGL2RenderingContext.prototype;
   context.getExtension = (name) => (without.includes(name) ? null : getExtension.call(context, name));
-  context.getSupportedExtensions = () => (
-    getSupportedExtensions.call(context).filter((name) => !without.includes(name))
-  );
+  context.getSupportedExtensions = () => getSupportedExtensions.call(context).filter((name) => !without.includes(name));
 }
 
 async function snapshot(name) {

@@ -115,24 +115,46 @@ export function warmth(element) {
   return seconds >= 0 && seconds <= WARM_MAX ? seconds : NaN;
 }
 
-reflect('warm', (element) => warmth(element) || 0, (element, value) => {
-  setOrRemove(element, 'warm', value === true ? '' : value === false ? undefined : value);
-});
+reflect(
+  'warm',
+  (element) => warmth(element) || 0,
+  (element, value) => {
+    setOrRemove(element, 'warm', value === true ? '' : value === false ? undefined : value);
+  },
+);
 
 // The others reflect as those of HTML's own elements do: as text, and as flags, which are present or
 // absent.
 for (const name of ['src', 'poster', 'alt', 'max-pixels', 'fps-limit', 'touch-action', 'align', 'pan']) {
-  reflect(name, (element) => element.getAttribute(name) ?? '', (element, value) => setOrRemove(element, name, value));
+  reflect(
+    name,
+    (element) => element.getAttribute(name) ?? '',
+    (element, value) => setOrRemove(element, name, value),
+  );
 }
 for (const name of /** @type {(keyof typeof CHOICES)[]} */ (Object.keys(CHOICES))) {
-  reflect(name, (element) => chosen(element, name), (element, value) => setOrRemove(element, name, value));
+  reflect(
+    name,
+    (element) => chosen(element, name),
+    (element, value) => setOrRemove(element, name, value),
+  );
 }
-reflect('zoom', (element) => Number(element.getAttribute('zoom')) || 1, (element, value) => setOrRemove(element, 'zoom', value));
-reflect('interactive', (element) => element.hasAttribute('interactive'), (element, value) => element.toggleAttribute('interactive', Boolean(value)));
+reflect(
+  'zoom',
+  (element) => Number(element.getAttribute('zoom')) || 1,
+  (element, value) => setOrRemove(element, 'zoom', value),
+);
+reflect(
+  'interactive',
+  (element) => element.hasAttribute('interactive'),
+  (element, value) => element.toggleAttribute('interactive', Boolean(value)),
+);
 // A flag, or a list of parameters.
-reflect('controls', (element) => element.getAttribute('controls') || element.hasAttribute('controls'), (element, value) => (
-  setOrRemove(element, 'controls', value ? (value === true ? '' : value) : undefined)
-));
+reflect(
+  'controls',
+  (element) => element.getAttribute('controls') || element.hasAttribute('controls'),
+  (element, value) => setOrRemove(element, 'controls', value ? (value === true ? '' : value) : undefined),
+);
 
 /**
  * Sets an attribute, or removes it for undefined and null.

@@ -14,7 +14,10 @@ const COMMON = /^(class|id|style|slot|hidden|title|(data|aria)-.*)$/;
 /** Warns about an attribute without an effect. @param {string} name */
 function check(name) {
   if (OBSERVED.includes(name) || COMMON.test(name)) return;
-  import('./spelling.js').then(({ warnOnce }) => warnOnce(name), () => {});
+  import('./spelling.js').then(
+    ({ warnOnce }) => warnOnce(name),
+    () => {},
+  );
 }
 
 /** The page policies of one element. */
@@ -91,7 +94,9 @@ export class PagePolicies {
    */
   async measure(mode, range) {
     if (range) {
-      this.#scale ??= this.#reports.loads(import('../view/scale.js'), 'The colour bar').then(({ Scale }) => new Scale(this.#view));
+      this.#scale ??= this.#reports
+        .loads(import('../view/scale.js'), 'The colour bar')
+        .then(({ Scale }) => new Scale(this.#view));
     }
     (await this.#scale?.catch(() => undefined))?.show(mode, range);
   }
@@ -134,7 +139,10 @@ export class PagePolicies {
 
   /** @type {(name: string, value: unknown) => void} */
   #send(name, value) {
-    this.#session.call(name.replace('-', '_'), value).then(() => this.#limits.set(name, value), () => {});
+    this.#session.call(name.replace('-', '_'), value).then(
+      () => this.#limits.set(name, value),
+      () => {},
+    );
   }
 
   /** Adds or removes the pointer listeners. */
@@ -190,10 +198,8 @@ export class PagePolicies {
     this.#controls = list;
     this.#panel?.abort();
     if (list === null) return;
-    this.#panel = this.#load(
-      import('../controls/controls.js'),
-      'The panel',
-      ({ mountControls }, signal) => mountControls(this.#session, list, signal),
+    this.#panel = this.#load(import('../controls/controls.js'), 'The panel', ({ mountControls }, signal) =>
+      mountControls(this.#session, list, signal),
     );
   }
 
@@ -208,7 +214,10 @@ export class PagePolicies {
   #load(code, what, run) {
     const running = new AbortController();
     const { signal } = running;
-    this.#reports.loads(code, what).then((loaded) => signal.aborted || run(loaded, signal), () => {});
+    this.#reports.loads(code, what).then(
+      (loaded) => signal.aborted || run(loaded, signal),
+      () => {},
+    );
     return running;
   }
 }

@@ -22,7 +22,9 @@ export const DEPTH = 3;
 export function settings(config, id = 'config') {
   if (typeof config === 'string') {
     if (config.length > MAX_LENGTH) {
-      throw new RangeError(`${id} is refused: it has ${config.length} characters; at most ${MAX_LENGTH} (64 KiB) are allowed`);
+      throw new RangeError(
+        `${id} is refused: it has ${config.length} characters; at most ${MAX_LENGTH} (64 KiB) are allowed`,
+      );
     }
     try {
       config = JSON.parse(config);

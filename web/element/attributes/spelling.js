@@ -12,12 +12,14 @@ const MAX_SUGGESTIONS = 3;
  * Attributes of every element, and attributes that frameworks and libraries add: with a prefix of one
  * or two letters, or with characters that HTML does not use.
  */
-const FOREIGN = new RegExp([
-  '^(accesskey|autocapitalize|autocorrect|autofocus|class|contenteditable|dir|draggable|elementtiming|enterkeyhint',
-  'exportparts|hidden|id|inert|inputmode|is|lang|nonce|part|popover|role|slot|spellcheck|style|tabindex|title',
-  'translate|writingsuggestions)$|^(aria|data|astro|wire|jsaction|jscontroller|jsname)|^on|^item|^xml|^[a-z]{1,2}-',
-  '^_|[^a-z0-9_-]',
-].join('|'));
+const FOREIGN = new RegExp(
+  [
+    '^(accesskey|autocapitalize|autocorrect|autofocus|class|contenteditable|dir|draggable|elementtiming|enterkeyhint',
+    'exportparts|hidden|id|inert|inputmode|is|lang|nonce|part|popover|role|slot|spellcheck|style|tabindex|title',
+    'translate|writingsuggestions)$|^(aria|data|astro|wire|jsaction|jscontroller|jsname)|^on|^item|^xml|^[a-z]{1,2}-',
+    '^_|[^a-z0-9_-]',
+  ].join('|'),
+);
 
 const KNOWN = [...OWN_ATTRIBUTES, ...Object.keys(DEFAULTS).map((id) => id.replaceAll('_', '-'))];
 
@@ -79,7 +81,11 @@ export function alike(name, names, max) {
 
 /** @param {string} name */
 function wordsOf(name) {
-  return name.toLowerCase().replace(/color/g, 'colour').split(/[-_\s]+/).filter(Boolean);
+  return name
+    .toLowerCase()
+    .replace(/color/g, 'colour')
+    .split(/[-_\s]+/)
+    .filter(Boolean);
 }
 
 /** @param {string} name */

@@ -13,7 +13,10 @@ const REACH = 5;
 const RESOLUTION = 1e-4;
 
 /** The properties that a target sets. @type {{[kind: string]: string[]}} */
-export const TARGET_PROPERTIES = { source: ['x', 'y', 'width'], solid: ['shape', 'x', 'y', 'angle', 'width', 'height', 'corner', 'mask'] };
+export const TARGET_PROPERTIES = {
+  source: ['x', 'y', 'width'],
+  solid: ['shape', 'x', 'y', 'angle', 'width', 'height', 'corner', 'mask'],
+};
 
 /** The default mask, which a solid of another shape has. */
 export const NO_MASK = '16x16:7';
@@ -27,7 +30,7 @@ export function targetOf(child, id) {
   const root = child.getRootNode();
   const near = 'getElementById' in root ? /** @type {ShadowRoot} */ (root).getElementById(id) : null;
   const target = near ?? child.ownerDocument.getElementById(id);
-  return target?.localName === 'picture' ? target.querySelector('img') ?? target : target;
+  return target?.localName === 'picture' ? (target.querySelector('img') ?? target) : target;
 }
 
 /**
@@ -39,7 +42,12 @@ export function boxOf(element) {
   const { left, right, top, bottom, width, height } = element.getBoundingClientRect();
   if (!(width > 0 && height > 0)) return null;
   const style = getComputedStyle(element);
-  const corners = [style.borderTopLeftRadius, style.borderTopRightRadius, style.borderBottomRightRadius, style.borderBottomLeftRadius];
+  const corners = [
+    style.borderTopLeftRadius,
+    style.borderTopRightRadius,
+    style.borderBottomRightRadius,
+    style.borderBottomLeftRadius,
+  ];
   const layout = /** @type {HTMLElement} */ (element);
   // Lengths in the style are those before a transform.
   const scale = layout.offsetWidth ? width / layout.offsetWidth : 1;
@@ -56,9 +64,8 @@ export function boxOf(element) {
 export function radiusOf(corners, width, height, scale = 1) {
   const radii = corners.flatMap((corner) => {
     const [across, down = across] = corner.split(' ');
-    const length = (/** @type {string} */ text, /** @type {number} */ side) => (
-      text.endsWith('%') ? (parseFloat(text) / 100) * side : parseFloat(text) * scale
-    );
+    const length = (/** @type {string} */ text, /** @type {number} */ side) =>
+      text.endsWith('%') ? (parseFloat(text) / 100) * side : parseFloat(text) * scale;
     return [length(across, width), length(down, height)];
   });
   return Math.max(0, Math.min(width / 2, height / 2, ...radii)) || 0;
@@ -109,10 +116,12 @@ export function solidOf({ left, right, top, bottom, radius }, middle, mask) {
  */
 export function sourceOf({ left, right, top }, domain) {
   const values = { x: (left + right) / 2, y: top, width: right - left };
-  return Object.fromEntries(Object.entries(values).map(([property, value]) => {
-    const [, min = -Infinity, max = Infinity] = domain(property);
-    return [property, rounded(within(value, min, max))];
-  }));
+  return Object.fromEntries(
+    Object.entries(values).map(([property, value]) => {
+      const [, min = -Infinity, max = Infinity] = domain(property);
+      return [property, rounded(within(value, min, max))];
+    }),
+  );
 }
 
 /** @type {(value: number, min: number, max: number) => number} */

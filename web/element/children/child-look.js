@@ -49,11 +49,14 @@ export class Look {
     }
     if (!isAsked) {
       isAsked = true;
-      this.#session.reports.loads(import('./child-picture.js'), 'The code for masks').then(({ Picture }) => {
-        Reader = Picture;
-      }, () => {
-        Reader = null;
-      });
+      this.#session.reports.loads(import('./child-picture.js'), 'The code for masks').then(
+        ({ Picture }) => {
+          Reader = Picture;
+        },
+        () => {
+          Reader = null;
+        },
+      );
     }
     if (!Reader) return undefined;
     let picture = this.picture;

@@ -63,7 +63,9 @@ export class Picture {
   #begun = 0;
   #following = new AbortController();
   #observer = new MutationObserver((records) => {
-    this.#stale ||= records.some(({ attributeName, target }) => target !== this.target || !MOVING.test(attributeName ?? ''));
+    this.#stale ||= records.some(
+      ({ attributeName, target }) => target !== this.target || !MOVING.test(attributeName ?? ''),
+    );
   });
 
   /**
@@ -126,12 +128,15 @@ export class Picture {
     const [across, up] = [right - left, bottom - top];
     const [wide, high] = offsetWidth ? [across / offsetWidth, up / offsetHeight] : [1, 1];
     const css = getComputedStyle(target);
-    const lengths = [across / wide, up / high, 100 * wide / high];
+    const lengths = [across / wide, up / high, (100 * wide) / high];
     const extent = this.glyphs && extentOf(target);
-    if (extent) lengths.push((extent.left - left) / wide, (extent.top - top) / high, extent.width / wide, extent.height / high);
+    if (extent)
+      lengths.push((extent.left - left) / wide, (extent.top - top) / high, extent.width / wide, extent.height / high);
     const style = [
       turns(css),
-      ...(this.glyphs ? [css.font, css.letterSpacing, css.textTransform, css.writingMode] : [css.objectFit, css.objectPosition, css.padding, css.borderWidth]),
+      ...(this.glyphs
+        ? [css.font, css.letterSpacing, css.textTransform, css.writingMode]
+        : [css.objectFit, css.objectPosition, css.padding, css.borderWidth]),
       ...lengths.map((length) => Math.round(length * GRID + OFF_GRID)),
     ].join();
     const changes = style !== this.#style;
@@ -161,7 +166,13 @@ export class Picture {
     } else if (drawing && mask) {
       const { box, outer } = drawing;
       const [left, top] = [(box.left - outer.left) / outer.width, (box.top - outer.top) / outer.height];
-      this.opacity = { mask, left, top, right: left + box.width / outer.width, bottom: top + box.height / outer.height };
+      this.opacity = {
+        mask,
+        left,
+        top,
+        right: left + box.width / outer.width,
+        bottom: top + box.height / outer.height,
+      };
     } else {
       this.opacity = null;
     }
@@ -183,7 +194,7 @@ function maskOf({ box: { left, top, width, height }, draw }) {
   const scale = Math.min(PIXELS / Math.max(width, height), DENSITY);
   const [columns, rows] = [width, height].map((length) => Math.max(Math.round(length * scale), 1));
   const fine = contextOf(columns * FINENESS, rows * FINENESS, false);
-  const [across, up] = [columns * FINENESS / width, rows * FINENESS / height];
+  const [across, up] = [(columns * FINENESS) / width, (rows * FINENESS) / height];
   fine.setTransform(across, 0, 0, up, -left * across, -top * up);
   draw(fine);
   const context = contextOf(columns, rows);
@@ -199,6 +210,7 @@ function turns({ transform, rotate = 'none', scale }) {
 
 /** Whether an element or one that holds it is turned. @param {Element | null} element */
 function isTurned(element) {
-  for (let ancestor = element; ancestor; ancestor = ancestor.parentElement) if (turns(getComputedStyle(ancestor))) return true;
+  for (let ancestor = element; ancestor; ancestor = ancestor.parentElement)
+    if (turns(getComputedStyle(ancestor))) return true;
   return false;
 }

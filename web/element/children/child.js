@@ -42,7 +42,11 @@ export const attributeOf = (/** @type {string} */ property) => property.replaceA
 const propertyOf = (/** @type {string} */ attribute) => attribute.replaceAll('-', '_');
 
 /** The attributes of a kind. */
-export const attributesOf = (/** @type {string} */ kind) => [OF, ...(PROPERTIES[kind].mask ? [OF_TEXT] : []), ...Object.keys(PROPERTIES[kind]).map(attributeOf)];
+export const attributesOf = (/** @type {string} */ kind) => [
+  OF,
+  ...(PROPERTIES[kind].mask ? [OF_TEXT] : []),
+  ...Object.keys(PROPERTIES[kind]).map(attributeOf),
+];
 
 /** A child of one fire. */
 export class Child {
@@ -176,10 +180,14 @@ export class Child {
       if (this.exists && !this.#awaitsLook) this.#hide();
     } else if (this.exists || (this.isSettingsSource && this.id === undefined)) {
       // Those of the source of the settings change only if a child has set them.
-      const names = Object.keys(PROPERTIES[this.kind]).filter((property) => (
-        this.isSettingsSource ? this.#sets(property) || this.#owner.changed(property) : property in this.reported
-      ));
-      this.#write({ ...Object.fromEntries(names.map((property) => [property, this.#valueOf(property)])), ...overrides, ...placed });
+      const names = Object.keys(PROPERTIES[this.kind]).filter((property) =>
+        this.isSettingsSource ? this.#sets(property) || this.#owner.changed(property) : property in this.reported,
+      );
+      this.#write({
+        ...Object.fromEntries(names.map((property) => [property, this.#valueOf(property)])),
+        ...overrides,
+        ...placed,
+      });
     } else {
       this.#add({ ...this.statedValues(), ...overrides, ...placed });
     }
@@ -236,7 +244,9 @@ export class Child {
     const id = this.#solidOf(name);
     if (id === 0 && name !== this.#unknownSolid && document.readyState !== 'loading') {
       this.#unknownSolid = name;
-      console.warn(`<hearth-fire>: ${this.name}: ${attributeOf(this.#reference)} = #${name.slice(0, MAX_SHOWN)} has no effect now: no <hearth-solid> of this fire has that id.`);
+      console.warn(
+        `<hearth-fire>: ${this.name}: ${attributeOf(this.#reference)} = #${name.slice(0, MAX_SHOWN)} has no effect now: no <hearth-solid> of this fire has that id.`,
+      );
     }
     if (id !== this.#sentSolidId && this.exists && !this.busy) this.#write({ [this.#reference]: id });
   }
@@ -246,7 +256,9 @@ export class Child {
     const { session } = this.#owner;
     this.#isAdding = true;
     this.id ??= this.#owner.freeId();
-    const added = await this.#call(values, (accepted) => session.call('addObject', { kind: this.kind, id: this.id, ...accepted }, ORIGIN));
+    const added = await this.#call(values, (accepted) =>
+      session.call('addObject', { kind: this.kind, id: this.id, ...accepted }, ORIGIN),
+    );
     this.lacksRoom = !added && !this.isUnanswered;
     const stale = [...this.#staleProperties];
     this.#staleProperties.clear();
@@ -330,7 +342,8 @@ export class Child {
     this.lacksBox = true;
     if (this.#hasWarned || document.readyState === 'loading') return;
     this.#hasWarned = true;
-    const box = this.look.picture?.opacity === null ? 'nothing of that element is opaque' : 'that element has no visible box';
+    const box =
+      this.look.picture?.opacity === null ? 'nothing of that element is opaque' : 'that element has no visible box';
     const why = targetOf(this.element, this.of) ? box : 'no element has that id';
     console.warn(`<hearth-fire>: ${this.name}: ${OF} = ${this.#shownTarget} has no effect now: ${why}.`);
   }
@@ -348,7 +361,9 @@ export class Child {
     if (!box) this.look.close();
     if (!viewport || !box) return null;
     /** @type {ReturnType<Look['of']>} */
-    const seen = PROPERTIES[this.kind].mask ? this.look.of(target, box, (this.element.getAttribute(OF_TEXT) ?? 'false') !== 'false') : box;
+    const seen = PROPERTIES[this.kind].mask
+      ? this.look.of(target, box, (this.element.getAttribute(OF_TEXT) ?? 'false') !== 'false')
+      : box;
     if (!seen) return seen;
     const metres = inMetres(seen, fire.getBoundingClientRect(), viewport);
     if (PROPERTIES[this.kind].mask) return solidOf(metres, state.params.domain_height / 2, seen.mask);

@@ -101,7 +101,9 @@ export class Children {
   #adoptable(/** @type {any[]} */ objects = this.session.state.objects) {
     if (!this.session.state.started) return undefined;
     const first = objects.find(({ kind }) => kind === 'source');
-    return first && !this.#children.some(({ id, isSettingsSource }) => id === first.id && !isSettingsSource) ? first : null;
+    return first && !this.#children.some(({ id, isSettingsSource }) => id === first.id && !isSettingsSource)
+      ? first
+      : null;
   }
 
   /** A child is no child of this fire any more. @param {Child} child */
@@ -166,7 +168,9 @@ export class Children {
    */
   setting(property) {
     const attribute = attributeOf(PROPERTIES.source[property].parameter ?? '');
-    return this.#own?.values?.[property] ?? this.session.fire.getAttribute(attribute) ?? this.domain('source', property)[0];
+    return (
+      this.#own?.values?.[property] ?? this.session.fire.getAttribute(attribute) ?? this.domain('source', property)[0]
+    );
   }
 
   /**
@@ -186,7 +190,8 @@ export class Children {
 
   /** An id that no object has. */
   freeId() {
-    do this.#lastId += 1; while (this.session.state.objects.some(({ id }) => id === this.#lastId));
+    do this.#lastId += 1;
+    while (this.session.state.objects.some(({ id }) => id === this.#lastId));
     return this.#lastId;
   }
 
@@ -201,11 +206,15 @@ export class Children {
     child.idIsTaken = errors.some(({ id }) => /^objects\[\d+\]\.id$/.test(id));
     child.isMissing = (child.isReplaced || again) && errors.some(({ id }) => id === 'id');
     const sources = Object.entries(PROPERTIES.source);
-    return child.idIsTaken || child.isMissing ? [] : errors.map((error) => {
-      const property = /^objects\[\d+\]\.(.*)$/.exec(error.id)?.[1] ?? sources.find(([, { parameter }]) => parameter === error.id)?.[0];
-      const id = property ? attributeOf(property) : error.id;
-      return { ...error, id, message: `${child.name}: ${error.message.replace(error.id, id)}` };
-    });
+    return child.idIsTaken || child.isMissing
+      ? []
+      : errors.map((error) => {
+          const property =
+            /^objects\[\d+\]\.(.*)$/.exec(error.id)?.[1] ??
+            sources.find(([, { parameter }]) => parameter === error.id)?.[0];
+          const id = property ? attributeOf(property) : error.id;
+          return { ...error, id, message: `${child.name}: ${error.message.replace(error.id, id)}` };
+        });
   }
 
   /** The fire has begun, or its values have changed. @param {Message} message */
@@ -215,9 +224,13 @@ export class Children {
     if (objects) {
       // These keep the objects of the children.
       const keeps = begins || replaced || source === 'attribute';
-      const child = this.#children.find(({ isSettingsSource }) => isSettingsSource) ?? this.#children.find(({ kind }) => kind === 'source');
+      const child =
+        this.#children.find(({ isSettingsSource }) => isSettingsSource) ??
+        this.#children.find(({ kind }) => kind === 'source');
       const known = objects.some((/** @type {any} */ { id }) => id === child?.id);
-      const again = child?.isSettingsSource ? replaced || child.id === undefined || !known : !known && child?.isExpected && this.#adoptable(objects);
+      const again = child?.isSettingsSource
+        ? replaced || child.id === undefined || !known
+        : !known && child?.isExpected && this.#adoptable(objects);
       if (child && keeps && again) this.#adopt(child, objects, replaced);
       for (const other of this.#children) this.#compare(other, objects, keeps);
     }
@@ -236,7 +249,9 @@ export class Children {
     else if (replaced || !this.#own.values) this.#own.values = propertiesOf(first);
     // The fire had no id for the source of that name.
     child.isReplaced = !first || child.id !== undefined || 'name' in child.statedValues();
-    child.overrides = Object.fromEntries(Object.entries(child.lastingValues).filter(([property]) => property in child.statedValues()));
+    child.overrides = Object.fromEntries(
+      Object.entries(child.lastingValues).filter(([property]) => property in child.statedValues()),
+    );
     child.isSettingsSource = Boolean(first);
     child.id = first?.id;
   }
@@ -272,7 +287,7 @@ export class Children {
     const owned = objects.filter(({ id }) => ids.includes(id));
     if (owned.every(({ id }, at) => id === ids[at])) return undefined;
     const next = ids.map((nextId) => owned.find(({ id }) => id === nextId));
-    return objects.map((object) => (ids.includes(object.id) ? next.shift() ?? object : object));
+    return objects.map((object) => (ids.includes(object.id) ? (next.shift() ?? object) : object));
   }
 
   /** Puts the objects in the order of the children. */
@@ -281,7 +296,8 @@ export class Children {
     let sorted = false;
     try {
       // A list would undo a call of the page that changes an object and is not answered.
-      for (let tries = 0; tries === 0 || (tries < MAX_TRIES && !this.session.idle); tries += 1) await this.session.call('check', {});
+      for (let tries = 0; tries === 0 || (tries < MAX_TRIES && !this.session.idle); tries += 1)
+        await this.session.call('check', {});
       const objects = this.#sorted();
       if (objects) await this.session.set({ objects }, ORIGIN);
       sorted = true;
@@ -316,7 +332,8 @@ export class Children {
   #follow() {
     const { view, state, fire } = this.session;
     // Without a picture, boxes have no position in the domain.
-    if (!state.started || !this.#children.some(({ of }) => of) || !fire.isConnected || !view.viewport(state.params)) return;
+    if (!state.started || !this.#children.some(({ of }) => of) || !fire.isConnected || !view.viewport(state.params))
+      return;
     for (const child of this.#children) child.followTarget();
   }
 }
@@ -324,23 +341,30 @@ export class Children {
 /** Warns about an attribute without an effect. @type {(element: Element, name: string) => void} */
 function spell({ localName }, name) {
   const known = attributesOf(KINDS[localName]);
-  if (!known.includes(name)) import('../attributes/spelling.js').then(({ warnOnce }) => warnOnce(name, localName, known), () => {});
+  if (!known.includes(name))
+    import('../attributes/spelling.js').then(
+      ({ warnOnce }) => warnOnce(name, localName, known),
+      () => {},
+    );
 }
 
 for (const [name, kind] of Object.entries(globalThis.customElements ? KINDS : {})) {
   if (customElements.get(name)) continue;
-  customElements.define(name, class extends HTMLElement {
-    static observedAttributes = attributesOf(kind);
+  customElements.define(
+    name,
+    class extends HTMLElement {
+      static observedAttributes = attributesOf(kind);
 
-    /** The id of its object; null while the fire has none. */
-    get objectId() {
-      const child = CHILDREN.get(this);
-      return child?.exists ? child.id : null;
-    }
+      /** The id of its object; null while the fire has none. */
+      get objectId() {
+        const child = CHILDREN.get(this);
+        return child?.exists ? child.id : null;
+      }
 
-    /** @param {string} attribute */
-    attributeChangedCallback(attribute) {
-      CHILDREN.get(this)?.attribute(attribute);
-    }
-  });
+      /** @param {string} attribute */
+      attributeChangedCallback(attribute) {
+        CHILDREN.get(this)?.attribute(attribute);
+      }
+    },
+  );
 }

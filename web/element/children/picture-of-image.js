@@ -23,9 +23,12 @@ export const isComplete = (element) => !('complete' in element) || Boolean(eleme
  */
 export async function imageIn(element) {
   const isSvg = element.localName === 'svg';
-  const image = isSvg ? await imageOf(/** @type {SVGSVGElement} */ (element)) : /** @type {HTMLImageElement | HTMLCanvasElement} */ (element);
+  const image = isSvg
+    ? await imageOf(/** @type {SVGSVGElement} */ (element))
+    : /** @type {HTMLImageElement | HTMLCanvasElement} */ (element);
   if (!image) return `it has more than ${MAX_ELEMENTS} elements`;
-  const [across, up] = 'naturalWidth' in image ? [image.naturalWidth, image.naturalHeight] : [image.width, image.height];
+  const [across, up] =
+    'naturalWidth' in image ? [image.naturalWidth, image.naturalHeight] : [image.width, image.height];
   if (!(across > 0 && up > 0)) return isSvg ? 'the policy of the page forbids data: images' : 'it has no pixels';
   if (across * up > MAX_PIXELS) return `it has more than ${MAX_PIXELS} pixels`;
   // Decoding takes no time of the page here.
@@ -96,14 +99,16 @@ async function imageOf(svg) {
   const { css, inner } = contentOf(svg);
   // As for images, the opacity of the whole does not count.
   for (const name of ['style', 'class', 'opacity']) copy.removeAttribute(name);
-  if (!copy.hasAttribute('viewBox')) copy.setAttribute('viewBox', `0 0 ${parseFloat(css.width)} ${parseFloat(css.height)}`);
+  if (!copy.hasAttribute('viewBox'))
+    copy.setAttribute('viewBox', `0 0 ${parseFloat(css.width)} ${parseFloat(css.height)}`);
   copy.setAttribute('width', `${inner.width}`);
   copy.setAttribute('height', `${inner.height}`);
   // What a `<use>` shows may be elsewhere on the page.
   const root = /** @type {Document | ShadowRoot} */ (svg.getRootNode());
   for (const use of svg.querySelectorAll('use')) {
     const found = root.getElementById(use.href.baseVal.slice(1));
-    if (found && !svg.contains(found)) copy.appendChild(document.createElementNS(svg.namespaceURI, 'defs')).append(found.cloneNode(true));
+    if (found && !svg.contains(found))
+      copy.appendChild(document.createElementNS(svg.namespaceURI, 'defs')).append(found.cloneNode(true));
   }
   const image = new Image();
   image.src = `data:image/svg+xml,${encodeURIComponent(new XMLSerializer().serializeToString(copy))}`;

@@ -30,7 +30,9 @@ export function glyphsIn(element) {
   const outer = element.getBoundingClientRect();
   const measure = contextOf(1, 1);
   const glyphs = piecesOf(element).map((piece) => laidOut(piece, measure));
-  const [left, top, right, bottom] = [0, 1, 2, 3].map((side) => Math[side < 2 ? 'min' : 'max'](...glyphs.map(({ ink }) => ink[side])));
+  const [left, top, right, bottom] = [0, 1, 2, 3].map((side) =>
+    Math[side < 2 ? 'min' : 'max'](...glyphs.map(({ ink }) => ink[side])),
+  );
   if (!(right > left && bottom > top)) return null;
   const draw = (/** @type {Context} */ context) => {
     for (const { text, css, x, y, wide, high } of glyphs) {
@@ -119,8 +121,13 @@ function dress(context, css) {
 function laidOut({ text, css, rect }, measure) {
   dress(measure, css);
   const {
-    width, fontBoundingBoxAscent: ascent, fontBoundingBoxDescent: descent, actualBoundingBoxLeft: left,
-    actualBoundingBoxRight: right, actualBoundingBoxAscent: above, actualBoundingBoxDescent: below,
+    width,
+    fontBoundingBoxAscent: ascent,
+    fontBoundingBoxDescent: descent,
+    actualBoundingBoxLeft: left,
+    actualBoundingBoxRight: right,
+    actualBoundingBoxAscent: above,
+    actualBoundingBoxDescent: below,
   } = measure.measureText(text);
   // The box of a text on a line is as high as its font, whatever the height of the line. A drop cap and a transform
   // have other sizes.

@@ -68,7 +68,10 @@ function offerInside(fire, failed) {
   const host = document.createElement('div');
   host.className = 'tools';
   const button = iconButton(ICON, {
-    class: 'hearth-fold hearth-draw', 'aria-label': 'Tools', 'aria-expanded': 'false', title: 'Draw, move and erase things',
+    class: 'hearth-fold hearth-draw',
+    'aria-label': 'Tools',
+    'aria-expanded': 'false',
+    title: 'Draw, move and erase things',
   });
   fire.shadowRoot?.append(host, button);
   const close = offerTools({ button, host, fire, failed });

@@ -14,7 +14,9 @@ const PICTURE_S = 10;
  */
 function framed(drawn) {
   return new Promise((resolve, reject) => {
-    const cancel = countdown(PICTURE_S, () => reject(new Error(`no frame was drawn in ${PICTURE_S} s, because the fire is not visible`)));
+    const cancel = countdown(PICTURE_S, () =>
+      reject(new Error(`no frame was drawn in ${PICTURE_S} s, because the fire is not visible`)),
+    );
     drawn.then(resolve, reject).finally(cancel);
   });
 }
@@ -29,12 +31,19 @@ function framed(drawn) {
 export async function toBlob(session, how, share) {
   const canvas = await framed(session.view.drawn());
   // The canvas may be empty.
-  if (!session.drawable) throw new Error('there is no frame while the graphics context is lost; it is restored with the event `restored`');
-  const { type = 'image/png', quality, width, background } = typeof how === 'object' && how ? how : { type: how, quality: share };
-  const encode = () => new Promise((/** @type {(blob: Blob) => void} */ resolve, reject) => {
-    const refused = new Error(`this browser cannot encode the frame as ${String(type).slice(0, 100)}`);
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(refused)), type, quality);
-  });
+  if (!session.drawable)
+    throw new Error('there is no frame while the graphics context is lost; it is restored with the event `restored`');
+  const {
+    type = 'image/png',
+    quality,
+    width,
+    background,
+  } = typeof how === 'object' && how ? how : { type: how, quality: share };
+  const encode = () =>
+    new Promise((/** @type {(blob: Blob) => void} */ resolve, reject) => {
+      const refused = new Error(`this browser cannot encode the frame as ${String(type).slice(0, 100)}`);
+      canvas.toBlob((blob) => (blob ? resolve(blob) : reject(refused)), type, quality);
+    });
   if (width === undefined && background === undefined) return encode();
   const { redraw } = await import('./redraw.js');
   return redraw(session, canvas, { width, background }, encode);

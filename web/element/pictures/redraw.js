@@ -45,10 +45,12 @@ export function redraw(session, canvas, how, take) {
  *   background?: string}, take: () => Promise<void>) => Promise<void>}
  */
 async function draw(session, canvas, { width = canvas.width, background = 'scene' }, take) {
-  const height = Math.round(canvas.height * width / canvas.width);
+  const height = Math.round((canvas.height * width) / canvas.width);
   const fits = [width, height].every((side) => side >= MIN_SIDE && side <= MAX_SIDE) && width * height <= MAX_PIXELS;
   if (!fits || width % 1 !== 0) {
-    throw new RangeError(`width ${String(width).slice(0, 40)}: a picture has whole sides from ${MIN_SIDE} to ${MAX_SIDE} pixels, and at most ${MAX_PIXELS} pixels`);
+    throw new RangeError(
+      `width ${String(width).slice(0, 40)}: a picture has whole sides from ${MIN_SIDE} to ${MAX_SIDE} pixels, and at most ${MAX_PIXELS} pixels`,
+    );
   }
   const { fire, view } = session;
   /** @type {{[id: string]: string}} */
@@ -71,7 +73,17 @@ async function draw(session, canvas, { width = canvas.width, background = 'scene
   } finally {
     session.send('max_pixels', limitOf(fire));
     // A value that has changed meanwhile is the present one.
-    await session.set(Object.fromEntries(Object.keys(values).map((id) => [id, session.state.params[/** @type {keyof typeof session.state.params} */ (id)]])), 'picture').catch(() => {});
+    await session
+      .set(
+        Object.fromEntries(
+          Object.keys(values).map((id) => [
+            id,
+            session.state.params[/** @type {keyof typeof session.state.params} */ (id)],
+          ]),
+        ),
+        'picture',
+      )
+      .catch(() => {});
     await observedAgain(view, canvas, copy.width);
     copy.remove();
   }
@@ -93,7 +105,13 @@ async function observedAgain(view, canvas, width) {
   canvas.style.inlineSize = 'calc(100% - 8px)';
   await displayed();
   await displayed();
-  const drawn = next(view, canvas, (frame) => frame.width === width, async () => {}, BACK_S);
+  const drawn = next(
+    view,
+    canvas,
+    (frame) => frame.width === width,
+    async () => {},
+    BACK_S,
+  );
   canvas.style.inlineSize = '';
   await drawn.catch(() => {});
 }

@@ -15,8 +15,11 @@ export function halvesOf({ kind, shape, width, height, points }) {
   if (kind === 'source') return [width / 2, 0];
   if (shape === 'polygon' || shape === 'stroke') {
     const line = shape === 'stroke' ? height / 2 : 0;
-    const all = String(points).split(/[\s,]+/).map(Number);
-    const reach = (/** @type {number} */ axis) => line + Math.max(...all.filter((_, at) => at % 2 === axis).map(Math.abs));
+    const all = String(points)
+      .split(/[\s,]+/)
+      .map(Number);
+    const reach = (/** @type {number} */ axis) =>
+      line + Math.max(...all.filter((_, at) => at % 2 === axis).map(Math.abs));
     return [reach(0), reach(1)];
   }
   const half = (shape === 'circle' ? width : height) / 2;
@@ -42,10 +45,15 @@ export function attachedObjects(fire) {
   const first = objects.find(({ kind }) => kind === 'source');
   if (!first) return [];
   const followers = /** @type {any[]} */ ([...fire.querySelectorAll(':scope>[of]')]).map(({ objectId }) => objectId);
-  const candidates = objects.filter((object) => (
-    object !== first && object.shape !== 'solid' && (object.fuel ?? 'none') === 'none' && (object.motion ?? 'still') === 'still'
-    && !followers.includes(object.id) && 2 * extentOf(object)[0] < fire.params.domain_width
-  ));
+  const candidates = objects.filter(
+    (object) =>
+      object !== first &&
+      object.shape !== 'solid' &&
+      (object.fuel ?? 'none') === 'none' &&
+      (object.motion ?? 'still') === 'still' &&
+      !followers.includes(object.id) &&
+      2 * extentOf(object)[0] < fire.params.domain_width,
+  );
   const gap = MAX_GAP * first.width;
   const group = [first];
   // The group grows while the loop goes through it.
@@ -53,7 +61,8 @@ export function attachedObjects(fire) {
     const [wide, high] = extentOf(object);
     for (const other of [...candidates]) {
       const [across, up] = extentOf(other);
-      if (Math.abs(other.x - object.x) > wide + across + gap || Math.abs(other.y - object.y) > high + up + gap) continue;
+      if (Math.abs(other.x - object.x) > wide + across + gap || Math.abs(other.y - object.y) > high + up + gap)
+        continue;
       group.push(other);
       candidates.splice(candidates.indexOf(other), 1);
     }

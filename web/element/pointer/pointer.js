@@ -38,7 +38,10 @@ const OTHERS = '.panel, .tools, .message, a, button, input, select, textarea, la
  * @param {AbortSignal} signal ends it
  */
 export function listenToPointer(session, signal) {
-  const { fire, view: { root } } = session;
+  const {
+    fire,
+    view: { root },
+  } = session;
   /**
    * The last position of each pointer; there are several with several fingers.
    * @type {Map<number, Point & {time: number}>}
@@ -57,10 +60,14 @@ export function listenToPointer(session, signal) {
     const inside = x >= 0 && y >= 0 && x <= width && y <= height;
     return { x, y, width, height, inside, metres: fire.toMetres(x, y) };
   };
-  const isForFire = (/** @type {Event} */ event) => !event.composedPath().some((node) => (
-    // Not `instanceof`: the fire may have moved to another window's document.
-    node !== fire && /** @type {Partial<Element>} */ (node).matches?.(OTHERS) && fire.shadowRoot?.contains(/** @type {Node} */ (node))
-  ));
+  const isForFire = (/** @type {Event} */ event) =>
+    !event.composedPath().some(
+      (node) =>
+        // Not `instanceof`: the fire may have moved to another window's document.
+        node !== fire &&
+        /** @type {Partial<Element>} */ (node).matches?.(OTHERS) &&
+        fire.shadowRoot?.contains(/** @type {Node} */ (node)),
+    );
   /** Its distance from the middle of the source; undefined if it is not on the source. @returns {Grip | undefined} */
   const grip = (/** @type {MouseEvent} */ event) => {
     const { x, y, width, inside, metres } = locate(event);
@@ -76,9 +83,13 @@ export function listenToPointer(session, signal) {
     const half = (fire.toPixels(source.x + source.half, source.y)?.x ?? base.x) - base.x;
     const near = Math.abs(x - base.x) <= Math.max(half, GRIP_PX) && Math.abs(y - base.y) <= GRIP_PX;
     // The box of another shape may be mostly empty.
-    const isOnAttached = () => attachedObjects(fire).some((solid) => (
-      /^(line|box|circle)$/.test(solid.shape) && solid.kind === 'solid' && isOn(solid, { x: metres.x - solid.x, y: metres.y - solid.y }, 0)
-    ));
+    const isOnAttached = () =>
+      attachedObjects(fire).some(
+        (solid) =>
+          /^(line|box|circle)$/.test(solid.shape) &&
+          solid.kind === 'solid' &&
+          isOn(solid, { x: metres.x - solid.x, y: metres.y - solid.y }, 0),
+      );
     return near || isOnAttached() ? { x: metres.x - source.x, y: 0 } : undefined;
   };
 
@@ -98,7 +109,10 @@ export function listenToPointer(session, signal) {
       fire.setPointerCapture(event.pointerId);
     } catch {}
   };
-  const drag = (/** @type {Press & {held: Grip}} */ press, /** @type {ReturnType<typeof locate>} */ { width, height, metres }) => {
+  const drag = (
+    /** @type {Press & {held: Grip}} */ press,
+    /** @type {ReturnType<typeof locate>} */ { width, height, metres },
+  ) => {
     const { held } = press;
     const [upper, lower] = [fire.toMetres(0, 0), fire.toMetres(width, height)];
     if (!metres || !upper || !lower) return;
@@ -143,7 +157,8 @@ export function listenToPointer(session, signal) {
     const seconds = (event.timeStamp - before.time) / 1000;
     if (!(seconds > 0 && seconds < PAUSE_MS / 1000)) return;
     const strength = event.buttons & 1 ? 2 : 1;
-    const speed = (/** @type {number} */ metres) => Math.max(-MAX_SPEED, Math.min(MAX_SPEED, (strength * metres) / seconds));
+    const speed = (/** @type {number} */ metres) =>
+      Math.max(-MAX_SPEED, Math.min(MAX_SPEED, (strength * metres) / seconds));
     session.send('stir', position.x, position.y, speed(position.x - before.x), speed(position.y - before.y));
   };
   const lift = (/** @type {PointerEvent} */ event) => {
@@ -204,7 +219,9 @@ function solidOf({ params, objects }) {
  */
 function isOn(solid, { x, y }, near) {
   const turn = solid.shape === 'circle' ? 0 : (solid.angle * Math.PI) / 180;
-  const [along, across] = [x * Math.cos(turn) + y * Math.sin(turn), y * Math.cos(turn) - x * Math.sin(turn)].map(Math.abs);
+  const [along, across] = [x * Math.cos(turn) + y * Math.sin(turn), y * Math.cos(turn) - x * Math.sin(turn)].map(
+    Math.abs,
+  );
   const [wide, high] = halvesOf(solid);
   return along <= wide + near && across <= high + near;
 }

@@ -70,9 +70,12 @@ export class OnDemandCode {
     const { fire, reports } = this.#session;
     if (begins && fire.querySelector(':scope>hearth-source,:scope>hearth-solid')) {
       const load = () => reports.loads(import('../children/children.js'), 'The code for children');
-      this.#childrenLoading ??= load().then(({ Children }) => {
-        this.#children = new Children(this.#session);
-      }, () => {});
+      this.#childrenLoading ??= load().then(
+        ({ Children }) => {
+          this.#children = new Children(this.#session);
+        },
+        () => {},
+      );
     }
     await this.#childrenLoading;
     this.#children?.update();
@@ -96,10 +99,13 @@ export class OnDemandCode {
     const { fire, view, reports } = this.#session;
     if (burning) {
       const load = () => reports.loads(import('../view/css-hooks.js'), 'The code for style hooks');
-      this.#cssLoading ??= load().then(({ CssHooks }) => {
-        this.#css = new CssHooks(fire, view);
-        this.#session.updateBurning();
-      }, () => {});
+      this.#cssLoading ??= load().then(
+        ({ CssHooks }) => {
+          this.#css = new CssHooks(fire, view);
+          this.#session.updateBurning();
+        },
+        () => {},
+      );
     }
     this.#css?.burning(burning);
   }

@@ -45,7 +45,8 @@ export class Playback {
   async offer(action = this.#still ? 'play' : this.#stoppable ? 'pause' : '') {
     if (action) {
       const press = () => void (this.#still ? this.set(false) : this.set(true, true));
-      this.#button ??= this.#session.reports.loads(import('../controls/playback-button.js'), 'The playback button')
+      this.#button ??= this.#session.reports
+        .loads(import('../controls/playback-button.js'), 'The playback button')
         .then(({ PlaybackButton }) => new PlaybackButton(this.#session.view, press));
     }
     (await this.#button?.catch(() => undefined))?.show(action);

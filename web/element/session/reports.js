@@ -43,7 +43,9 @@ export class Reports {
   /** The version, the seed, and the settings as the URL parameters of the page of Hearth. */
   #same() {
     const { params, objects } = this.#fire;
-    const values = Object.entries({ scene: 'default', ...params }).filter(([id, value]) => value !== /** @type {{[id: string]: unknown}} */ (DEFAULTS)[id]);
+    const values = Object.entries({ scene: 'default', ...params }).filter(
+      ([id, value]) => value !== /** @type {{[id: string]: unknown}} */ (DEFAULTS)[id],
+    );
     if (objects.length > 1) values.push(['objects', JSON.stringify(objects)]);
     return { version: VERSION, seed: params.seed, settings: `?${new URLSearchParams(/** @type {any} */ (values))}` };
   }

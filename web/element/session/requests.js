@@ -161,13 +161,15 @@ export function refusal(errors) {
 export function deferred() {
   /** @type {any} */
   const made = { failed: false };
-  made.promise = quiet(new Promise((resolve, reject) => {
-    made.resolve = resolve;
-    made.reject = (/** @type {Error} */ error) => {
-      made.failed = true;
-      reject(error);
-    };
-  }));
+  made.promise = quiet(
+    new Promise((resolve, reject) => {
+      made.resolve = resolve;
+      made.reject = (/** @type {Error} */ error) => {
+        made.failed = true;
+        reject(error);
+      };
+    }),
+  );
   return made;
 }
 
@@ -206,19 +208,22 @@ export const cut = (text) => (text.length > MAX_SHOWN ? `${text.slice(0, MAX_SHO
 export function postable(value, depth = 0, longest = MAX_FIELDS) {
   try {
     if (longest === MAX_OUTLINE && Array.isArray(value)) return pairs(value);
-    if (Array.isArray(value)) return depth > 0 ? value.slice(0, MAX_FIELDS).map((item) => postable(item, depth - 1)) : [];
+    if (Array.isArray(value))
+      return depth > 0 ? value.slice(0, MAX_FIELDS).map((item) => postable(item, depth - 1)) : [];
     // The type of `document.all`, an object, is "undefined".
     if (value === Object(value) && typeof value !== 'function') {
       const names = depth > 0 ? Object.keys(/** @type {object} */ (value)) : [];
       if (names.length > MAX_FIELDS) return 'an object of more than a thousand fields';
-      return Object.fromEntries(names.map((name) => {
-        try {
-          const most = OUTLINES.includes(name) ? MAX_OUTLINE : MAX_FIELDS;
-          return [cut(name), postable(/** @type {{[name: string]: unknown}} */ (value)[name], depth - 1, most)];
-        } catch {
-          return [cut(name), UNREADABLE];
-        }
-      }));
+      return Object.fromEntries(
+        names.map((name) => {
+          try {
+            const most = OUTLINES.includes(name) ? MAX_OUTLINE : MAX_FIELDS;
+            return [cut(name), postable(/** @type {{[name: string]: unknown}} */ (value)[name], depth - 1, most)];
+          } catch {
+            return [cut(name), UNREADABLE];
+          }
+        }),
+      );
     }
   } catch {
     return UNREADABLE;
@@ -231,4 +236,8 @@ export function postable(value, depth = 0, longest = MAX_FIELDS) {
 const UNREADABLE = 'something unreadable';
 
 /** A list of pairs of numbers as text: `0,0.1 0.2,-0.1`. @param {unknown[]} list */
-const pairs = (list) => list.slice(0, MAX_FIELDS).map((pair) => (Array.isArray(pair) && pair.length === 2 ? pair.join() : 'no pair')).join(' ');
+const pairs = (list) =>
+  list
+    .slice(0, MAX_FIELDS)
+    .map((pair) => (Array.isArray(pair) && pair.length === 2 ? pair.join() : 'no pair'))
+    .join(' ');

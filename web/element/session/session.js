@@ -197,18 +197,23 @@ export class FireSession {
     this.#connection = connection;
     this.#policies.begin();
     const still = this.playback.start(!this.state.started && !fire.autoplay);
-    connection.open(
-      () => fire.loading,
-      this.#engine,
-      () => this.#prepare(),
-      (state) => ({
-        ...this.state.start(fire, this.playback.paused, this.#file.config), warm: this.#warmth(), state, view: view.camera,
-      }),
-    ).catch((error) => {
-      if (connection.closed) return;
-      if (this.#returns) this.#stop(error.message);
-      else this.#fail(error.kind ?? 'load', error.message);
-    });
+    connection
+      .open(
+        () => fire.loading,
+        this.#engine,
+        () => this.#prepare(),
+        (state) => ({
+          ...this.state.start(fire, this.playback.paused, this.#file.config),
+          warm: this.#warmth(),
+          state,
+          view: view.camera,
+        }),
+      )
+      .catch((error) => {
+        if (connection.closed) return;
+        if (this.#returns) this.#stop(error.message);
+        else this.#fail(error.kind ?? 'load', error.message);
+      });
   }
 
   /** Simulated seconds before the first frame. A fire that follows a stopped one is as old, up to a limit. */
@@ -243,7 +248,10 @@ export class FireSession {
     if (!connection.live) return;
     this.view.show('shown');
     this.playback.offer();
-    this.view.drawn().then(() => this.updateBurning(), () => {});
+    this.view.drawn().then(
+      () => this.updateBurning(),
+      () => {},
+    );
     this.#policies.burns();
     this.#ready.await((message) => this.#stop(message));
     this.#present(connection);
@@ -303,7 +311,8 @@ export class FireSession {
       if (message.source === 'picture') return;
       state.take(message);
       this.code.reportToChildren(message);
-      if (message.replaced && (this.fire.getAttribute('preset') ?? 'default') !== state.preset) this.reflectPreset(state.preset);
+      if (message.replaced && (this.fire.getAttribute('preset') ?? 'default') !== state.preset)
+        this.reflectPreset(state.preset);
       if (!this.#ready.announced) return;
       const { source } = message;
       for (const [id, value] of Object.entries(message.values)) reports.emit('params-change', { id, value, source });

@@ -55,6 +55,12 @@ export class FireState {
       return { preset, kept: this.#kept, values: { ...params, objects }, ...own, quality, paused };
     }
     const model = fire.getAttribute('model');
-    return { preset: fire.getAttribute('preset') ?? undefined, config, values: model === null ? {} : { model }, quality, paused };
+    return {
+      preset: fire.getAttribute('preset') ?? undefined,
+      config,
+      values: model === null ? {} : { model },
+      quality,
+      paused,
+    };
   }
 }

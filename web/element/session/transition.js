@@ -79,7 +79,12 @@ class Transitions {
       for (const id of all ? [...transition.ids] : named) {
         const free = () => transition.held.splice(transition.held.indexOf(id), 1);
         transition.held.push(id);
-        answer.then(() => release(transition, id), () => {}).then(free);
+        answer
+          .then(
+            () => release(transition, id),
+            () => {},
+          )
+          .then(free);
       }
     }
     return 0;
@@ -109,9 +114,8 @@ class Transitions {
 
   /** @type {(how: {duration?: unknown, easing?: unknown}) => KeyframeEffect} */
   #effect({ duration = 600, easing = 'ease-in-out' }) {
-    const refuse = (/** @type {'duration' | 'easing'} */ id, /** @type {unknown} */ value) => (
-      this.#session.reports.refuse(id, String(value), ALLOWED[id])
-    );
+    const refuse = (/** @type {'duration' | 'easing'} */ id, /** @type {unknown} */ value) =>
+      this.#session.reports.refuse(id, String(value), ALLOWED[id]);
     if (typeof duration !== 'number' || !(duration >= 0 && duration < Infinity)) throw refuse('duration', duration);
     try {
       return new KeyframeEffect(null, null, { duration, easing: String(easing), fill: 'both' });
@@ -144,7 +148,10 @@ class Transitions {
       const free = [...transition.ids].filter((id) => !transition.held.includes(id));
       // A call that sets a value after its last step does not interrupt the transition.
       if (progress === 1) for (const id of free) transition.ids.delete(id);
-      const values = free.map((id) => [id, progress === 1 ? transition.to[id] : this.#between(id, from[id], transition.to[id], progress)]);
+      const values = free.map((id) => [
+        id,
+        progress === 1 ? transition.to[id] : this.#between(id, from[id], transition.to[id], progress),
+      ]);
       if (free.length > 0) last = set(Object.fromEntries(values));
     };
     transition.end = () => {

@@ -5,7 +5,11 @@
 
 /** The mean colour of each palette's light at full brightness. @type {{[palette: string]: string}} */
 const GLOW = {
-  blackbody: '#ff7728', gas: '#89adff', copper: '#93ffb9', lithium: '#ff637e', ghost: '#c2f8ff',
+  blackbody: '#ff7728',
+  gas: '#89adff',
+  copper: '#93ffb9',
+  lithium: '#ff637e',
+  ghost: '#c2f8ff',
 };
 
 /** The weight of a new measurement in the mean power. There are about four measurements a second. */

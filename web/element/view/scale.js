@@ -142,7 +142,10 @@ export function formatNumber(value) {
   const digits = Number(size.toPrecision(4));
   if (digits !== 0 && (digits < 1e-3 || digits >= 1e7)) {
     const [mantissa, power] = digits.toExponential().split('e');
-    const raised = power.replace('+', '').replace('-', '⁻').replace(/\d/g, (digit) => SUPERSCRIPTS[Number(digit)]);
+    const raised = power
+      .replace('+', '')
+      .replace('-', '⁻')
+      .replace(/\d/g, (digit) => SUPERSCRIPTS[Number(digit)]);
     return `${sign}${mantissa === '1' ? '' : `${mantissa}·`}10${raised}`;
   }
   const text = String(digits);

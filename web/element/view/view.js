@@ -82,7 +82,13 @@ export class FireView {
   /** @type {import('./viewport.js').Camera} */
   camera = { fit: 'height', x: 0.5, y: 0, zoom: 1, panX: 0.5, panY: 0.5 };
   /** What the shadow tree holds. */
-  root = make('div', { class: 'root', 'data-state': 'loading' }, make('div', { class: 'room' }), this.#posterBox, make('div', { class: 'message', part: 'message' }, this.#message));
+  root = make(
+    'div',
+    { class: 'root', 'data-state': 'loading' },
+    make('div', { class: 'room' }),
+    this.#posterBox,
+    make('div', { class: 'message', part: 'message' }, this.#message),
+  );
 
   /** @param {HTMLElement} host */
   constructor(host) {
@@ -109,12 +115,15 @@ export class FireView {
       const known = SHEETS.get(owner) ?? new Map();
       SHEETS.set(owner, known);
       this.#properties = new Sheet();
-      this.#shadow.adoptedStyleSheets = [...this.#styles.map((text) => {
-        const sheet = known.get(text) ?? new Sheet();
-        if (!known.has(text)) sheet.replaceSync(text);
-        known.set(text, sheet);
-        return sheet;
-      }), this.#properties];
+      this.#shadow.adoptedStyleSheets = [
+        ...this.#styles.map((text) => {
+          const sheet = known.get(text) ?? new Sheet();
+          if (!known.has(text)) sheet.replaceSync(text);
+          known.set(text, sheet);
+          return sheet;
+        }),
+        this.#properties,
+      ];
       this.declare(this.#declarations);
     } else {
       this.#shadow.querySelector('style')?.remove();
@@ -192,7 +201,13 @@ export class FireView {
     if (motionIsReduced()) return;
     if (!this.root.hasAttribute('data-drawn')) {
       // The poster is hidden as soon as there is a frame, unless the animation shows it.
-      this.#posterBox.animate([{ display: 'grid', opacity: 1 }, { display: 'grid', opacity: 0 }], FADE_MS);
+      this.#posterBox.animate(
+        [
+          { display: 'grid', opacity: 1 },
+          { display: 'grid', opacity: 0 },
+        ],
+        FADE_MS,
+      );
       return;
     }
     const copy = /** @type {HTMLCanvasElement} */ (make('canvas', { class: 'before', 'aria-hidden': 'true' }));
@@ -224,7 +239,10 @@ export class FireView {
     const middle = inner.left - outer.left + left;
     const floor = inner.bottom - outer.top - bottom;
     return {
-      toMetres: (/** @type {number} */ x, /** @type {number} */ y) => ({ x: (x - middle) / scale, y: (floor - y) / scale }),
+      toMetres: (/** @type {number} */ x, /** @type {number} */ y) => ({
+        x: (x - middle) / scale,
+        y: (floor - y) / scale,
+      }),
       toPixels: (/** @type {number} */ x, /** @type {number} */ y) => ({ x: middle + x * scale, y: floor - y * scale }),
     };
   }

@@ -22,7 +22,12 @@ const VERTICAL = { bottom: 0, center: 0.5, top: 1 };
  */
 export function alignment(words) {
   const [first, other = 'center', ...more] = words.trim().toLowerCase().split(/\s+/);
-  for (const [x, y] of more.length > 0 ? [] : [[first, other], [other, first]]) {
+  for (const [x, y] of more.length > 0
+    ? []
+    : [
+        [first, other],
+        [other, first],
+      ]) {
     if (Object.hasOwn(HORIZONTAL, x) && Object.hasOwn(VERTICAL, y)) return [HORIZONTAL[x], VERTICAL[y]];
   }
   return undefined;

@@ -21,7 +21,7 @@ export const motionIsReduced = () => reducedMotion()?.matches ?? false;
 const isTouch = () => media('pointer: coarse')?.matches ?? false;
 
 /** The quality that a fire starts with, before its speed is measured. */
-export const guess = () => isTouch() || navigator.hardwareConcurrency <= 2 ? 'low' : 'medium';
+export const guess = () => (isTouch() || navigator.hardwareConcurrency <= 2 ? 'low' : 'medium');
 
 /**
  * The size of a canvas within the limits of density and side. The engine limits the number of pixels.
@@ -32,11 +32,7 @@ export const guess = () => isTouch() || navigator.hardwareConcurrency <= 2 ? 'lo
  * @returns {{width: number, height: number}}
  */
 export function cappedSize(width, height, density, touch) {
-  const scale = Math.min(
-    1,
-    (touch ? MAX_DENSITY_TOUCH : MAX_DENSITY) / density,
-    MAX_SIDE / Math.max(width, height, 1),
-  );
+  const scale = Math.min(1, (touch ? MAX_DENSITY_TOUCH : MAX_DENSITY) / density, MAX_SIDE / Math.max(width, height, 1));
   return { width: Math.round(width * scale), height: Math.round(height * scale) };
 }
 
@@ -94,7 +90,12 @@ export function observe(host, canvas, on) {
       // another unit.
       return counted !== undefined && Math.abs(counted - pixels) <= 1 ? counted : Math.round(pixels);
     };
-    const { width, height } = cappedSize(side(css.width, exact?.inlineSize), side(css.height, exact?.blockSize), density, touch);
+    const { width, height } = cappedSize(
+      side(css.width, exact?.inlineSize),
+      side(css.height, exact?.blockSize),
+      density,
+      touch,
+    );
     on.resized(width, height, Math.min(css.height, Math.sqrt(css.width * css.height)));
   });
   try {
@@ -106,10 +107,13 @@ export function observe(host, canvas, on) {
   let inView = false;
   const update = () => on.visible(inView && document.visibilityState === 'visible');
   // An element that only touches the edge of the window intersects and is invisible.
-  const views = new IntersectionObserver((entries) => {
-    inView = entries[entries.length - 1].intersectionRatio > 0;
-    update();
-  }, { threshold: [0, 1e-6] });
+  const views = new IntersectionObserver(
+    (entries) => {
+      inView = entries[entries.length - 1].intersectionRatio > 0;
+      update();
+    },
+    { threshold: [0, 1e-6] },
+  );
   views.observe(host);
   document.addEventListener('visibilitychange', update, stopped);
 

@@ -29,15 +29,61 @@ async function callAtRandom(seed, calls, parameters) {
     return ((bits ^ (bits >>> 14)) >>> 0) % below;
   };
   const oneOf = (/** @type {any} */ all) => all[random(all.length)];
-  const odd = () => oneOf([
-    undefined, null, true, false, 10n, 0, -0, 1, -1, 0.5, 1e300, 5e-324, NaN, Infinity, '', '0', '-1', 'auto', 'fire', '#f40', 'NaN',
-    '__proto__', 'x'.repeat(10_000), '\u{1f525}', '\ud800', {}, [], [[]], { kind: 'source' }, { hearth: 2, values: {} }, Symbol('s'),
-    () => 1, new Date(0), new Map(), document, window, new Proxy({}, {}), Object.create(null), new Float64Array(3), /x/,
-    { toString() { throw new Error('a text that fails'); } }, { valueOf: () => 0.5 }, document.all,
-  ]);
+  const odd = () =>
+    oneOf([
+      undefined,
+      null,
+      true,
+      false,
+      10n,
+      0,
+      -0,
+      1,
+      -1,
+      0.5,
+      1e300,
+      5e-324,
+      NaN,
+      Infinity,
+      '',
+      '0',
+      '-1',
+      'auto',
+      'fire',
+      '#f40',
+      'NaN',
+      '__proto__',
+      'x'.repeat(10_000),
+      '\u{1f525}',
+      '\ud800',
+      {},
+      [],
+      [[]],
+      { kind: 'source' },
+      { hearth: 2, values: {} },
+      Symbol('s'),
+      () => 1,
+      new Date(0),
+      new Map(),
+      document,
+      window,
+      new Proxy({}, {}),
+      Object.create(null),
+      new Float64Array(3),
+      /x/,
+      {
+        toString() {
+          throw new Error('a text that fails');
+        },
+      },
+      { valueOf: () => 0.5 },
+      document.all,
+    ]);
   const fair = (/** @type {any} */ { min, max, choices }) => {
     if (choices) return oneOf(choices);
-    return min === undefined ? oneOf([true, false, '#123456']) : min + (Math.min(max, min + 2000) - min) * random(1000) / 999;
+    return min === undefined
+      ? oneOf([true, false, '#123456'])
+      : min + ((Math.min(max, min + 2000) - min) * random(1000)) / 999;
   };
   const parameter = () => oneOf(parameters);
   const pair = () => {
@@ -53,7 +99,11 @@ async function callAtRandom(seed, calls, parameters) {
     () => (fire[parameter().property] = random(2) ? odd() : 0.5),
     () => fire.setAttribute(parameter().attribute, random(2) ? '0.5' : 'none of these'),
     () => fire.removeAttribute(parameter().attribute),
-    () => fire.setAttribute(oneOf(['preset', 'quality', 'fit', 'align', 'warm', 'fps-limit', 'max-pixels', 'seed', 'objects', 'model']), oneOf(['', 'auto', 'candle', 'low', '1', 'left', 'cover', '[]', '{', 'classic'])),
+    () =>
+      fire.setAttribute(
+        oneOf(['preset', 'quality', 'fit', 'align', 'warm', 'fps-limit', 'max-pixels', 'seed', 'objects', 'model']),
+        oneOf(['', 'auto', 'candle', 'low', '1', 'left', 'cover', '[]', '{', 'classic']),
+      ),
     () => fire.addObject(random(2) ? { kind: 'source', x: some(), y: some() } : odd()),
     () => fire.changeObject(random(4), random(2) ? { x: some() } : odd()),
     () => fire.removeObject(random(2) ? random(4) : odd()),
@@ -97,7 +147,11 @@ async function callAtRandom(seed, calls, parameters) {
   ]);
   for (const { id, min, max, choices } of parameters) {
     const value = fire.params[id];
-    if (choices ? !choices.includes(value) : min !== undefined && !(Number.isFinite(value) && value >= min - 1e-6 && value <= Number(max) + 1e-6)) {
+    if (
+      choices
+        ? !choices.includes(value)
+        : min !== undefined && !(Number.isFinite(value) && value >= min - 1e-6 && value <= Number(max) + 1e-6)
+    ) {
       wrong.push(`${id} is ${value}`);
     }
   }

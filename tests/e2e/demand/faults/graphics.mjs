@@ -15,7 +15,16 @@ const ALWAYS = 1e9;
 const LATER = 40;
 
 const CREATES = ['Shader', 'Program', 'Texture', 'Buffer', 'Framebuffer', 'VertexArray'].map((name) => `create${name}`);
-const DRAWS = ['drawArraysInstanced', 'drawArrays', 'bufferSubData', 'bufferData', 'bindFramebuffer', 'viewport', 'clear', 'useProgram'];
+const DRAWS = [
+  'drawArraysInstanced',
+  'drawArrays',
+  'bufferSubData',
+  'bufferData',
+  'bindFramebuffer',
+  'viewport',
+  'clear',
+  'useProgram',
+];
 
 /** @type {Fault[]} */
 const FAULTS = [
@@ -60,7 +69,8 @@ function spoil(name, gives, first, calls) {
   const scope = /** @type {any} */ (globalThis);
   let call = 0;
   const holders = [scope.WebGL2RenderingContext, scope.OffscreenCanvas, scope.HTMLCanvasElement]
-    .filter(Boolean).map(({ prototype }) => prototype);
+    .filter(Boolean)
+    .map(({ prototype }) => prototype);
   for (const holder of holders) {
     const ofContext = holder === scope.WebGL2RenderingContext.prototype;
     const names = name === 'any' && ofContext ? Object.keys(holder) : [name];

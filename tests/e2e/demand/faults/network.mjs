@@ -36,7 +36,9 @@ export async function* network() {
       for (const file of await requested(browser, body, files)) {
         for (const [how, instead] of Object.entries(FAULTS)) {
           // A page whose script never arrives is never loaded, and seen all the same.
-          const tab = await browser.open(body, { files: { [file]: instead, ...files }, before: hurry }).catch(() => browser.tab);
+          const tab = await browser
+            .open(body, { files: { [file]: instead, ...files }, before: hurry })
+            .catch(() => browser.tab);
           yield await outcome(tab, `${name}: ${file} ${how}`);
         }
       }
@@ -67,9 +69,14 @@ function bodies() {
 async function requested(browser, body, files) {
   const tab = await browser.open(body, { files });
   await tab.burnt(0.3);
-  const names = await tab.evaluate(() => (
-    performance.getEntriesByType('resource').map(({ name }) => new URL(name))
-      .map(({ pathname, searchParams }) => (pathname.startsWith('/driver/') ? new URL(searchParams.get('of') ?? location.href) : { pathname }).pathname)
-  ));
+  const names = await tab.evaluate(() =>
+    performance
+      .getEntriesByType('resource')
+      .map(({ name }) => new URL(name))
+      .map(
+        ({ pathname, searchParams }) =>
+          (pathname.startsWith('/driver/') ? new URL(searchParams.get('of') ?? location.href) : { pathname }).pathname,
+      ),
+  );
   return [...new Set(names)].filter((name) => /\.(js|wasm|fire|json)$/.test(name));
 }

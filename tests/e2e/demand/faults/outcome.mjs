@@ -64,7 +64,7 @@ export async function outcome(tab, fault) {
     const seen = await tab.evaluate(look);
     burnt += Math.max(seen.time - last, 0);
     last = seen.time;
-    if (seen.shown && burnt > BURNT_S && await glows(tab)) return { fault, outcome: 'burns' };
+    if (seen.shown && burnt > BURNT_S && (await glows(tab))) return { fault, outcome: 'burns' };
     if (seen.failed && seen.words && seen.poster) return { fault, outcome: 'reported', detail: seen.words };
     // Without its script the element shows its poster, and only the browser can report why.
     const decided = tab.problems.length > 0 || Date.now() > start + SCRIPT_MS;

@@ -39,9 +39,9 @@ const PAUSES = {
     signal(browser, 'SIGCONT');
   },
   'a processor that is twenty times slower': async ({ browser }) => {
-    for (const end = Date.now() + 2 * PAUSE_MS; Date.now() < end;) {
+    for (const end = Date.now() + 2 * PAUSE_MS; Date.now() < end; ) {
       signal(browser, 'SIGSTOP');
-      await sleep(SLICE_MS * 19 / 20);
+      await sleep((SLICE_MS * 19) / 20);
       signal(browser, 'SIGCONT');
       await sleep(SLICE_MS / 20);
     }
@@ -51,7 +51,10 @@ const PAUSES = {
 /** Sends a signal to every process of a browser. @param {Browser} browser @param {NodeJS.Signals} name */
 function signal(browser, name) {
   const family = new Set([browser.browser.process().pid]);
-  const processes = readdirSync('/proc').filter((entry) => /^\d+$/.test(entry)).map(Number).sort((a, b) => a - b);
+  const processes = readdirSync('/proc')
+    .filter((entry) => /^\d+$/.test(entry))
+    .map(Number)
+    .sort((a, b) => a - b);
   for (const pid of processes) {
     try {
       // The fields of a process: its number, its name in parentheses, its state, its parent.

@@ -12,3 +12,14 @@ export function loadedParts(module, all) {
   const isDivided = WebAssembly.Module.exports(module).some(({ name }) => name === '0');
   return new Set(isDivided ? [] : all);
 }
+
+/**
+ * Checks that a module is a part. The build writes the name of each part into it.
+ * @param {WebAssembly.Module} module
+ * @param {string} name
+ */
+export function checkPart(module, name) {
+  if (WebAssembly.Module.customSections(module, `part:${name}`).length === 0) {
+    throw new TypeError(`it is not the part "${name}"`);
+  }
+}

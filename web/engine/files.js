@@ -7,7 +7,7 @@
  */
 
 import { PREWARMED } from '../generated/prewarmed.js';
-import { BURNING_MS } from './time-limit.js';
+import { PREWARMED_MS } from './time-limit.js';
 import { trustedWorker } from './trusted-worker.js';
 
 /**
@@ -36,7 +36,7 @@ export const PARTS = {
 export async function prewarmed(scene) {
   if (!Object.hasOwn(PREWARMED, scene)) return undefined;
   try {
-    const signal = AbortSignal.timeout(BURNING_MS);
+    const signal = AbortSignal.timeout(PREWARMED_MS);
     const response = await fetch(PREWARMED[scene](), { credentials: 'same-origin', signal });
     return response.ok ? new Uint8Array(await response.arrayBuffer()) : undefined;
   } catch {

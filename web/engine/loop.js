@@ -3,7 +3,7 @@
  * canvas, and stops an engine that throws, which only a defect causes.
  */
 
-import { loadedParts } from '../parts.js';
+import { checkPart, loadedParts } from '../parts.js';
 
 /**
  * @typedef {[fire: number, request: number, ...call: import('./engine.js').Call]} Sent
@@ -13,12 +13,12 @@ import { loadedParts } from '../parts.js';
  */
 
 /**
- * The parts of the wasm: what needs each, a parameter or the objects, and what it computes.
- * @type {{[part: string]: [id: string, subject: string]}}
+ * The parts of the wasm: the values that need each, which a refused call names, and what it computes.
+ * @type {{[part: string]: [ids: string[], subject: string]}}
  */
 const PARTS = {
-  classic: ['model', 'the classic model'],
-  bodies: ['objects', 'fuels, water and free solids'],
+  classic: [['model'], 'the classic model'],
+  bodies: [['fuel', 'motion'], 'fuels, water and free solids'],
 };
 
 /**
@@ -111,6 +111,7 @@ export function runEngine(Engine, canvas, { post, show, module, extend, fail }, 
     add({ part, module, why }) {
       try {
         if (module && !loaded.has(part)) {
+          checkPart(module, part);
           extend(module);
           loaded.add(part);
         }
@@ -149,10 +150,11 @@ export function runEngine(Engine, canvas, { post, show, module, extend, fail }, 
  * @type {(part: string, why: string, sent: Sent) => object}
  */
 function refusal(part, why, [fire, request, name]) {
-  const [id, subject] = PARTS[part];
+  const [ids, subject] = PARTS[part];
   const message = `The code for ${subject} could not be loaded: ${why}`;
   if (name === 'add') return { type: 'error', fire, kind: 'load', message };
-  return { type: 'refused', fire, request, errors: [{ id, message }] };
+  const refused = name === 'spray' ? ['spray'] : ids;
+  return { type: 'refused', fire, request, errors: refused.map((id) => ({ id, message })) };
 }
 
 /**

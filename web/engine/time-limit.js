@@ -3,7 +3,7 @@
  */
 
 /** The maximum time until a saved fire arrives [ms]. A fire without it burns for some seconds first. */
-export const BURNING_MS = 5000;
+export const PREWARMED_MS = 5000;
 
 /** The maximum time until code arrives [ms]. */
 const CODE_MS = 30_000;

@@ -1,6 +1,6 @@
 /** Loads the wasm of the library, and its parts when a simulation needs them. */
 
-import { loadedParts } from '../parts.js';
+import { checkPart, loadedParts } from '../parts.js';
 import { known, words } from './values.js';
 
 /** The maximum time until the wasm arrives [ms]. */
@@ -13,7 +13,7 @@ const NODE = Boolean(/** @type {{process?: {versions?: {node?: string}}}} */ (gl
 let module = Promise.resolve();
 
 /** The names of the parts that the loaded wasm has. @type {Set<string>} */
-export let loadedNames = new Set();
+export const loadedNames = new Set();
 
 /** Adds a part to the loaded wasm. @type {(name: string, part: WebAssembly.Module) => void} */
 let extend;
@@ -47,15 +47,17 @@ async function load(wasm, parts) {
       throw new TypeError('this is the wasm of something else');
     }
     await glue.default({ module_or_path: ready });
-    loadedNames = loadedParts(ready, Object.keys(PARTS));
+    // A later attempt has the module of the first, with the parts that it got.
+    if (extend === undefined) for (const name of loadedParts(ready, Object.keys(PARTS))) loadedNames.add(name);
     extend = (name, part) => {
       if (loadedNames.has(name)) return;
+      checkPart(part, name);
       glue.default(/** @type {any} */ ({ part }));
       loadedNames.add(name);
     };
     for (const [name, source] of others) {
-      adding[name] = source().then((part) => extend(name, part));
-      await adding[name];
+      extend(name, await source());
+      adding[name] = Promise.resolve();
     }
     // Node has no request that a call can wait for, and reads the files from a disk.
     if (NODE) await Promise.all(Object.keys(PARTS).map((name) => add(name).catch(() => {})));

@@ -206,8 +206,11 @@ function erase(context, from, { perPixel }) {
   const gone = new Set();
   /** @type {Promise<unknown>[]} */
   const removals = [];
-  // All of it is one step.
+  let begin = () => {};
+  const begun = /** @type {Promise<void>} */ (new Promise((resolve) => (begin = resolve)));
+  // All of it is one step, whose objects the history reads before the first removal.
   context.editing.history.objects(async () => {
+    begin();
     await ended;
     await Promise.allSettled(removals);
   });
@@ -219,7 +222,7 @@ function erase(context, from, { perPixel }) {
     );
     if (!object) return;
     gone.add(object.id);
-    removals.push(context.remove(object.id));
+    removals.push(begun.then(() => context.remove(object.id)));
   };
   rub(from);
   return { move: rub, end: done, cancel: done };

@@ -10,14 +10,12 @@ mod choices;
 mod decimal;
 mod declare;
 mod entry;
-mod name;
 mod outline;
 mod property;
 mod quantity;
 mod resolution;
 mod set;
 mod slot;
-mod solid;
 mod table;
 mod tables;
 #[cfg(test)]
@@ -29,14 +27,14 @@ pub use choices::{
     Palette, Shape, SourceShape, Thermal, Walls,
 };
 pub use entry::{Condition, Description, Domain, Kind, Role, Scale, conditions_text};
-pub use name::{COMMON, Name};
 pub use outline::{Mask, Points};
 pub use property::Property;
 pub use quantity::Quantity;
 pub use resolution::IN_DOMAIN;
 pub use set::Parameters;
-pub(crate) use solid::SOLID_NAMES;
-pub use solid::{SOLID, Solid};
 pub use table::{DESCRIPTIONS, PARAMETERS, Param, Physics, Values};
 pub(crate) use tables::Table;
+pub use tables::name::{COMMON, Name};
+pub(crate) use tables::solid::SOLID_NAMES;
+pub use tables::solid::{SOLID, Solid};
 pub use value::{AnyValue, Colour, Input, ParamError, ParamErrorKind, Value};

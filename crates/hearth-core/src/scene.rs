@@ -26,10 +26,11 @@ pub use distance::{RoundedBox, Surface};
 pub use drive::Pose;
 pub(crate) use drive::{Drive, MAX_SPEED};
 pub use field::Field;
+use kinds::Values;
 pub use kinds::{KINDS, Kind};
 pub use object::Object;
 use source_properties::{values_of_source, with_properties_of};
-use stored::{Stored, Values};
+use stored::Stored;
 
 /// Most objects of a kind in a scene.
 pub const MAX_OBJECTS: usize = 64;

@@ -1,7 +1,7 @@
 //! The glue, the script that wasm-bindgen makes of a module, together with the module.
 
 use anyhow::{Context, Result, ensure};
-use walrus::{Module, ModuleConfig};
+use walrus::{Module, ModuleConfig, RawCustomSection};
 
 use crate::{BASE, Divided, Part, order, take};
 
@@ -62,7 +62,13 @@ impl Bound {
     pub fn take(&mut self, part: &Part) -> Result<Vec<u8>> {
         let Divided { base, taken } = take(&self.module.emit_wasm(), part)?;
         self.module = ModuleConfig::new().parse(&base)?;
-        finished(&taken, self.version)
+        let mut taken = ModuleConfig::new().parse(&taken)?;
+        // A script checks it before it adds the part.
+        taken.customs.add(RawCustomSection {
+            name: format!("part:{}", part.name),
+            data: Vec::new(),
+        });
+        finished(&taken.emit_wasm(), self.version)
     }
 
     /// The module, as bytes, and its glue.

@@ -70,13 +70,13 @@ fn by_likeness(bodies: &[&[u8]]) -> Vec<usize> {
             let common = of.iter().filter(|&&piece| in_last[piece]).count() as f64;
             common / ((of.len() as f64).powf(0.7) + 8.0)
         };
-        let likest = left
+        let best = left
             .iter()
             .enumerate()
             .map(|(at, &function)| (at, likeness(function)));
         // Of equals the first.
-        let likest = likest.reduce(|best, other| if other.1 > best.1 { other } else { best });
-        next = likest.map_or(0, |(at, _)| at);
+        let best = best.reduce(|best, other| if other.1 > best.1 { other } else { best });
+        next = best.map_or(0, |(at, _)| at);
         pieces[last]
             .iter()
             .for_each(|&piece| in_last[piece] = false);

@@ -44,6 +44,7 @@ const STEPS_AMONG_BODIES: u32 = 8;
 
 impl Fuels {
     /// The solids of a scene that burn, in place of those of the scene before.
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn set(present: &mut Option<Box<Fuels>>, scene: &Scene, solids: &mut Solids) {
         let values = scene.settings();
@@ -103,12 +104,14 @@ impl Fuels {
     }
 
     /// Makes room for so many particles near walls.
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn reserve(&mut self, particles: usize) {
         make_room(&mut self.touches, particles);
     }
 
     /// Burns for `dt`. Returns the power of the flames in the film at the surface [kW/m].
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn burn(
         &mut self,

@@ -1,8 +1,8 @@
 //! A property of an object, by its name and its entry.
 
 use super::choices::Model;
-use super::name::COMMON;
 use super::table::Param;
+use super::tables::name::COMMON;
 
 /// A property of an object.
 #[derive(Clone, Copy, Debug)]

@@ -1,9 +1,12 @@
-//! The list of all tables of entries.
+//! All tables of entries; those of the kinds of objects lie in the folder.
+
+pub(super) mod name;
+pub(super) mod solid;
 
 use super::entry::Description;
-use super::name::{COMMON, COMMON_DESCRIPTIONS};
-use super::solid::{SOLID, SOLID_DESCRIPTIONS};
 use super::table::{DESCRIPTIONS, PARAMETERS, Param};
+use name::{COMMON, COMMON_DESCRIPTIONS};
+use solid::{SOLID, SOLID_DESCRIPTIONS};
 
 /// A table of entries: a reference to the static itself, of which there is one.
 pub(crate) type Table = &'static &'static [Param];

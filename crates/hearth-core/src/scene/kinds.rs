@@ -4,9 +4,11 @@
 //! source is a parameter of the settings with a value per source, whose label, unit, range,
 //! default and doc the parameter gives. [`SOLID`] gives those of a solid's properties.
 
-use super::source_properties::OF_PARAMETERS;
-use super::stored::Values;
-use crate::params::{PARAMETERS, Parameters, Property, SOLID, SOLID_NAMES, Table};
+use super::distance::Surface;
+use super::source_properties::{OF_PARAMETERS, values_of_source};
+use crate::params::{
+    AnyValue, PARAMETERS, Param, ParamError, Parameters, Property, SOLID, SOLID_NAMES, Solid, Table,
+};
 
 /// A kind of object.
 #[derive(Debug)]
@@ -79,12 +81,97 @@ impl Kind {
     }
 }
 
+/// The values of an object.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Values {
+    /// The first source, whose properties are in the scene's settings.
+    FirstSource,
+    /// Another source: the settings with its properties.
+    Source(Box<Parameters>),
+    /// A solid and its surface.
+    Solid(Box<(Solid, Surface)>),
+}
+
 impl Values {
     /// Its kind.
     pub fn kind(&self) -> &'static Kind {
         match self {
             Values::FirstSource | Values::Source(_) => Kind::SOURCE,
             Values::Solid(_) => Kind::SOLID,
+        }
+    }
+
+    /// The settings of a source.
+    pub fn of_source<'a>(&'a self, settings: &'a Parameters) -> Option<&'a Parameters> {
+        match self {
+            Values::FirstSource => Some(settings),
+            Values::Source(values) => Some(values),
+            Values::Solid(_) => None,
+        }
+    }
+
+    /// The parameters that are the properties of a source.
+    pub fn parameters_mut<'a>(
+        &'a mut self,
+        settings: &'a mut Parameters,
+    ) -> Option<&'a mut Parameters> {
+        match self {
+            Values::FirstSource => Some(settings),
+            Values::Source(values) => Some(values),
+            Values::Solid(_) => None,
+        }
+    }
+
+    /// Writes a checked property of a kind whose properties are no parameters.
+    pub fn put(&mut self, entry: &Param, value: AnyValue<'_>) -> Result<(), ParamError> {
+        match self {
+            Values::Solid(solid) => solid.0.put(entry, value),
+            Values::FirstSource | Values::Source(_) => Ok(()),
+        }
+    }
+
+    /// A property; of the first source, from `settings`.
+    pub fn get<'a>(&'a self, entry: &Param, settings: &'a Parameters) -> Option<AnyValue<'a>> {
+        match self {
+            Values::Solid(solid) => solid.0.get(entry),
+            _ => Some(entry.get(self.of_source(settings)?).into()),
+        }
+    }
+
+    /// A source like the first one, after so many others.
+    pub fn new_source(settings: &Parameters, count: usize) -> Values {
+        if count == 0 {
+            return Values::FirstSource;
+        }
+        let defaults = Parameters::new(settings.model());
+        Values::Source(Box::new(values_of_source(settings, &defaults, count)))
+    }
+
+    /// A solid with the defaults.
+    pub fn new_solid(_: &Parameters, _: usize) -> Values {
+        let solid = Solid::default();
+        let surface = solid.surface();
+        Values::Solid(Box::new((solid, surface)))
+    }
+
+    /// Computes the surface of a solid that was `before`.
+    pub fn settle(&mut self, before: Option<&Solid>) {
+        if let Values::Solid(stored) = self {
+            let (solid, surface) = &mut **stored;
+            *surface = match before {
+                Some(before) if solid.has_field_of(before) => {
+                    solid.surface_with(surface.field.take())
+                }
+                _ => solid.surface(),
+            };
+        }
+    }
+
+    /// The solid and its surface.
+    pub fn of_solid(&self) -> Option<&(Solid, Surface)> {
+        match self {
+            Values::Solid(solid) => Some(solid),
+            _ => None,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! An object as callers read it.
 
-use super::kinds::Kind;
-use super::stored::{Stored, Values};
+use super::kinds::{Kind, Values};
+use super::stored::Stored;
 use crate::params::{AnyValue, Model, Param, Parameters, Solid};
 
 /// An object of a scene.
@@ -55,10 +55,10 @@ impl<'a> Object<'a> {
         let all = self.kind.properties();
         all.filter_map(move |property| {
             let param = property.param(self.model())?;
-            let value = match &self.stored.values {
-                _ if property.is_common() => AnyValue::Text(self.stored.name.text()),
-                Values::Solid(stored) => stored.0.get(param)?,
-                _ => param.get(self.source()?),
+            let value = if property.is_common() {
+                AnyValue::Text(self.stored.name.text())
+            } else {
+                self.stored.values.get(param, self.settings)?
             };
             Some((property.name, param, value))
         })

@@ -46,7 +46,6 @@ pub(super) fn values_of_source(
 }
 
 /// `settings` with the source properties of `source`.
-#[inline(never)]
 pub(super) fn with_properties_of(settings: &Parameters, source: &Parameters) -> Parameters {
     let mut merged = settings.clone();
     for id in OF_PARAMETERS.1 {

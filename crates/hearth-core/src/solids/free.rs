@@ -56,6 +56,7 @@ impl Body {
 impl FreeBodies {
     /// The free solids of a scene, and the others that they may touch. Those that the scene has not moved
     /// stay where they are.
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn set(solids: &mut Solids, scene: &Scene, time: f64, bounds: &Bounds) {
         let values = scene.settings();
@@ -91,6 +92,7 @@ impl FreeBodies {
     }
 
     /// Moves the free bodies to a time \[s\].
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn advance(solids: &mut Solids, time: f64) {
         let Some(mut free) = solids.free.take() else {
@@ -113,6 +115,7 @@ impl FreeBodies {
     }
 
     /// Accelerates the bodies by the forces of the gas in a step.
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn apply_gas_forces(solids: &mut Solids, dt: f32) {
         let Some(free) = &mut solids.free else {
@@ -147,6 +150,7 @@ impl FreeBodies {
     }
 
     /// The free solids, in the order of the objects, then what has broken off them.
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn seen(&self) -> Vec<FreeSolid> {
         let free = self.all.iter().filter(|body| body.is_free);
@@ -154,6 +158,7 @@ impl FreeBodies {
     }
 
     /// [Numbers](crate::Simulation::free_solid_numbers) of the free solids.
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn numbers(&self) -> Vec<f32> {
         let mut numbers = Vec::new();

@@ -61,7 +61,7 @@ pub(super) fn burns() -> Result<()> {
 /// The sources as drivers get them, by the reference compiler, in what `native` compiled.
 pub(super) fn shaders() -> Result<()> {
     let (sh, validator) = (Shell::new()?, tools::GLSLANG.get()?);
-    let test = test_others(&sh).args(["--lib", "--", "--include-ignored", "shaders::"]);
+    let test = test_others(&sh).args(["--lib", "--", "--ignored", "shaders::"]);
     Ok(test.env("HEARTH_GLSLANG", validator).run()?)
 }
 

@@ -58,6 +58,7 @@ impl Fuels {
     ///
     /// # Errors
     /// No fuel is there.
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn ignite(
         &mut self,
@@ -95,6 +96,7 @@ impl Fuels {
     ///
     /// # Errors
     /// No solid with fuel has that id.
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn extinguish(
         &mut self,

@@ -146,6 +146,7 @@ impl Account {
 
 impl Fuels {
     /// Every solid with fuel, together with what has broken off it.
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn solids(&self, air: f32, gas_heat: f32) -> Vec<BurningSolid> {
         let whole = self
@@ -200,6 +201,7 @@ impl Fuels {
     }
 
     /// All of them together.
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn total(&self, gas_heat: f32) -> FuelTotal {
         let (mut power, mut left, mut first) = (0.0, 0.0, 0.0);
@@ -219,6 +221,7 @@ impl Fuels {
     }
 
     /// Adds all of them to a picture.
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn write_charred(&self, solids: &Solids, out: &mut Charred) {
         for burning in &self.all {

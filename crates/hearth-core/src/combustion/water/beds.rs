@@ -25,6 +25,7 @@ impl Water {
 
     /// Boils the water in the beds there, as the flame does that lights a source again. Returns whether
     /// there was any.
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn light(&mut self, at: IgnitionTarget, solids: &Solids, random: &mut Random) -> bool {
         let mut found = false;
@@ -41,6 +42,7 @@ impl Water {
     }
 
     /// Whether a source feeds in this step: a bed that is wet in part feeds in so many of all steps.
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn feeds(&mut self, index: usize) -> bool {
         self.beds.get_mut(index).is_none_or(Bed::feeds)

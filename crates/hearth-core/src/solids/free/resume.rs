@@ -11,6 +11,7 @@ use crate::solids::Solids;
 impl FreeBodies {
     /// Moves the bodies to the states in these numbers, in the order of the objects: for each its place \[m\], the
     /// cosine and the sine of its angle, its velocity [m/s], its spin [1/s], and 1 if it sleeps.
+    // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn resume(solids: &mut Solids, numbers: &[f32]) {
         if let Some(mut free) = solids.free.take() {

@@ -1,12 +1,12 @@
 //! THE table of a solid's properties, with entries as those of the parameters.
 
-use super::choices::{Choice, Fuel, Material, Motion, Shape, Thermal};
-use super::declare::{parameters, properties};
-use super::entry::{Description, Domain, Kind, Role, Scale};
-use super::outline::{Mask, Points};
-use super::slot::Slot;
-use super::table::Param;
-use super::value::{AnyValue, ParamError, Value};
+use crate::params::choices::{Choice, Fuel, Material, Motion, Shape, Thermal};
+use crate::params::declare::{parameters, properties};
+use crate::params::entry::{Description, Domain, Kind, Role, Scale};
+use crate::params::outline::{Mask, Points};
+use crate::params::slot::Slot;
+use crate::params::table::Param;
+use crate::params::value::{AnyValue, ParamError, Value};
 
 /// The shapes that are turned, those with a width, those with a height, those with corners,
 /// those with points and those with a mask.

@@ -1,10 +1,10 @@
 //! The name of an object, the one property that objects of every kind have.
 
-use super::entry::{Description, Domain, Kind, Role};
-use super::outline::FromText;
-use super::slot::Slot;
-use super::table::Param;
-use super::value::{AnyValue, ParamError, Value};
+use crate::params::entry::{Description, Domain, Kind, Role};
+use crate::params::outline::FromText;
+use crate::params::slot::Slot;
+use crate::params::table::Param;
+use crate::params::value::{AnyValue, ParamError, Value};
 
 /// Most characters of a name.
 const LONGEST: usize = 64;
@@ -27,7 +27,7 @@ pub static COMMON: &[Param] = &[Param {
 }];
 
 /// The label and documentation of each of them, in the same order.
-pub(super) static COMMON_DESCRIPTIONS: &[Description] = &[Description {
+pub(in crate::params) static COMMON_DESCRIPTIONS: &[Description] = &[Description {
     group: "",
     label: "Name",
     doc: "An object that lists show under a name. Several objects may have the same. \

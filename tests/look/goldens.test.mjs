@@ -8,7 +8,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { compare } from './compare.mjs';
 import { mismatch, drawn, golden, show, TOLERANCE, requests } from './goldens.mjs';
-import { hueTurned, toneMappedByChannel } from './mistakes.mjs';
+import { hueTurned, toneMappedByChannel } from './negative-controls.mjs';
 import { coarse, sheet } from './sheet.mjs';
 import { GOLDENS, Painter } from './painter.mjs';
 

@@ -4,7 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { BARS } from './bars.mjs';
+import { BARS } from './measurements.mjs';
 import { rising } from './figures/motion.mjs';
 import { Painter } from './painter.mjs';
 

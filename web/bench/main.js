@@ -31,11 +31,11 @@ let wasHidden = false;
 document.addEventListener('visibilitychange', () => {
   wasHidden ||= document.hidden;
   if (document.hidden && stage.dataset.busy)
-    say('The tab is hidden: browsers slow it down. Its row is measured again.');
+    showStatus('The tab is hidden: browsers slow it down. Its row is measured again.');
 });
 
 /** @param {string} text */
-function say(text) {
+function showStatus(text) {
   status.textContent = text;
 }
 
@@ -182,7 +182,7 @@ async function undisturbed(act, signal, what) {
   for (let again = ''; ; again = ', again: the tab was hidden') {
     await visible(signal);
     wasHidden = false;
-    say(`Measuring ${what}${again} …`);
+    showStatus(`Measuring ${what}${again} …`);
     await act();
     if (!wasHidden) return;
   }
@@ -259,9 +259,9 @@ measure.addEventListener('click', async () => {
     await measureAll(controller.signal);
     const failed = report.speeds.filter((row) => row.failed);
     const why = failed.map(({ count, model, failed: reason }) => `${count}, ${model}: ${reason}.`);
-    say(['Done.', ...why].join(' '));
+    report(['Done.', ...why].join(' '));
   } catch (error) {
-    say(controller.signal.aborted ? 'Cancelled. The rows so far are below.' : `Not measured: ${reasonOf(error)}.`);
+    report(controller.signal.aborted ? 'Cancelled. The rows so far are below.' : `Not measured: ${reasonOf(error)}.`);
   } finally {
     cancel.removeEventListener('click', stop);
     delete stage.dataset.busy;

@@ -25,7 +25,7 @@ use anyhow::{Context, Result};
 use hearth_core::params::{Choice, Domain, Model, Param, Value};
 use serde_json::Value as Json;
 
-/// The scenes that a page may open with, which are also stored burning.
+/// The scenes that a page may open with, which are also stored prewarmed.
 const PREWARMED: [&str; 1] = ["fireside"];
 
 /// A generated file: its path in the checkout, and its text.

@@ -18,7 +18,7 @@ const WASM = 'hearth-engine_bg.wasm';
 const BODY = recording('<hearth-fire><p slot="poster" id="poster">A poster</p></hearth-fire>');
 
 /** Asserts that there is no fire, that an error has the reason, and that nothing else fails. */
-async function assertSaid(tab, kind, named) {
+async function assertReported(tab, kind, named) {
   const rejected = await tab.fire((fire) =>
     fire.ready.then(
       () => null,
@@ -59,7 +59,7 @@ for (const [what, instead, named] of [
 ]) {
   test(`wasm that ${what} is reported, and the poster stays`, async () => {
     const tab = await browser.open(BODY, { files: { [WASM]: instead } });
-    await assertSaid(tab, 'load', named);
+    await assertReported(tab, 'load', named);
   });
 }
 
@@ -76,7 +76,7 @@ test('wasm of another MIME type works, and a warning reports it', async () => {
 test('a policy that forbids wasm is reported, and the poster stays', async () => {
   const scripts = "script-src 'self' 'unsafe-inline'";
   const tab = await browser.open(BODY, { headers: { 'content-security-policy': scripts } });
-  await assertSaid(tab, 'load', /could not be loaded/);
+  await assertReported(tab, 'load', /could not be loaded/);
 });
 
 test('with a policy that forbids workers the fire burns on the page’s thread', async () => {
@@ -94,12 +94,12 @@ test('a browser without WebGL2 is reported, and the poster stays', async () => {
     }
   };
   const tab = await browser.open(BODY, { before: blind, beforeWorker: blind });
-  await assertSaid(tab, 'unsupported', /WebGL2/);
+  await assertReported(tab, 'unsupported', /WebGL2/);
 });
 
 test('a browser without wasm SIMD is reported, and the poster stays', async () => {
   const tab = await browser.open(BODY, { before: () => (WebAssembly.validate = () => false) });
-  await assertSaid(tab, 'unsupported', /SIMD/);
+  await assertReported(tab, 'unsupported', /SIMD/);
 });
 
 test('an engine that throws is reported, and another continues the fire', async () => {

@@ -81,7 +81,7 @@ test('the first picture is that of a fire that has burnt, and ready waits for it
   assert.deepEqual(tab.problems, []);
 });
 
-test('a stored burning scene is shown at once, in every quality', async () => {
+test('a prewarmed scene is shown at once, in every quality', async () => {
   for (const quality of ['low', 'high']) {
     const tab = await show(`<hearth-fire preset="fireside" warm quality="${quality}" paused></hearth-fire>`, {
       draws: true,
@@ -100,7 +100,7 @@ test('a stored burning scene is shown at once, in every quality', async () => {
   }
 });
 
-test('other values than those of the kept fire burn first, and those of the look do not matter', async () => {
+test('other values than those of the prewarmed fire burn first, and those of the look do not matter', async () => {
   for (const [attributes, kept] of [
     ['exposure="1" backdrop="none"', true],
     ['fuel-power="150"', false],
@@ -281,7 +281,7 @@ function keptTime(tab) {
   });
 }
 
-/** Run in the page before anything of it: what comes of a kept fire is something else. */
+/** Run in the page before anything of it: what comes of a prewarmed fire is something else. */
 function damage() {
   const real = fetch;
   window.fetch = (url, ...rest) =>

@@ -50,7 +50,7 @@ fn a_name_is_typed_listed_and_reset() {
 }
 
 #[test]
-fn a_name_that_is_too_long_is_refused_with_words_and_kept_in_its_field() {
+fn a_name_that_is_too_long_is_refused_with_a_message_and_kept_in_its_field() {
     let mut harness = with_objects(Model::Combustion, TALL);
     select(&mut harness, 3);
     type_into(&mut harness, "solid:name", &"a".repeat(65));
@@ -63,7 +63,7 @@ fn a_name_that_is_too_long_is_refused_with_words_and_kept_in_its_field() {
 }
 
 #[test]
-fn outlines_have_rows_that_say_their_size_and_take_texts() {
+fn outlines_have_rows_that_show_their_size_and_take_texts() {
     let mut harness = Harness::of_model(Model::Combustion, TALL);
     let mut star = solid(2, "polygon", "stone");
     star.push(text("points", "-0.2,0 0.2,0 0,0.3"));

@@ -1,11 +1,11 @@
 /**
  * Measures the pixels of every scene as the page shows it, and writes a table: `node
- * watch.mjs table.md`, or `node watch.mjs table.md default classic` for scenes by the
+ * flash-scan.mjs table.md`, or `node flash-scan.mjs table.md default classic` for scenes by the
  * beginnings of their names. The rows of the other scenes are kept if the file has them.
  * `cargo measure look` runs this; `HEARTH_SECONDS` sets the duration.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
-import { BARS, TRAIT_PARAMETERS, traits } from './bars.mjs';
+import { BARS, TRAIT_PARAMETERS, traits } from './measurements.mjs';
 import { Painter, named } from './painter.mjs';
 
 const SECONDS = Number(process.env.HEARTH_SECONDS ?? 60);
@@ -13,7 +13,7 @@ const SECONDS = Number(process.env.HEARTH_SECONDS ?? 60);
 const BURNT = 5;
 
 const [file, ...begins] = process.argv.slice(2);
-if (file === undefined) throw new Error('usage: node watch.mjs table.md [SCENE...]');
+if (file === undefined) throw new Error('usage: node flash-scan.mjs table.md [SCENE...]');
 
 const head = [
   `Each scene for ${SECONDS} s as the page shows it at 1024 × 768, 30 pictures a second. What is bold misses its bar. ` +

@@ -259,9 +259,9 @@ measure.addEventListener('click', async () => {
     await measureAll(controller.signal);
     const failed = report.speeds.filter((row) => row.failed);
     const why = failed.map(({ count, model, failed: reason }) => `${count}, ${model}: ${reason}.`);
-    report(['Done.', ...why].join(' '));
+    showStatus(['Done.', ...why].join(' '));
   } catch (error) {
-    report(controller.signal.aborted ? 'Cancelled. The rows so far are below.' : `Not measured: ${reasonOf(error)}.`);
+    showStatus(controller.signal.aborted ? 'Cancelled. The rows so far are below.' : `Not measured: ${reasonOf(error)}.`);
   } finally {
     cancel.removeEventListener('click', stop);
     delete stage.dataset.busy;

@@ -23,8 +23,7 @@ const PICTURE = { worker: 700, main: 250 };
 const GLUE = 'web/wasm/hearth-engine.js';
 
 /**
- * What a function in it does, by its name, which means nothing: gives a view of wasm's memory, or
- * is imported by wasm and has this body.
+ * What a function in it does, by its name: gives a view of wasm's memory, or is imported by wasm and has this body.
  * @type {Map<string, string>}
  */
 const ROLES = new Map();
@@ -32,7 +31,7 @@ const code = readFileSync(path.join(SITE, GLUE), 'utf8');
 for (const [, name] of code.matchAll(/function ([\w$]+)\([^)]*\)\{[^{}]*\(\)\.subarray\([^()]*\)\}/g)) {
   ROLES.set(name, 'view');
 }
-for (const [, name, body] of code.matchAll(/[{,]([a-z]+):function\([^)]*\)\{(.*?)\}(?=,[a-z]+:function|\}\})/g)) {
+for (const [, name, body] of code.matchAll(/[{,]([\w$]+):function\([^)]*\)\{(.*?)\}(?=,[\w$]+:function|\}\})/g)) {
   ROLES.set(name, `import ${body}`);
 }
 

@@ -261,7 +261,9 @@ measure.addEventListener('click', async () => {
     const why = failed.map(({ count, model, failed: reason }) => `${count}, ${model}: ${reason}.`);
     showStatus(['Done.', ...why].join(' '));
   } catch (error) {
-    showStatus(controller.signal.aborted ? 'Cancelled. The rows so far are below.' : `Not measured: ${reasonOf(error)}.`);
+    showStatus(
+      controller.signal.aborted ? 'Cancelled. The rows so far are below.' : `Not measured: ${reasonOf(error)}.`,
+    );
   } finally {
     cancel.removeEventListener('click', stop);
     delete stage.dataset.busy;

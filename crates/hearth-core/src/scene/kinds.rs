@@ -134,7 +134,7 @@ impl Values {
     pub fn get<'a>(&'a self, entry: &Param, settings: &'a Parameters) -> Option<AnyValue<'a>> {
         match self {
             Values::Solid(solid) => solid.0.get(entry),
-            _ => Some(entry.get(self.of_source(settings)?).into()),
+            _ => Some(entry.get(self.of_source(settings)?)),
         }
     }
 

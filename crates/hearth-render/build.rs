@@ -1,4 +1,4 @@
-//! Compiles the shader files of `shaders/` to the module `shaders`: for each pass the source of its
+//! Compiles the shader files of `shaders/`, a link to the folder of the repository and a folder of the package, to the module `shaders`: for each pass the source of its
 //! two stages, its samplers, and its uniforms as a Rust struct. Release builds minify the source,
 //! because pages download it.
 
@@ -15,7 +15,7 @@ mod values;
 mod write;
 
 fn main() -> Result<(), String> {
-    let folder = Path::new("../../shaders");
+    let folder = Path::new("shaders");
     println!("cargo::rerun-if-changed={}", folder.display());
     println!("cargo::rerun-if-changed=build");
     println!("cargo::rerun-if-changed=src/constants.rs");

@@ -7,12 +7,12 @@
 use std::time::{Duration, Instant};
 use std::{env, fs, io, thread};
 
-use hearth_bindings::{Check, Form, Untrusted, settings};
 use hearth_core::params::{Input, PARAMETERS, Value};
 use hearth_core::preset::Preset;
 use hearth_core::random::Random;
 use hearth_core::scene::{KINDS, MAX_OBJECTS};
 use hearth_core::{Scene, Simulation};
+use hearth_settings::untrusted::{Check, Form, Untrusted};
 use hearth_tests::sweep;
 use serde_json::Value as Json;
 
@@ -238,7 +238,7 @@ fn is_valid(scene: &Scene) {
     }
 }
 
-fn decided(done: Result<Scene, Vec<hearth_bindings::ValidationError>>) -> Option<Scene> {
+fn decided(done: Result<Scene, Vec<hearth_settings::untrusted::ValidationError>>) -> Option<Scene> {
     match done {
         Ok(scene) => {
             is_valid(&scene);
@@ -268,15 +268,15 @@ fn random_settings_give_a_valid_scene_or_reasons() -> io::Result<()> {
             damage(random, &mut config);
         }
         let fields = config.fields();
-        let read = settings::with_settings(&Scene::default(), fields);
+        let read = hearth_settings::with_settings(&Scene::default(), fields);
         let scene = decided(read).unwrap_or_default();
-        decided(settings::with_values(&scene, fields));
-        decided(settings::with_defaults(&scene, fields));
+        decided(hearth_settings::with_values(&scene, fields));
+        decided(hearth_settings::with_defaults(&scene, fields));
         let id = [None, Some(1), Some(random.bits() % 70)][below(random, 3)];
         let sent = (random.bits() & 1 == 0).then_some(fields);
-        decided(settings::with_object(&scene, id, sent));
+        decided(hearth_settings::with_object(&scene, id, sent));
         let mut mixed = scene;
-        settings::set_valid(&mut mixed, fields, &mut Vec::new());
+        hearth_settings::set_valid(&mut mixed, fields, &mut Vec::new());
         is_valid(&mixed);
     });
     Ok(())

@@ -3,11 +3,11 @@
 
 use std::fmt::Write as _;
 
-use hearth_bindings::{Untrusted, settings};
 use hearth_core::params::Input;
 use hearth_core::random::Random;
 use hearth_core::scene::{KINDS, MAX_OBJECTS};
 use hearth_core::{Scene, Simulation};
+use hearth_settings::untrusted::Untrusted;
 use hearth_tests::sweep::crowd::gas_inside;
 
 /// Longest refusal in bytes.
@@ -54,7 +54,7 @@ fn assert_refused(scene: &Scene, id: Option<u32>, fields: &[Named<'_>]) {
     let words: Vec<String> = refused.iter().flatten().map(ToString::to_string).collect();
     assert!(!words.is_empty(), "{fields:?} are accepted");
     let sent = sent(fields);
-    let refused = settings::with_object(scene, id, Some(&sent)).err();
+    let refused = hearth_settings::with_object(scene, id, Some(&sent)).err();
     let more = refused.iter().flatten().map(|error| error.message.clone());
     let more: Vec<String> = more.collect();
     assert!(!more.is_empty(), "{fields:?} are accepted by the bindings");

@@ -5,10 +5,10 @@
 use std::fs;
 use std::path::Path;
 
-use hearth_bindings::{Untrusted, settings};
 use hearth_core::params::{Input, Model};
 use hearth_core::preset::Preset;
 use hearth_core::{Parameters, Particle, Scene, Simulation};
+use hearth_settings::untrusted::Untrusted;
 use hearth_tests::sweep;
 use serde_json::Value;
 
@@ -134,7 +134,7 @@ fn untrusted(value: &Value) -> Untrusted {
 /// The scene of a settings file.
 fn read(file: &Value) -> Scene {
     let file = untrusted(file);
-    let scene = settings::with_settings(&Scene::default(), file.fields());
+    let scene = hearth_settings::with_settings(&Scene::default(), file.fields());
     scene.unwrap_or_else(|errors| panic!("{errors:?}"))
 }
 

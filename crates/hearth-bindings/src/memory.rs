@@ -5,7 +5,7 @@
 
 use hearth_core::params::Parameters;
 
-use crate::{Untrusted, ValidationError};
+use hearth_settings::untrusted::{Untrusted, ValidationError};
 
 /// Memory of a particle with its neighbours and its copies for the renderer, rounded up \[B\].
 const BYTES_PER_PARTICLE: usize = 1024;

@@ -42,12 +42,14 @@ mod particle;
 pub mod preset;
 pub mod random;
 mod report;
+pub mod resolution;
 pub mod scene;
 pub mod simulation;
 mod solids;
 mod solver;
 mod source;
 mod time_step;
+pub mod warm_up;
 
 pub use combustion::{
     Burner, BurningSolid, BurningState, Charred, CharredSolid, Droplets, Ember, FuelTotal,

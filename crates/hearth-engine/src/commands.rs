@@ -5,13 +5,13 @@
 //! with types and checks, and a doc. A new command is an entry here, an arm of `Engine::run`
 //! and a method of the element, whose JSDoc gives the types, the reference and the iframe's list.
 
-use hearth_bindings::{
+use hearth_render::Fit;
+use hearth_settings::untrusted::{
     Argument, Check, Form, Ids, Positive, Untrusted, ValidationError, Values, Whole, Within,
 };
-use hearth_render::Fit;
 
 use crate::pacing::picture_limits::{Fps, Pixels};
-use crate::pacing::quality::Level;
+use hearth_core::resolution::Level;
 
 /// Maximum side of a canvas [device pixels], which browsers set.
 pub const MAX_SIDE: i32 = 16_384;

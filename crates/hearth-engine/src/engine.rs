@@ -3,20 +3,22 @@
 //! `web/engine/loop.js` requests frames and listens to the canvas's context. Each method
 //! returns whether to request another frame, so no loop runs while no fire has work.
 
-use hearth_bindings::{Untrusted, ValidationError, memory, panic, parts, settings};
+use hearth_bindings::{memory, panic, parts, values};
 use hearth_core::{IgniteError, IgnitionTarget, SprayError, Vec2};
+use hearth_settings::Requested;
+use hearth_settings::untrusted::{Untrusted, ValidationError};
 use js_sys::Set;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::WebGl2RenderingContext;
 
+use crate::change;
 use crate::commands::Command;
 use crate::events::{ErrorKind, Events, Post};
 use crate::fire::{Fire, FrameTime};
 use crate::pacing::machine_limit::MachineLimit;
 use crate::pacing::thread_budget::{SHARE_OF_PAGE, SHARE_OF_WORKER, ThreadBudget, deadline};
 use crate::pointer::PointerForce;
-use crate::requested::Requested;
 use crate::shared_canvas::{Canvas, SharedCanvas, Show};
 use crate::wall_clock::WallClock;
 
@@ -96,7 +98,7 @@ impl Engine {
     /// caller repeats the call when the part is loaded.
     pub fn call(&mut self, call: &JsValue, loaded: &Set) -> Result<bool, JsValue> {
         let start = self.clock.now();
-        let call = Untrusted::of(call);
+        let call = values::copied(call);
         let [fire, request, name, arguments @ ..] = call.list() else {
             return Ok(self.needs_frame());
         };
@@ -228,7 +230,7 @@ impl Engine {
         let found = self.fires.iter_mut().find(|fire| fire.id() == id);
         let fire = match (found, command) {
             (None, Command::Add { start }) => {
-                let (requested, errors) = Requested::at_first(&start);
+                let (requested, errors) = change::at_first(&start);
                 if let Some(part) = parts::missing(&requested.scene, loaded) {
                     return Ok(Answer::Missing(part));
                 }
@@ -260,7 +262,7 @@ impl Engine {
             }
         };
         let (fire, command) = fire;
-        if let Some(requested) = fire.requested().after(&command) {
+        if let Some(requested) = change::after(fire.requested(), &command) {
             let requested = requested?;
             if let Some(part) = parts::missing(&requested.scene, loaded) {
                 return Ok(Answer::Missing(part));
@@ -293,7 +295,7 @@ impl Engine {
         }
         match command {
             Command::CheckValues { values } => {
-                settings::with_values(&fire.requested().scene, values)?;
+                hearth_settings::with_values(&fire.requested().scene, values)?;
             }
             Command::Export {} => {
                 events.config(id, request, fire.requested());

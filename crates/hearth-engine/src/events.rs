@@ -16,15 +16,15 @@
 //! `countOverridden`, `spacingOverridden`: whether a page set the number of particles, or their spacing, which then
 //! ignores the quality.
 
-use hearth_bindings::settings::{OBJECTS, objects};
-use hearth_bindings::{Record, ValidationError};
+use hearth_bindings::{Record, values};
 use hearth_core::params::PARAMETERS;
+use hearth_settings::file::export;
+use hearth_settings::untrusted::ValidationError;
+use hearth_settings::{OBJECTS, Requested, objects};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::config::export;
 use crate::pacing::quality::Quality;
-use crate::requested::Requested;
 
 #[wasm_bindgen]
 extern "C" {
@@ -106,7 +106,7 @@ impl Events {
         event.set_object("values", &values);
         let now = objects(&requested.scene, None);
         if old.is_none_or(|old| objects(&old.scene, None) != now) {
-            event.set_any(OBJECTS, &now.to_js());
+            event.set_any(OBJECTS, &values::to_js(&now));
             any = true;
         }
         event.set_flag("countOverridden", requested.count_overridden);
@@ -131,13 +131,13 @@ impl Events {
 
     /// A request for the settings is done.
     pub fn config(&self, fire: u32, request: u32, requested: &Requested) {
-        self.answer(fire, request, &export(requested).to_js());
+        self.answer(fire, request, &values::to_js(&export(requested)));
     }
 
     /// Values or arguments are invalid.
     pub fn refused(&self, fire: u32, request: u32, errors: &[ValidationError]) {
         let event = answer("refused", fire, request);
-        event.set_object("errors", &ValidationError::to_array(errors));
+        event.set_object("errors", &values::records_of(errors));
         self.post(&event);
     }
 

@@ -20,13 +20,14 @@ use crate::fire_renderer::FireRenderer;
 use crate::pacing::averages::Averages;
 use crate::pacing::machine_limit::MachineLimit;
 use crate::pacing::picture_limits::{Fps, PictureLimits, Pixels};
-use crate::pacing::quality::{Level, Quality};
+use crate::pacing::quality::Quality;
 use crate::pacing::real_time::RealTime;
-use crate::pacing::size_limit::SizeLimit;
 use crate::pacing::step_requests::StepRequests;
-use crate::pacing::warm_up::WarmUp;
 use crate::pointer::PointerForce;
-use crate::requested::{Requested, adapt};
+use hearth_core::resolution::Level;
+use hearth_core::resolution::SizeLimit;
+use hearth_core::warm_up::WarmUp;
+use hearth_settings::{Requested, adapt};
 
 /// The time of a frame.
 #[derive(Clone, Copy, Debug)]

@@ -9,11 +9,10 @@
 //! allocate nothing.
 
 // Logic that is tested without a browser.
+pub mod change;
 pub mod commands;
-pub mod config;
 pub mod pacing;
 pub mod pointer;
-pub mod requested;
 pub mod stats;
 
 // Bindings to the page.

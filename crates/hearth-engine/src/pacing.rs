@@ -4,12 +4,9 @@
 #[cfg(target_arch = "wasm32")]
 pub mod averages;
 pub mod machine_limit;
-pub mod particle_count;
 pub mod picture_limits;
 pub mod quality;
 pub mod real_time;
-pub mod size_limit;
 #[cfg(target_arch = "wasm32")]
 pub mod step_requests;
 pub mod thread_budget;
-pub mod warm_up;

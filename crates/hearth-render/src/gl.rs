@@ -58,7 +58,7 @@ pub trait Graphics {
 
     fn create_framebuffer(&self) -> Option<Self::Framebuffer>;
     fn delete_framebuffer(&self, framebuffer: &Self::Framebuffer);
-    /// `None`: that of the canvas.
+    /// `None`: that of the canvas or window.
     fn bind_framebuffer(&self, framebuffer: Option<&Self::Framebuffer>);
     /// Attaches `texture` to the bound framebuffer; returns the framebuffer's status.
     fn attach_texture(&self, texture: &Self::Texture) -> u32;
@@ -77,6 +77,7 @@ pub trait Graphics {
     fn draw_triangle(&self);
     fn draw_instances(&self, vertices: i32, instances: i32);
     fn largest_texture(&self) -> u32;
+    /// `name`: as in WebGL, without the prefix `GL_`.
     fn has_extension(&self, name: &str) -> bool;
 }
 
@@ -141,7 +142,9 @@ impl Graphics for glow::Context {
     }
 
     fn has_extension(&self, name: &str) -> bool {
-        Gl::supported_extensions(self).contains(name)
+        let supported = Gl::supported_extensions(self);
+        // Native drivers list extensions with the prefix that the names of WebGL lack.
+        supported.contains(name) || supported.contains(&format!("GL_{name}"))
     }
 
     fn allocate_texture(&self, internal: u32, kind: u32, [width, height]: [u32; 2]) {

@@ -56,3 +56,8 @@ pub use renderer::{Renderer, View};
 pub use resolution::ResolutionLimits;
 pub use shared::SharedResources;
 pub use viewport::Viewport;
+
+// Compiles the examples of the README as doc tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadMe;

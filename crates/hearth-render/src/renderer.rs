@@ -41,9 +41,11 @@ pub struct View {
     pub camera: Camera,
 }
 
-/// Draws a fire into the default framebuffer, with premultiplied alpha.
+/// Draws a fire into a framebuffer, with premultiplied alpha.
 pub struct Renderer<G: Graphics = glow::Context> {
     shared: Rc<SharedResources<G>>,
+    /// The framebuffer of the pictures; `None`: that of the canvas or window.
+    output: Option<G::Framebuffer>,
     limits: ResolutionLimits,
     particles: Particles<G>,
     embers: Particles<G>,
@@ -91,6 +93,7 @@ impl<G: Graphics> Renderer<G> {
         let max_rows = shared.max_side;
         Ok(Renderer {
             shared,
+            output: None,
             limits: ResolutionLimits::MEDIUM,
             particles: Particles::new(gl, max_rows)?,
             embers: Particles::new(gl, max_rows)?,
@@ -138,6 +141,12 @@ impl<G: Graphics> Renderer<G> {
     /// unit of [`DisplayMode::quantity`]; `None` if the mode measures nothing.
     pub fn scale(&self) -> Option<(DisplayMode, [f32; 2])> {
         self.motion.scale.ends()
+    }
+
+    /// Sets the framebuffer of the next pictures, which the renderer does not free; `None`: that of the
+    /// canvas or window. A context without a surface has no framebuffer of its own.
+    pub fn set_output(&mut self, output: Option<G::Framebuffer>) {
+        self.output = output;
     }
 
     /// Sets the limits of the resolution for the next pictures.

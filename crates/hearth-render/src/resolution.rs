@@ -4,6 +4,8 @@
 //! picture's lines, and glow needs fewer. Fill rate limits phones and machines without a graphics
 //! card.
 
+use hearth_core::resolution::Level;
+
 /// Maximum number of blurred copies of the light.
 pub const MAX_BLURS: usize = 4;
 /// Lines of the widest blurred copy, independent of quality and picture size, so that the glow
@@ -45,6 +47,15 @@ pub struct ResolutionLimits {
 }
 
 impl ResolutionLimits {
+    /// Those of a level.
+    pub const fn of(level: Level) -> ResolutionLimits {
+        match level {
+            Level::Low => ResolutionLimits::LOW,
+            Level::Medium => ResolutionLimits::MEDIUM,
+            Level::High => ResolutionLimits::HIGH,
+        }
+    }
+
     /// For slow machines.
     pub const LOW: ResolutionLimits = ResolutionLimits {
         full: 270,

@@ -1,9 +1,10 @@
 //! The simulation behind `web/sim.js`.
 
-use hearth_bindings::{Record, Untrusted, ValidationError, memory, panic, parts, settings};
+use hearth_bindings::{Record, memory, panic, parts, values};
 use hearth_core::params::{PARAMETERS, Parameters};
 use hearth_core::simulation::ParticleError;
 use hearth_core::{IgniteError, IgnitionTarget, Scene, Simulation, SprayError, Vec2};
+use hearth_settings::untrusted::{Untrusted, ValidationError};
 use js_sys::{Array, Set};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
@@ -32,9 +33,11 @@ impl Fire {
         loaded: &Set,
     ) -> Result<Fire, JsValue> {
         panic::record();
-        let preset = preset.map(|name| settings::preset(&name)).transpose();
+        let preset = preset
+            .map(|name| hearth_settings::preset(&name))
+            .transpose();
         let preset = preset.map_err(|error| thrown(vec![error]))?;
-        let scene = settings::document(preset, &columns(&ids, &values));
+        let scene = hearth_settings::document(preset, &columns(&ids, &values));
         let simulation = Simulation::new(affordable(None, scene, loaded)?);
         Ok(Fire { simulation })
     }
@@ -100,9 +103,9 @@ impl Fire {
     pub fn set(&mut self, ids: Array, values: Option<Array>, loaded: &Set) -> Result<(), JsValue> {
         let old = self.simulation.scene();
         let changed = match values {
-            Some(values) => settings::with_values(old, &columns(&ids, &values)),
+            Some(values) => hearth_settings::with_values(old, &columns(&ids, &values)),
             None if ids.length() == 0 => Ok(Scene::default()),
-            None => settings::with_defaults(old, &columns(&ids, &Array::new())),
+            None => hearth_settings::with_defaults(old, &columns(&ids, &Array::new())),
         };
         let scene = affordable(Some(self.simulation.parameters()), changed, loaded)?;
         self.simulation.set_scene(scene);
@@ -111,7 +114,7 @@ impl Fire {
 
     /// The objects as plain data.
     pub fn objects(&self) -> Array {
-        settings::object_records(self.simulation.scene())
+        values::object_records(self.simulation.scene())
     }
 
     /// Sets properties of the object of that id or, without an id, adds an object; without
@@ -130,7 +133,7 @@ impl Fire {
     ) -> Result<u32, JsValue> {
         let fields = names.zip(values);
         let fields = fields.map(|(names, values)| columns(&names, &values));
-        let changed = settings::with_object(self.simulation.scene(), id, fields.as_deref());
+        let changed = hearth_settings::with_object(self.simulation.scene(), id, fields.as_deref());
         let scene = affordable(Some(self.simulation.parameters()), changed, loaded)?;
         self.simulation.set_scene(scene);
         let last = self.simulation.scene().objects().last();
@@ -252,7 +255,7 @@ fn columns(ids: &Array, values: &Array) -> Vec<(String, Untrusted)> {
 
 fn value_of(value: &JsValue) -> Untrusted {
     if !Array::is_array(value) {
-        return Untrusted::scalar(value);
+        return values::scalar(value);
     }
     let list: &Array = value.unchecked_ref();
     let mut objects = Vec::new();
@@ -267,5 +270,5 @@ fn value_of(value: &JsValue) -> Untrusted {
 
 /// The errors from which `web/sim.js` makes a `RangeError`.
 fn thrown(errors: Vec<ValidationError>) -> JsValue {
-    ValidationError::to_array(&errors).into()
+    values::records_of(&errors).into()
 }

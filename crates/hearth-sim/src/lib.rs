@@ -2,7 +2,7 @@
 //!
 //! A `Fire` is a simulation. The script copies a page's values into plain arrays before
 //! each call, so no code of the page runs during a call, and all results are copies.
-//! Values become untrusted values of `hearth-bindings`, which the core's table checks.
+//! Values become untrusted values, which the core checks.
 
 // Native tests cover this module, which needs no JavaScript.
 pub mod particles;

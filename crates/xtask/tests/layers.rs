@@ -7,17 +7,33 @@ use std::process::Command;
 use serde_json::Value;
 
 /// The packages that a package of `crates/` uses, for its code and for its tests alike.
-const ARROWS: [(&str, &[&str]); 11] = [
+const ARROWS: [(&str, &[&str]); 12] = [
     ("hearth-fire-core", &[]),
     ("hearth-fire", &["hearth-fire-core"]),
-    ("hearth-render", &["hearth-fire-core"]),
-    ("hearth-bindings", &["hearth-fire-core"]),
+    ("hearth-fire-render", &["hearth-fire-core"]),
+    ("hearth-fire-settings", &["hearth-fire-core"]),
+    (
+        "hearth-bindings",
+        &["hearth-fire-core", "hearth-fire-settings"],
+    ),
     (
         "hearth-engine",
-        &["hearth-bindings", "hearth-fire-core", "hearth-render"],
+        &[
+            "hearth-bindings",
+            "hearth-fire-core",
+            "hearth-fire-render",
+            "hearth-fire-settings",
+        ],
     ),
     ("hearth-panel", &["hearth-fire-core"]),
-    ("hearth-sim", &["hearth-bindings", "hearth-fire-core"]),
+    (
+        "hearth-sim",
+        &[
+            "hearth-bindings",
+            "hearth-fire-core",
+            "hearth-fire-settings",
+        ],
+    ),
     ("codegen", &["hearth-fire-core"]),
     ("measure", &["xtask"]),
     ("wasm-parts", &[]),
@@ -98,7 +114,7 @@ fn physics_and_renderer_know_no_platform() {
         if name == "hearth-fire-core" {
             assert_eq!(uses, CORE_USES.map(str::to_owned).into());
         }
-        if name == "hearth-render" {
+        if name == "hearth-fire-render" {
             let platform = PLATFORM.iter().find(|&&name| uses.contains(name));
             assert_eq!(platform, None, "{name}");
         }

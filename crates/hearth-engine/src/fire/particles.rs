@@ -4,8 +4,8 @@ use hearth_core::{Scene, Simulation};
 
 use super::Fire;
 use crate::events::Events;
-use crate::pacing::particle_count::{CountInputs, ParticleCount, Resolution};
-use crate::pacing::quality::Level;
+use hearth_core::resolution::Level;
+use hearth_core::resolution::{CountInputs, ParticleCount, Resolution};
 
 impl Fire {
     /// Sets the duration of the warm-up of new fires. The answer to `request` follows when the

@@ -215,18 +215,12 @@ impl Fire {
             self.embers.clear();
         }
         let temperatures: Vec<_> = self.simulation.solid_temperatures().collect();
-        let level = self.quality.level();
-        let limits = [
-            ResolutionLimits::LOW,
-            ResolutionLimits::MEDIUM,
-            ResolutionLimits::HIGH,
-        ];
         let drawn = self.renderer.draw(
             canvas,
             &FrameInput {
                 fire: self.id,
                 size: self.limits.fit(self.size, self.quality.pixels()),
-                limits: limits[level as usize],
+                limits: ResolutionLimits::of(self.quality.level()),
                 camera: self.camera,
                 time: self.simulation.time(),
                 scene: self.simulation.scene(),

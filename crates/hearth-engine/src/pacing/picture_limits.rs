@@ -1,6 +1,6 @@
 //! PictureLimits of frame rate and picture size that a page sets.
 
-use hearth_bindings::Within;
+use hearth_settings::untrusted::Within;
 
 /// A limit of pictures per second. Below 10, the clock would not make up for the time between
 /// two pictures.

@@ -7,13 +7,13 @@
 //! most four times: a fire that changes all the time is worse than a coarse one. Where drawing is
 //! what takes long at the lowest level, the picture gets fewer pixels.
 
-mod level;
+mod detail;
 mod load;
 mod reason;
 mod window;
 
-use level::Detail;
-pub use level::Level;
+use detail::Detail;
+use hearth_core::resolution::Level;
 use load::{Load, USUAL_INTERVAL_MS};
 pub use window::FrameCost;
 use window::Window;

@@ -1,13 +1,15 @@
 //! Parsing of calls: their form, and the errors of invalid ones.
 
 use crate::harness::{number, object, sent, text};
-use hearth_bindings::Argument;
-use hearth_bindings::{Check, Form, Positive, Untrusted, ValidationError, Whole, Within};
+use hearth_core::resolution::Level;
 use hearth_engine::commands::{
     COMMANDS, Command, MAX_SECONDS, MAX_SIDE, MAX_STEPS, NamedFit, RequestedLevel, Start,
 };
-use hearth_engine::pacing::quality::Level;
 use hearth_render::Fit;
+use hearth_settings::untrusted::Argument;
+use hearth_settings::untrusted::{
+    Check, Form, Positive, Untrusted, ValidationError, Whole, Within,
+};
 
 #[track_caller]
 fn refused(name: &str, arguments: &[Untrusted]) -> ValidationError {

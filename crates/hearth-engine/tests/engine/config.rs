@@ -1,11 +1,12 @@
 //! Settings files: export, import and validation.
 
-use hearth_bindings::{Untrusted, Whole};
 use hearth_core::params::{Input, Model, PARAMETERS};
 use hearth_core::preset::Preset;
+use hearth_engine::change::after;
 use hearth_engine::commands::Command;
-use hearth_engine::config::{Config, export};
-use hearth_engine::requested::Requested;
+use hearth_settings::Requested;
+use hearth_settings::file::{Config, export};
+use hearth_settings::untrusted::{Untrusted, Whole};
 
 use crate::harness::{imported, text};
 
@@ -35,10 +36,13 @@ fn errors(config: &Untrusted) -> Vec<String> {
 
 fn set(requested: &Requested, id: &str, value: Untrusted) -> Requested {
     let values = &[(id.to_owned(), value)];
-    match requested.after(&Command::Set {
-        values,
-        source: "test",
-    }) {
+    match after(
+        requested,
+        &Command::Set {
+            values,
+            source: "test",
+        },
+    ) {
         Some(Ok(requested)) => requested,
         other => panic!("{id} gives {other:?}"),
     }
@@ -106,7 +110,7 @@ fn import_replaces_all_settings() {
     let requested = set(&Requested::default(), "exposure", Untrusted::Number(1.0));
     let config = &object(vec![("values", object(vec![]))]);
     let source = "test";
-    let after = requested.after(&Command::Import { config, source });
+    let after = after(&requested, &Command::Import { config, source });
     assert_eq!(after, Some(Ok(Requested::default())));
 }
 
@@ -240,13 +244,16 @@ fn import_restores_objects_with_their_ids() {
         object,
         source: "test",
     };
-    let Some(Ok(three)) = two.after(&command) else {
+    let Some(Ok(three)) = after(&two, &command) else {
         panic!("refused");
     };
-    let Some(Ok(fewer)) = three.after(&Command::RemoveObject {
-        id: Whole(1),
-        source: "test",
-    }) else {
+    let Some(Ok(fewer)) = after(
+        &three,
+        &Command::RemoveObject {
+            id: Whole(1),
+            source: "test",
+        },
+    ) else {
         panic!("refused");
     };
     let none = set(&two, "objects", Untrusted::List(vec![]));
@@ -276,10 +283,13 @@ fn the_later_of_two_values_of_a_property_wins() {
         ([first.clone(), other.clone()], 50.0),
         ([other, first], 100.0),
     ] {
-        let set = Requested::default().after(&Command::Set {
-            values: &values,
-            source: "test",
-        });
+        let set = after(
+            &Requested::default(),
+            &Command::Set {
+                values: &values,
+                source: "test",
+            },
+        );
         let Some(Ok(requested)) = set else {
             panic!("{values:?} was refused");
         };
@@ -334,14 +344,17 @@ fn errors_name_the_invalid_object_and_no_object_changes() {
             values,
             source: "test",
         };
-        assert!(matches!(Requested::default().after(&command), Some(Err(_))));
+        assert!(matches!(
+            after(&Requested::default(), &command),
+            Some(Err(_))
+        ));
     }
     let command = Command::ChangeObject {
         id: Whole(1),
         values: &[("x".to_owned(), text("far"))],
         source: "test",
     };
-    let Some(Err(invalid)) = Requested::default().after(&command) else {
+    let Some(Err(invalid)) = after(&Requested::default(), &command) else {
         panic!("accepted");
     };
     assert_eq!(invalid[0].id, "objects[0].x");
@@ -351,7 +364,10 @@ fn errors_name_the_invalid_object_and_no_object_changes() {
         id: Whole(9),
         source: "test",
     };
-    assert!(matches!(Requested::default().after(&command), Some(Err(_))));
+    assert!(matches!(
+        after(&Requested::default(), &command),
+        Some(Err(_))
+    ));
     let values = object(vec![("values", object(vec![("objects", sources(&[]))]))]);
     assert!(errors(&values)[0].contains("beside the values"));
 }
@@ -365,5 +381,5 @@ fn restoring_the_objects_gives_one_source_with_the_values_of_the_settings() {
         ids,
         source: "test",
     };
-    assert_eq!(two.after(&command), Some(Ok(requested)));
+    assert_eq!(after(&two, &command), Some(Ok(requested)));
 }

@@ -1,12 +1,12 @@
 //! Untrusted values and scenes for tests.
 
-use hearth_bindings::Untrusted;
 use hearth_core::Scene;
-use hearth_engine::config::Config;
-use hearth_engine::pacing::particle_count::{CountInputs, ParticleCount};
-use hearth_engine::pacing::quality::Level;
-use hearth_engine::pacing::size_limit::SizeLimit;
-use hearth_engine::requested::Requested;
+use hearth_core::resolution::Level;
+use hearth_core::resolution::SizeLimit;
+use hearth_core::resolution::{CountInputs, ParticleCount};
+use hearth_settings::Requested;
+use hearth_settings::file::Config;
+use hearth_settings::untrusted::Untrusted;
 
 /// Named values, as a script sends them.
 pub type Sent = Vec<(String, Untrusted)>;

@@ -1,12 +1,13 @@
 //! Requested settings and the level's number of particles.
 
 use crate::harness::{Sent, at_level, sent};
-use hearth_bindings::{Argument, Untrusted};
 use hearth_core::Simulation;
 use hearth_core::params::Model;
+use hearth_core::resolution::Level;
+use hearth_engine::change;
 use hearth_engine::commands::{Command, Start};
-use hearth_engine::pacing::quality::Level;
-use hearth_engine::requested::{Requested, adapt};
+use hearth_settings::untrusted::{Argument, Untrusted};
+use hearth_settings::{Requested, adapt};
 
 /// A change of settings.
 enum Change {
@@ -16,7 +17,7 @@ enum Change {
 }
 
 fn at_first(start: &Start<'_>) -> Requested {
-    let (requested, errors) = Requested::at_first(start);
+    let (requested, errors) = change::at_first(start);
     assert_eq!(errors, []);
     requested
 }
@@ -32,12 +33,12 @@ fn model(name: &str) -> (&'static str, Untrusted) {
 fn result(requested: &Requested, change: &Change) -> Option<Requested> {
     let source = "test";
     let after = match change {
-        Change::Set(values) => requested.after(&Command::Set { values, source }),
+        Change::Set(values) => change::after(requested, &Command::Set { values, source }),
         Change::Restore(id) => {
             let ids = &[Untrusted::Text((*id).to_owned())];
-            requested.after(&Command::Restore { ids, source })
+            change::after(requested, &Command::Restore { ids, source })
         }
-        Change::Preset(name) => requested.after(&Command::Preset { name, source }),
+        Change::Preset(name) => change::after(requested, &Command::Preset { name, source }),
     };
     after.and_then(Result::ok)
 }
@@ -86,7 +87,7 @@ fn the_level_decides_the_number_until_a_page_sets_it() {
             let requested = then(&requested, &other);
             assert_eq!(particles(&requested), [found; 3]);
         }
-        assert_eq!(requested.after(&Command::Play {}), None);
+        assert_eq!(change::after(&requested, &Command::Play {}), None);
     }
 }
 

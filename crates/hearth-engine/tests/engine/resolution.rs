@@ -2,16 +2,17 @@
 //! number of particles in their domain.
 
 use crate::harness::{at_level, imported, text};
-use hearth_bindings::{Untrusted, settings};
 use hearth_core::Simulation;
 use hearth_core::params::{IN_DOMAIN, Parameters};
 use hearth_core::preset::Preset;
+use hearth_core::resolution::Level;
+use hearth_core::resolution::Resolution;
+use hearth_core::resolution::SizeLimit;
+use hearth_engine::change::after;
 use hearth_engine::commands::Command;
-use hearth_engine::config::export;
-use hearth_engine::pacing::particle_count::Resolution;
-use hearth_engine::pacing::quality::Level;
-use hearth_engine::pacing::size_limit::SizeLimit;
-use hearth_engine::requested::Requested;
+use hearth_settings::Requested;
+use hearth_settings::file::export;
+use hearth_settings::untrusted::Untrusted;
 
 /// Width and height of the domain \[m\], and the number of particles at medium quality.
 type Box = (f32, f32, u32);
@@ -121,7 +122,7 @@ fn opened(link: &str) -> [Requested; 3] {
         values.fold(first, |requested, value| {
             let values = std::slice::from_ref(value);
             let source = "attribute";
-            match requested.after(&Command::Set { values, source }) {
+            match after(&requested, &Command::Set { values, source }) {
                 Some(Ok(after)) => after,
                 other => panic!("{other:?}"),
             }
@@ -175,8 +176,8 @@ fn scenes_and_links_without_a_spacing_have_the_resolution_of_their_number_of_par
         }
         // The library reads the same.
         let (preset, values) = read(link);
-        let library =
-            settings::preset(&preset).map(|preset| settings::document(Some(preset), &values));
+        let library = hearth_settings::preset(&preset)
+            .map(|preset| hearth_settings::document(Some(preset), &values));
         match library {
             Ok(Ok(scene)) => assert_eq!(*scene.settings(), file.completed(), "{link}"),
             other => panic!("{link}: {other:?}"),
@@ -247,7 +248,7 @@ fn a_number_of_particles_beside_a_spacing_is_a_cap() {
 
 #[test]
 fn without_a_spacing_the_resolution_follows_the_frame_again() {
-    let change = |requested: &Requested, command: &Command<'_>| match requested.after(command) {
+    let change = |requested: &Requested, command: &Command<'_>| match after(requested, command) {
         Some(Ok(after)) => after,
         other => panic!("{other:?}"),
     };

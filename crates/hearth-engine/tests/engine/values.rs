@@ -1,11 +1,12 @@
 //! Values of parameters: how commands change them, and what a new fire starts with.
 
 use crate::harness::{Sent, number, object, sent, text};
-use hearth_bindings::{Argument, Untrusted, ValidationError, settings};
 use hearth_core::Parameters;
 use hearth_core::params::{Input, Model};
+use hearth_engine::change::at_first;
 use hearth_engine::commands::Start;
-use hearth_engine::requested::Requested;
+use hearth_settings::Requested;
+use hearth_settings::untrusted::{Argument, Untrusted, ValidationError};
 
 /// The values of a model.
 fn of_model<const N: usize>(model: &str, values: [(&str, Untrusted); N]) -> Sent {
@@ -16,7 +17,7 @@ fn of_model<const N: usize>(model: &str, values: [(&str, Untrusted); N]) -> Sent
 
 /// The parameters of a new fire, and the errors in its start.
 fn starting_values(start: &Untrusted) -> (Parameters, Vec<ValidationError>) {
-    let (requested, errors) = Requested::at_first(&Start::read(start));
+    let (requested, errors) = at_first(&Start::read(start));
     (requested.parameters().clone(), errors)
 }
 
@@ -33,7 +34,7 @@ fn with_values(
     old: &Parameters,
     values: &[(String, Untrusted)],
 ) -> Result<Parameters, Vec<ValidationError>> {
-    let new = settings::with_values(&old.clone().into(), values);
+    let new = hearth_settings::with_values(&old.clone().into(), values);
     new.map(|scene| scene.settings().clone())
 }
 
@@ -41,7 +42,7 @@ fn with_defaults(
     old: &Parameters,
     values: &[(String, Untrusted)],
 ) -> Result<Parameters, Vec<ValidationError>> {
-    let new = settings::with_defaults(&old.clone().into(), values);
+    let new = hearth_settings::with_defaults(&old.clone().into(), values);
     new.map(|scene| scene.settings().clone())
 }
 

@@ -107,7 +107,7 @@ fn a_uniform_with_two_types_is_an_error() {
 
 #[test]
 fn no_uniform_spans_two_vectors_or_overlaps_another() {
-    let folder = std::path::Path::new("../../shaders");
+    let folder = std::path::Path::new("shaders");
     let files = Files::read(folder).unwrap();
     for program in programs(&files, &crate::values::shared()).unwrap() {
         let mut taken = vec![false; 4 * program.vectors];

@@ -41,7 +41,7 @@ impl<G: Graphics> Renderer<G> {
             }
             None => {
                 let [width, height] = frame.layout.picture;
-                gl.bind_framebuffer(None);
+                gl.bind_framebuffer(self.output.as_ref());
                 gl.viewport(width as i32, height as i32);
                 [width, height]
             }

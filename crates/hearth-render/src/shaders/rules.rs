@@ -13,7 +13,7 @@ use crate::passes::PASSES;
 use crate::shaders::{HEADER, SOURCES};
 use crate::values;
 
-const FOLDER: &str = "../../shaders";
+const FOLDER: &str = "shaders";
 
 /// Name and source of the vertex and the fragment stage.
 struct Pair {

@@ -1,6 +1,6 @@
 //! The share of a frame that a fire takes, and which levels fit.
 
-use super::level::Detail;
+use super::detail::Detail;
 
 /// Interval of the displays that every fire should keep up with \[ms\]: 60 Hz.
 pub const USUAL_INTERVAL_MS: f64 = 1000.0 / 60.0;

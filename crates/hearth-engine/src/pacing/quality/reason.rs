@@ -1,6 +1,6 @@
 //! Why a fire changes its level, as text for `stats`.
 
-use super::level::Detail;
+use super::detail::Detail;
 use super::load::Load;
 
 /// The reason of a change to `detail`: what takes how long \[ms\], and what changes.

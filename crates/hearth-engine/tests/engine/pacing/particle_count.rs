@@ -1,10 +1,10 @@
 //! The number of particles of a fire, and its reason.
 
-use hearth_engine::pacing::particle_count::CountLimit::{Machine, Settings, Size};
-use hearth_engine::pacing::particle_count::Resolution::{Classic, Page, Scene};
-use hearth_engine::pacing::particle_count::{CountInputs, CountLimit, ParticleCount, Resolution};
-use hearth_engine::pacing::quality::Level::{self, High, Low, Medium};
-use hearth_engine::pacing::size_limit::SizeLimit;
+use hearth_core::resolution::CountLimit::{Machine, Settings, Size};
+use hearth_core::resolution::Level::{self, High, Low, Medium};
+use hearth_core::resolution::Resolution::{Classic, Page, Scene};
+use hearth_core::resolution::SizeLimit;
+use hearth_core::resolution::{CountInputs, CountLimit, ParticleCount, Resolution};
 
 /// A fire of medium quality in a large element on a fast machine.
 fn usual(settings: Resolution) -> CountInputs {

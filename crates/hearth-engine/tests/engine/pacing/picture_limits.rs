@@ -1,10 +1,10 @@
 //! PictureLimits of frame rate and picture size, and the force of a pointer.
 
-use hearth_bindings::{Untrusted, Within};
+use hearth_core::resolution::Level;
 use hearth_engine::commands::Command;
 use hearth_engine::pacing::picture_limits::PictureLimits;
-use hearth_engine::pacing::quality::Level;
 use hearth_engine::pointer::PointerForce;
+use hearth_settings::untrusted::{Untrusted, Within};
 
 const PIXELS: (f64, f64) = (1024.0, 16_777_216.0);
 

@@ -1,7 +1,8 @@
 //! Adaptive quality on machines of every speed.
 
 use hearth_core::params::{IN_DOMAIN, Parameters};
-use hearth_engine::pacing::quality::{FrameCost, Level, Quality};
+use hearth_core::resolution::Level;
+use hearth_engine::pacing::quality::{FrameCost, Quality};
 use hearth_engine::pacing::thread_budget::SHARE_OF_WORKER;
 
 /// A machine and its display.

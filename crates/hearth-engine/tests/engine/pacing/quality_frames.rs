@@ -1,6 +1,7 @@
 //! Adaptive quality with irregular frames: other displays, busy pages, coarse clocks.
 
-use hearth_engine::pacing::quality::{FrameCost, Level, Quality};
+use hearth_core::resolution::Level;
+use hearth_engine::pacing::quality::{FrameCost, Quality};
 use hearth_engine::pacing::thread_budget::SHARE_OF_WORKER;
 
 /// Interval of a display of 60 Hz \[ms\].

@@ -1,7 +1,7 @@
 //! The number of particles by the size of an element.
 
-use hearth_engine::pacing::quality::Level;
-use hearth_engine::pacing::size_limit::SizeLimit;
+use hearth_core::resolution::Level;
+use hearth_core::resolution::SizeLimit;
 
 fn at(side: f64, level: Level) -> u32 {
     SizeLimit::of(side).of_level(level)

@@ -2,11 +2,11 @@
 
 use hearth_core::burning::BurningError;
 use hearth_core::params::{IN_DOMAIN, Input, Model, Parameters};
+use hearth_core::resolution::Level;
+use hearth_core::resolution::SizeLimit;
+use hearth_core::resolution::{CountInputs, ParticleCount, Resolution};
+use hearth_core::warm_up::WarmUp;
 use hearth_core::{Burner, Simulation};
-use hearth_engine::pacing::particle_count::{CountInputs, ParticleCount, Resolution};
-use hearth_engine::pacing::quality::Level;
-use hearth_engine::pacing::size_limit::SizeLimit;
-use hearth_engine::pacing::warm_up::WarmUp;
 
 fn with(values: &[(&str, f64)]) -> Parameters {
     let mut parameters = Parameters::new(Model::Combustion);

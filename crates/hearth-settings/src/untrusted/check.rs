@@ -3,9 +3,8 @@
 //! One function checks every argument against its [`Check`]. The types that implement
 //! [`Argument`] read checked values.
 
+use super::{Ids, Untrusted, ValidationError, Values};
 use hearth_core::params::Input;
-
-use crate::{Ids, Untrusted, ValidationError, Values};
 
 /// The required form of an argument.
 #[derive(Clone, Copy, Debug, PartialEq)]

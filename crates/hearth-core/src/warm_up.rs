@@ -3,10 +3,10 @@
 //! A fire that was just lit looks like a mushroom cloud. A warm fire first burns for some
 //! seconds, or resumes a saved fire. The cost of a step grows as the particle count to the
 //! power of 1.5, so most of the warm-up uses few particles. The full number replaces them
-//! for the last part ([`ParticleCount`](super::particle_count)).
+//! for the last part ([`ParticleCount`](crate::resolution::ParticleCount)).
 
-use hearth_core::burning::BurningError;
-use hearth_core::{Scene, Simulation};
+use crate::burning::BurningError;
+use crate::{Scene, Simulation};
 
 /// Duration of the last part, with all particles [s of fire].
 const FINE_SECONDS: f64 = 0.9;

@@ -6,7 +6,7 @@
 //! particle appears suddenly. The number changes only with a side that is a tenth longer or
 //! shorter, so that dragging a window does not change it back and forth.
 
-use super::quality::Level;
+use super::level::Level;
 
 /// Sides of small elements [CSS pixels] and their particles.
 const ICON_SIDE_AND_PARTICLES: (f64, f64) = (64.0, 300.0);

@@ -12,13 +12,11 @@
 //! `values` without `spacing` state the resolution of open air as the number of particles that would
 //! fill the domain: `max_particles` or, without it, that of the preset.
 
-use hearth_bindings::settings::{self, OBJECTS};
-use hearth_bindings::{Argument, Check, Form, Untrusted, ValidationError, Values};
+use super::{COUNT, OBJECTS, Requested, SPACING, objects, with_settings};
+use crate::untrusted::{Argument, Check, Form, Untrusted, ValidationError, Values};
 use hearth_core::params::{Input, Model, PARAMETERS};
 use hearth_core::preset::Preset;
 use hearth_core::scene::Kind;
-
-use crate::requested::{COUNT, Requested, SPACING};
 
 /// The version of the format.
 pub const VERSION: u32 = 2;
@@ -96,7 +94,7 @@ impl<'a> Config<'a> {
             Some(name) => Requested::of_preset(name)?,
             None => Requested::default(),
         };
-        let scene = settings::with_settings(&base.scene, self.fields)?;
+        let scene = with_settings(&base.scene, self.fields)?;
         let combustion = scene.settings().model() == Model::Combustion;
         let sets = |name: &str| combustion && self.values.iter().any(|(id, _)| id == name);
         let mut requested = Requested {
@@ -148,10 +146,10 @@ pub fn export(requested: &Requested) -> Untrusted {
         fields.push(Untrusted::named("preset", name));
     }
     fields.push(Untrusted::named("values", Untrusted::Object(values)));
-    let objects = settings::objects(&requested.scene, Some(&base));
+    let list = objects(&requested.scene, Some(&base));
     let of_preset = requested.preset().scene();
-    if objects != settings::objects(&of_preset, Some(of_preset.settings())) {
-        fields.push(Untrusted::named(OBJECTS, objects));
+    if list != objects(&of_preset, Some(of_preset.settings())) {
+        fields.push(Untrusted::named(OBJECTS, list));
     }
     Untrusted::Object(fields)
 }

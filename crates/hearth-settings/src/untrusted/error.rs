@@ -1,9 +1,7 @@
 //! Errors about untrusted values.
 
-use hearth_core::params::{Input, ParamError};
-use js_sys::Array;
-
-use crate::{Record, Untrusted};
+use super::Untrusted;
+use hearth_core::params::ParamError;
 
 /// An error of an invalid value.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,36 +35,5 @@ impl ValidationError {
             message: format!("{error}"),
             range: error.range(),
         }
-    }
-
-    /// The error as a plain object with id, value and message, and min and max of a number.
-    pub fn to_record(&self) -> Record {
-        let record = Record::new();
-        record.set_text("id", &self.id);
-        match &self.value {
-            Untrusted::Missing => {}
-            Untrusted::Number(number) => record.set_number("value", *number),
-            Untrusted::Flag(on) => record.set_flag("value", *on),
-            other => {
-                if let Input::Text(words) = other.input() {
-                    record.set_text("value", words);
-                }
-            }
-        }
-        record.set_text("message", &self.message);
-        if let Some((min, max)) = self.range {
-            record.set_number("min", min);
-            record.set_number("max", max);
-        }
-        record
-    }
-
-    /// Errors as an array of plain objects.
-    pub fn to_array(errors: &[ValidationError]) -> Array {
-        let array = Array::new();
-        for error in errors {
-            array.push(&error.to_record());
-        }
-        array
     }
 }

@@ -1,12 +1,29 @@
-//! Untrusted values and objects applied to a scene.
+//! Settings of a Hearth fire from untrusted data: values and objects applied to a scene, and the settings file.
+//!
+//! Data of a page, a message or a file becomes an [`Untrusted`] value. The tables of `hearth-core` check it:
+//! an invalid value is a [`ValidationError`] and changes nothing.
+//!
+//! ```
+//! use hearth_settings::file::Config;
+//! use hearth_settings::untrusted::Untrusted;
+//!
+//! let values = Untrusted::Object(vec![("fuel_power".into(), Untrusted::Number(-1.0))]);
+//! let file = Untrusted::Object(vec![("values".into(), values)]);
+//! let errors = Config::requested_by(&file).err().ok_or("accepted")?;
+//! assert!(errors[0].message.contains("fuel_power = -1 is refused"));
+//! # Ok::<(), &str>(())
+//! ```
+
+pub mod file;
+mod requested;
+pub mod untrusted;
+
+pub use requested::{COUNT, Requested, SPACING, adapt};
 
 use hearth_core::params::{IN_DOMAIN, Input, ParamError, Parameters};
 use hearth_core::preset::Preset;
 use hearth_core::scene::{Object, Scene};
-use js_sys::Array;
-
-use crate::check::one_of;
-use crate::{Record, Untrusted, ValidationError, Values};
+use untrusted::{Untrusted, ValidationError, Values, one_of};
 
 /// The id of the model.
 const MODEL: &str = "model";
@@ -208,21 +225,6 @@ pub fn objects(scene: &Scene, from: Option<&Parameters>) -> Untrusted {
         Untrusted::Object(fields)
     });
     Untrusted::List(list.collect())
-}
-
-/// The objects of a scene as plain objects with all of their properties.
-pub fn object_records(scene: &Scene) -> Array {
-    let records = Array::new();
-    for object in scene.objects() {
-        let record = Record::new();
-        record.set_text("kind", object.kind.name);
-        record.set_number("id", object.id.into());
-        for (name, _, value) in object.properties() {
-            record.set_value(name, value);
-        }
-        records.push(&record);
-    }
-    records
 }
 
 fn fields<'a>(values: Values<'a>) -> Vec<(&'a str, Input<'a>)> {

@@ -3,7 +3,7 @@
 //! Settings, level of quality, size of the element, speed of the machine and warm-up all bear on this
 //! number. [`ParticleCount::of`] is the only place that combines them.
 
-use super::quality::Level;
+use super::level::Level;
 use super::size_limit::SizeLimit;
 
 /// Divisor of the number of particles in the first part of a warm-up, and the least result.

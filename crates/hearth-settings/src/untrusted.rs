@@ -1,26 +1,30 @@
-//! Copies of values from JavaScript.
+//! Untrusted values: data of a page, a message or a file, before it is checked.
 //!
-//! Scripts copy the values of a page into plain data (`postable` in
-//! `web/element/session/requests.js`, `columns` in `web/sim/values.js`), so no getter of a page runs during
-//! a call of wasm. This module makes a tree of it in Rust, which is checked without a browser.
+//! A reader of JavaScript or JSON makes a tree of it. A [`Check`] defines the form of an
+//! argument. An invalid value becomes a [`ValidationError`] with the id, the value, a message and
+//! the allowed range. Only the tables of parameters and objects check their values; this crate applies them.
+
+mod check;
+mod error;
+
+pub use check::{Argument, Check, Form, Positive, Whole, Within};
+pub use error::ValidationError;
+
+pub(crate) use check::one_of;
 
 use hearth_core::params::{AnyValue, Input};
-use js_sys::{Array, Object, Uint8Array};
-use wasm_bindgen::{JsCast, JsValue};
-
-use crate::Record;
 
 /// Deepest nesting of lists and objects.
-const MAX_DEPTH: u32 = 6;
+pub const MAX_DEPTH: u32 = 6;
 
 /// Most elements of a list and fields of an object; far more than there are parameters.
-const MAX_LENGTH: u32 = 1000;
+pub const MAX_LENGTH: u32 = 1000;
 
 /// Longest text in bytes: that of the largest mask.
-const MAX_TEXT_BYTES: usize = 66_000;
+pub const MAX_TEXT_BYTES: usize = 66_000;
 
 /// Most bytes of a saved fire.
-const MAX_BYTES: u32 = 65_536;
+pub const MAX_BYTES: u32 = 65_536;
 
 /// Values by their ids, in the order in which they were sent.
 pub type Values<'a> = &'a [(String, Untrusted)];
@@ -28,10 +32,10 @@ pub type Values<'a> = &'a [(String, Untrusted)];
 /// Ids, which are texts after the check.
 pub type Ids<'a> = &'a [Untrusted];
 
-/// A value as JavaScript sent it.
+/// A value as it was sent.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Untrusted {
-    /// `undefined`.
+    /// None: `undefined` in JavaScript.
     Missing,
     /// A number, finite or not.
     Number(f64),
@@ -50,68 +54,6 @@ pub enum Untrusted {
 }
 
 impl Untrusted {
-    /// Copies a number, a text or a flag. Any other value is missing.
-    pub fn scalar(value: &JsValue) -> Untrusted {
-        if let Some(number) = value.as_f64() {
-            return Untrusted::Number(number);
-        }
-        if let Some(text) = value.as_string() {
-            return if text.len() > MAX_TEXT_BYTES {
-                Untrusted::Other("a text of more than 66000 letters")
-            } else {
-                Untrusted::Text(text)
-            };
-        }
-        value.as_bool().map_or(Untrusted::Missing, Untrusted::Flag)
-    }
-
-    /// Copies plain data, lists and objects included.
-    pub fn of(value: &JsValue) -> Untrusted {
-        Untrusted::at_depth(value, 0)
-    }
-
-    fn at_depth(value: &JsValue, depth: u32) -> Untrusted {
-        let scalar = Untrusted::scalar(value);
-        if !scalar.is_missing() || value.is_undefined() {
-            return scalar;
-        }
-        if value.is_null() {
-            return Untrusted::Other("null");
-        }
-        if !value.is_object() || depth == MAX_DEPTH {
-            return Untrusted::Other("an object");
-        }
-        if let Some(bytes) = value.dyn_ref::<Uint8Array>() {
-            return if bytes.length() > MAX_BYTES {
-                Untrusted::Other("more than 64 KiB")
-            } else {
-                Untrusted::Bytes(bytes.to_vec())
-            };
-        }
-        let is_list = Array::is_array(value);
-        let elements = if is_list {
-            value.unchecked_ref::<Array>()
-        } else {
-            &Object::entries(value.unchecked_ref())
-        };
-        let length = elements.length();
-        if length > MAX_LENGTH {
-            return Untrusted::Other("more than a thousand elements");
-        }
-        let copy = |of: &Array, at| Untrusted::at_depth(&of.get(at), depth + 1);
-        if is_list {
-            return Untrusted::List((0..length).map(|at| copy(elements, at)).collect());
-        }
-        let fields = (0..length).map(|at| {
-            let field: Array = elements.get(at).unchecked_into();
-            (
-                field.get(0).as_string().unwrap_or_default(),
-                copy(&field, 1),
-            )
-        });
-        Untrusted::Object(fields.collect())
-    }
-
     /// A field with this name.
     pub fn named(name: &str, value: Untrusted) -> (String, Untrusted) {
         (name.to_owned(), value)
@@ -125,26 +67,6 @@ impl Untrusted {
                 Some(number) => Untrusted::Number(number),
                 None => Untrusted::Text(format!("{value}")),
             },
-        }
-    }
-
-    /// The same value in JavaScript.
-    pub fn to_js(&self) -> JsValue {
-        match self {
-            Untrusted::Missing => JsValue::UNDEFINED,
-            Untrusted::Number(number) => (*number).into(),
-            Untrusted::Text(text) => text.as_str().into(),
-            Untrusted::Flag(on) => (*on).into(),
-            Untrusted::List(list) => list.iter().map(Untrusted::to_js).collect::<Array>().into(),
-            Untrusted::Object(fields) => {
-                let record = Record::new();
-                for (name, value) in fields {
-                    record.set_any(name, &value.to_js());
-                }
-                record.into()
-            }
-            Untrusted::Bytes(_) => "an array".into(),
-            Untrusted::Other(words) => (*words).into(),
         }
     }
 

@@ -1,18 +1,16 @@
 //! The settings that a page requests, and the scene that follows from them at a level of
 //! quality.
 
-mod change;
-
-use hearth_bindings::{ValidationError, settings};
+use crate::untrusted::ValidationError;
 use hearth_core::params::{Input, Model};
 use hearth_core::preset::Preset;
+use hearth_core::resolution::Resolution;
 use hearth_core::{Parameters, Scene, Simulation};
 
-use crate::pacing::particle_count::Resolution;
-
-/// The parameters of the resolution, which follows the quality unless a page sets one of them.
-pub(crate) const COUNT: &str = "max_particles";
-pub(crate) const SPACING: &str = "spacing";
+/// Id of the number of particles, which follows the quality unless a page sets it.
+pub const COUNT: &str = "max_particles";
+/// Id of the spacing of particles, likewise.
+pub const SPACING: &str = "spacing";
 
 /// Requested settings.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,7 +44,7 @@ impl Requested {
     /// # Errors
     /// No preset has that name.
     pub fn of_preset(name: &str) -> Result<Requested, Vec<ValidationError>> {
-        let preset = settings::preset(name).map_err(|error| vec![error])?;
+        let preset = super::preset(name).map_err(|error| vec![error])?;
         Ok(Requested {
             scene: preset.scene(),
             preset: preset.name,
@@ -108,7 +106,7 @@ impl Requested {
         }
     }
 
-    /// The scene with that [number of particles](crate::pacing::particle_count). Only levels raise the cap.
+    /// The scene with that [number of particles](hearth_core::resolution::ParticleCount). Only levels raise the cap.
     pub fn at(&self, particles: u32) -> Scene {
         let mut values = self.completed();
         let resolution = self.resolution();

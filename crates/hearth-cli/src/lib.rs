@@ -1,0 +1,34 @@
+//! Pictures of fires without a browser: the library of the command `hearth`.
+//!
+//! [`Offscreen`] is an OpenGL ES 3 context without a window, with a target that is read back. Any
+//! [`Renderer`](hearth_render::Renderer) draws into it:
+//!
+//! ```
+//! use hearth_cli::Offscreen;
+//! use hearth_core::{Simulation, preset::Preset};
+//! use hearth_render::{Renderer, View};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let mut fire = Simulation::new(Preset::all()[0].scene());
+//! while fire.time() < 1.0 {
+//!     fire.step();
+//! }
+//! let mut instances = Vec::new();
+//! fire.write_instances(&mut instances);
+//!
+//! let offscreen = Offscreen::new()?;
+//! let gl = offscreen.gl();
+//! let mut renderer = Renderer::new(gl)?;
+//! renderer.set_output(Some(offscreen.target([640, 360])?));
+//! renderer.upload(gl, fire.parameters().display_mode, &instances, &[]);
+//! let view = View { width: 640, height: 360, time: fire.time(), ..View::default() };
+//! renderer.paint(gl, &view, fire.parameters())?;
+//! let rgba = offscreen.pixels();
+//! assert!(rgba.iter().any(|&byte| byte > 100));
+//! # Ok(())
+//! # }
+//! ```
+
+pub mod egl;
+
+pub use egl::{Offscreen, OffscreenError};

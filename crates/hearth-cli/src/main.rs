@@ -1,0 +1,3 @@
+//! The command `hearth`.
+
+fn main() {}

@@ -16,7 +16,7 @@ use crate::error::RenderError;
 use crate::format::TargetFormat;
 use crate::frame_uniforms::FrameUniforms;
 use crate::gl::Graphics;
-use crate::image::{NOISE_OFFSETS, SCENERY};
+use crate::image::{Image, NOISE_OFFSETS, SCENERY};
 use crate::kernel::Kernel;
 use crate::motion::{CarriedNoise, Motion};
 use crate::palette::Tint;
@@ -208,6 +208,33 @@ impl<G: Graphics> Renderer<G> {
         parameters: &Parameters,
         on_pass: &mut dyn FnMut(&'static str),
     ) -> Result<(), RenderError> {
+        self.draw_frame(gl, view, parameters, &|_| true, on_pass)
+    }
+
+    /// Advances the state that the next picture continues, as a picture at that moment does, without
+    /// drawing one.
+    ///
+    /// # Errors
+    /// The driver has no memory for targets of this size.
+    pub fn advance(
+        &mut self,
+        gl: &G,
+        view: &View,
+        parameters: &Parameters,
+    ) -> Result<(), RenderError> {
+        let continued = |image| matches!(image, Image::Flow | Image::NoiseOffsets);
+        self.draw_frame(gl, view, parameters, &continued, &mut |_| {})
+    }
+
+    /// Draws the passes with these targets.
+    fn draw_frame(
+        &mut self,
+        gl: &G,
+        view: &View,
+        parameters: &Parameters,
+        draws: &dyn Fn(Image) -> bool,
+        on_pass: &mut dyn FnMut(&'static str),
+    ) -> Result<(), RenderError> {
         let size = [view.width, view.height];
         let Some(layout) = Layout::new(size, self.limits, self.shared.max_side) else {
             return Ok(());
@@ -255,14 +282,14 @@ impl<G: Graphics> Renderer<G> {
             self.newest = 1 - self.newest;
         }
         frame.motion = self.motion;
-        if frame.has_backdrop() {
+        if frame.has_backdrop() && draws(Image::Scenery) {
             let position = (
                 [frame.wall(), frame.ground(), frame.wall_foot()],
                 [viewport.floor, viewport.heights()],
             );
             frame.scenery_is_stale = self.scenery.replace(position) != Some(position);
         }
-        self.draw(gl, &frame, on_pass);
+        self.draw(gl, &frame, draws, on_pass);
         gl.bind_vertex_array(None);
         Ok(())
     }

@@ -13,14 +13,18 @@ use crate::target::{Target, bind};
 const TRANSPARENT: [f32; 4] = [0.0; 4];
 
 impl<G: Graphics> Renderer<G> {
-    /// Draws the passes of a frame. Calls `on_pass` with the name of each pass after it is submitted.
+    /// Draws the passes of a frame with these targets. Calls `on_pass` with the name of each pass after it is submitted.
     pub(super) fn draw(
         &self,
         gl: &G,
         frame: &FrameUniforms,
+        draws: &dyn Fn(Image) -> bool,
         on_pass: &mut dyn FnMut(&'static str),
     ) {
-        for row in PASSES.iter().filter(|row| (row.applies)(frame)) {
+        for row in PASSES
+            .iter()
+            .filter(|row| (row.applies)(frame) && draws(row.target))
+        {
             for level in row.levels.of(frame.widest_blur()) {
                 self.draw_pass(gl, frame, row, level);
             }

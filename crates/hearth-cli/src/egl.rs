@@ -358,19 +358,16 @@ impl Offscreen {
             version: text(glow::VERSION),
             platform: self.platform.clone(),
             max_side: self.max_side,
-            half_float: [
-                "GL_EXT_color_buffer_float",
-                "GL_EXT_color_buffer_half_float",
-            ]
-            .iter()
-            .any(|name| self.gl.has_extension(name)),
+            half_float: ["EXT_color_buffer_float", "EXT_color_buffer_half_float"]
+                .iter()
+                .any(|name| self.gl.has_extension(name)),
             timer_queries: self.has_timer(),
         }
     }
 
     /// Whether the driver measures times of passes.
     pub fn has_timer(&self) -> bool {
-        self.gl.has_extension("GL_EXT_disjoint_timer_query")
+        self.gl.has_extension("EXT_disjoint_timer_query")
     }
 
     /// Begins to measure the time of the next calls on the graphics card, unless a measurement runs.

@@ -29,6 +29,20 @@
 //! # }
 //! ```
 
-pub mod egl;
+mod command;
+mod egl;
+mod error;
+mod fire;
+mod font;
+mod json;
+mod output;
+mod painter;
+mod picture;
+mod scene;
 
-pub use egl::{Offscreen, OffscreenError};
+pub use command::run;
+pub use egl::{Driver, Offscreen, OffscreenError, PACKAGES};
+pub use error::Error;
+pub use fire::Fire;
+pub use painter::{Painter, PictureOptions, resources};
+pub use picture::Picture;

@@ -1,3 +1,7 @@
 //! The command `hearth`.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    hearth_cli::run(std::env::args_os())
+}

@@ -1,6 +1,5 @@
 //! What a new fire's start and each command request.
 
-use hearth_core::params::Model;
 use hearth_settings::file::Config;
 use hearth_settings::untrusted::{Untrusted, ValidationError};
 use hearth_settings::{COUNT, Requested, SPACING};
@@ -48,11 +47,7 @@ pub fn after(
             hearth_settings::with_object(&before.scene, id, sent),
             [None; 2],
         ),
-        Command::Set { values, .. } => {
-            let names = |name: &str| values.iter().any(|(id, _)| id == name);
-            let set = hearth_settings::with_values(&before.scene, values);
-            (set, [COUNT, SPACING].map(|id| names(id).then_some(true)))
-        }
+        Command::Set { values, .. } => return Some(before.with_values(values)),
         Command::Restore { ids, .. } => {
             let names = |name: &str| ids.iter().any(|id| id.text() == name);
             let named = [COUNT, SPACING].map(|id| names(id).then_some(false));
@@ -67,17 +62,5 @@ pub fn after(
         Command::Import { config, .. } => return Some(Config::requested_by(config)),
         _ => return None,
     };
-    Some(scene.map(|scene| {
-        // The classic model's number never follows the quality.
-        let combustion = scene.settings().model() == Model::Combustion;
-        let [count, spacing] = overridden.map(|named| named.filter(|_| combustion));
-        let mut requested = Requested {
-            scene,
-            count_overridden: count.unwrap_or(before.count_overridden),
-            spacing_overridden: spacing.unwrap_or(before.spacing_overridden),
-            preset: before.preset,
-        };
-        requested.follow_domain();
-        requested
-    }))
+    Some(scene.map(|scene| before.with_scene(scene, overridden)))
 }

@@ -1,7 +1,7 @@
 //! The settings that a page requests, and the scene that follows from them at a level of
 //! quality.
 
-use crate::untrusted::ValidationError;
+use crate::untrusted::{ValidationError, Values};
 use hearth_core::params::{Input, Model};
 use hearth_core::preset::Preset;
 use hearth_core::resolution::Resolution;
@@ -50,6 +50,32 @@ impl Requested {
             preset: preset.name,
             ..Requested::default()
         })
+    }
+
+    /// These settings with other values, all of them or none.
+    ///
+    /// # Errors
+    /// Every invalid value.
+    pub fn with_values(&self, values: Values<'_>) -> Result<Requested, Vec<ValidationError>> {
+        let names = |name: &str| values.iter().any(|(id, _)| id == name);
+        let scene = super::with_values(&self.scene, values)?;
+        Ok(self.with_scene(scene, [COUNT, SPACING].map(|id| names(id).then_some(true))))
+    }
+
+    /// These settings with another scene, and whether it sets or restores the number of particles and
+    /// their spacing.
+    pub fn with_scene(&self, scene: Scene, overridden: [Option<bool>; 2]) -> Requested {
+        // The classic model's number never follows the quality.
+        let combustion = scene.settings().model() == Model::Combustion;
+        let [count, spacing] = overridden.map(|named| named.filter(|_| combustion));
+        let mut requested = Requested {
+            scene,
+            count_overridden: count.unwrap_or(self.count_overridden),
+            spacing_overridden: spacing.unwrap_or(self.spacing_overridden),
+            preset: self.preset,
+        };
+        requested.follow_domain();
+        requested
     }
 
     /// The preset.

@@ -1,0 +1,72 @@
+//! The command `hearth`: its arguments, and what runs for each of its commands.
+
+mod bench;
+mod info;
+mod options;
+mod progress;
+mod render;
+mod scenes;
+mod sheet;
+
+use std::ffi::OsString;
+use std::io::{Write, stderr};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::error::Error;
+use crate::output;
+
+/// Pictures of real fire, simulated and drawn without a browser.
+#[derive(Parser)]
+#[command(name = "hearth", version, after_help = EXIT_CODES)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXIT_CODES: &str = "\
+Exit codes: 0 done, 1 failed while running, 2 wrong use or an invalid scene.";
+
+#[derive(Subcommand)]
+enum Command {
+    /// Draws one picture of a fire as PNG.
+    Render(render::Render),
+    /// Draws scenes × moments × backgrounds as one labelled picture.
+    Sheet(sheet::Sheet),
+    /// Lists the presets.
+    Scenes(scenes::Scenes),
+    /// Shows the graphics driver, its limits and its formats.
+    Info(info::Info),
+    /// Measures the time of each pass of a picture.
+    Bench(bench::Bench),
+}
+
+/// Runs the command with these arguments, the name of the program first.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let arguments = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
+        // Help and version are such errors, too.
+        Err(error) => {
+            // Nothing is left to do where nobody reads the help.
+            let _ = error.print();
+            return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
+        }
+    };
+    output::end_between_files_on_interrupt();
+    let done = match arguments.command {
+        Command::Render(render) => render.run(),
+        Command::Sheet(sheet) => sheet.run(),
+        Command::Scenes(scenes) => scenes.run(),
+        Command::Info(info) => info.run(),
+        Command::Bench(bench) => bench.run(),
+    };
+    match done {
+        Ok(()) | Err(Error::Closed) => ExitCode::SUCCESS,
+        Err(error) => {
+            // Nothing is left to do where nobody reads the error.
+            let _ = writeln!(stderr(), "error: {error}");
+            ExitCode::from(error.code())
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! Where a picture goes: a new file, complete or not at all, or standard output.
+
+use std::fs::{self, OpenOptions};
+use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use crate::error::Error;
+
+/// An output that is free.
+#[derive(Debug)]
+pub enum Output {
+    /// Standard output.
+    Standard,
+    /// A file.
+    File(PathBuf),
+}
+
+/// While it is locked, a file is written. An interrupt waits for that.
+static WRITING: Mutex<()> = Mutex::new(());
+
+fn writing() -> MutexGuard<'static, ()> {
+    WRITING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// From now on, an interrupt ends the process between two files, with the shell's code for it.
+pub fn end_between_files_on_interrupt() {
+    const INTERRUPTED: i32 = 130;
+    // Without a handler, an interrupt ends the process at once.
+    let _ = ctrlc::set_handler(|| {
+        let _no_file = writing();
+        std::process::exit(INTERRUPTED);
+    });
+}
+
+impl Output {
+    /// The output of that name, `-` for standard output. It is checked before a fire burns for it.
+    ///
+    /// # Errors
+    /// There is such a file and `replace` is not set, its folder is missing, or standard output is
+    /// a terminal.
+    pub fn new(name: &str, replace: bool) -> Result<Output, Error> {
+        if name == "-" {
+            return match io::stdout().is_terminal() && !replace {
+                true => Err(Error::Use(
+                    "standard output is a terminal, which shows no PNG; \
+                     redirect it, name a file, or add --force"
+                        .to_owned(),
+                )),
+                false => Ok(Output::Standard),
+            };
+        }
+        let path = PathBuf::from(name);
+        if path.is_dir() {
+            return Err(Error::at(name, "is a folder"));
+        }
+        if path.exists() && !replace {
+            return Err(Error::at(name, "the file exists; --force replaces it"));
+        }
+        if !folder(&path).is_dir() {
+            return Err(Error::at(name, "its folder does not exist"));
+        }
+        Ok(Output::File(path))
+    }
+
+    /// Writes bytes: all of them, or nothing to the file.
+    ///
+    /// # Errors
+    /// The disk or the reader of standard output takes no more.
+    pub fn write(&self, bytes: &[u8]) -> Result<(), Error> {
+        let path = match self {
+            Output::Standard => return print(bytes),
+            Output::File(path) => path,
+        };
+        let name = path.display().to_string();
+        let _writing = writing();
+        let mut temporary = path.clone().into_os_string();
+        temporary.push(format!(".{}.part", std::process::id()));
+        let written = OpenOptions::new()
+            .write(true)
+            .create_new(true)
+            .open(&temporary)
+            .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()))
+            .and_then(|()| fs::rename(&temporary, path));
+        written.map_err(|error| {
+            // The error of writing is the one that counts.
+            let _ = fs::remove_file(&temporary);
+            Error::at(&name, error)
+        })
+    }
+}
+
+/// Writes to standard output.
+///
+/// # Errors
+/// Nobody reads it, or it takes no more.
+pub fn print(bytes: &[u8]) -> Result<(), Error> {
+    let mut out = io::stdout().lock();
+    let written = out.write_all(bytes).and_then(|()| out.flush());
+    written.map_err(Error::of_output)
+}
+
+fn folder(path: &Path) -> &Path {
+    let parent = path
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty());
+    parent.unwrap_or(Path::new("."))
+}

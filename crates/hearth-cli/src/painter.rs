@@ -1,0 +1,145 @@
+//! Draws the pictures of a fire offscreen.
+
+use std::rc::Rc;
+
+use hearth_core::resolution::Level;
+use hearth_render::{Camera, Renderer, ResolutionLimits, SharedResources, TargetFormat, View};
+
+use crate::error::Error;
+use crate::{Fire, Offscreen, Picture};
+
+/// Pictures of one fire: their size, quality and camera.
+#[derive(Clone, Copy, Debug)]
+pub struct PictureOptions {
+    /// Width and height \[pixels\].
+    pub size: [u32; 2],
+    /// The drawn pixels of a pixel, along each side: 1 to 4.
+    pub supersampling: u32,
+    /// Level of quality.
+    pub level: Level,
+    /// Part of the world in the picture.
+    pub camera: Camera,
+}
+
+/// Draws one fire, picture after picture.
+pub struct Painter<'a> {
+    offscreen: &'a Offscreen,
+    options: PictureOptions,
+    /// It is there until the painter is dropped.
+    renderer: Option<Renderer>,
+}
+
+impl<'a> Painter<'a> {
+    /// A painter of pictures with these options.
+    ///
+    /// # Errors
+    /// The driver has no such pictures.
+    pub fn new(
+        offscreen: &'a Offscreen,
+        shared: &Rc<SharedResources>,
+        options: PictureOptions,
+    ) -> Result<Painter<'a>, Error> {
+        let target = offscreen.target(drawn(&options))?;
+        let mut renderer = Renderer::within(offscreen.gl(), Rc::clone(shared))?;
+        renderer.set_limits(ResolutionLimits::of(options.level));
+        renderer.set_output(Some(target));
+        Ok(Painter {
+            offscreen,
+            options,
+            renderer: Some(renderer),
+        })
+    }
+
+    /// Draws a picture of a fire as it burns now.
+    ///
+    /// # Errors
+    /// The driver has no memory.
+    pub fn paint(&mut self, fire: &mut Fire) -> Result<Picture, Error> {
+        self.draw(fire, &mut |_| {})?;
+        let [width, height] = drawn(&self.options);
+        let picture = Picture::premultiplied(width, height, self.offscreen.pixels());
+        Ok(picture.downsampled(self.options.supersampling))
+    }
+
+    /// Draws a picture without reading it; calls `on_pass` with the name of each submitted pass.
+    ///
+    /// # Errors
+    /// The driver has no memory.
+    pub fn draw(
+        &mut self,
+        fire: &mut Fire,
+        on_pass: &mut dyn FnMut(&'static str),
+    ) -> Result<(), Error> {
+        // Another painter of the context may have replaced the target.
+        let target = self.offscreen.target(drawn(&self.options))?;
+        let view = self.upload(fire);
+        if let Some(renderer) = &mut self.renderer {
+            renderer.set_output(Some(target));
+            let values = fire.simulation.parameters();
+            renderer.paint_in_passes(self.offscreen.gl(), &view, values, on_pass)?;
+        }
+        Ok(())
+    }
+
+    /// Continues the motion of the fine structure without a picture.
+    ///
+    /// # Errors
+    /// The driver has no memory.
+    pub fn follow(&mut self, fire: &mut Fire) -> Result<(), Error> {
+        let view = self.upload(fire);
+        if let Some(renderer) = &mut self.renderer {
+            renderer.advance(self.offscreen.gl(), &view, fire.simulation.parameters())?;
+        }
+        Ok(())
+    }
+
+    fn upload(&mut self, fire: &mut Fire) -> View {
+        fire.write();
+        let (gl, simulation) = (self.offscreen.gl(), &fire.simulation);
+        if let Some(renderer) = &mut self.renderer {
+            let mode = simulation.parameters().display_mode;
+            renderer.upload(gl, mode, &fire.instances, &fire.embers);
+            let temperatures: Vec<_> = simulation.solid_temperatures().collect();
+            let (scene, poses) = (simulation.scene(), simulation.poses());
+            renderer.upload_solids(gl, scene, &poses, &temperatures, &fire.charred);
+        }
+        let [width, height] = drawn(&self.options);
+        View {
+            width,
+            height,
+            time: simulation.time(),
+            camera: self.options.camera,
+        }
+    }
+}
+
+impl Drop for Painter<'_> {
+    fn drop(&mut self) {
+        if let Some(renderer) = self.renderer.take() {
+            renderer.destroy(self.offscreen.gl());
+        }
+    }
+}
+
+/// The resources that all fires of a context share, with targets of that format or, without one,
+/// of half floats if the driver has them.
+///
+/// # Errors
+/// The driver rejects a shader or the format.
+pub fn resources(
+    offscreen: &Offscreen,
+    format: Option<TargetFormat>,
+) -> Result<Rc<SharedResources>, Error> {
+    let gl = offscreen.gl();
+    Ok(Rc::new(match format {
+        Some(format) => SharedResources::with_format(gl, format)?,
+        None => SharedResources::new(gl)?,
+    }))
+}
+
+/// The drawn size of a picture.
+fn drawn(options: &PictureOptions) -> [u32; 2] {
+    options
+        .size
+        .map(|side| side.saturating_mul(options.supersampling))
+}

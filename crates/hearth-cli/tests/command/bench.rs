@@ -1,0 +1,91 @@
+use hearth_core::preset::Preset;
+use serde_json::Value;
+
+use crate::harness::Folder;
+
+fn json(folder: &Folder, arguments: &[&str]) -> Value {
+    let run = folder.run(arguments);
+    assert_eq!(run.code, 0, "{}", run.errors);
+    serde_json::from_str(run.text()).expect("JSON")
+}
+
+#[test]
+fn the_scenes_are_the_presets_with_their_descriptions() {
+    let folder = Folder::new("scenes");
+    let list = json(&folder, &["scenes", "--json"]);
+    let names = list
+        .as_array()
+        .into_iter()
+        .flatten()
+        .map(|scene| &scene["name"]);
+    assert!(names.eq(Preset::all().iter().map(|preset| preset.name)));
+    let text = folder.run(&["scenes"]);
+    for (line, preset) in text.text().lines().zip(Preset::all()) {
+        assert!(
+            line.starts_with(preset.name) && line.ends_with(preset.description),
+            "{line}"
+        );
+    }
+}
+
+#[test]
+fn the_driver_is_named_with_its_limits() {
+    let folder = Folder::new("info");
+    let info = json(&folder, &["info", "--json"]);
+    assert!(
+        info["version"]
+            .as_str()
+            .is_some_and(|it| it.starts_with("OpenGL ES 3")),
+        "{info}"
+    );
+    assert!(
+        info["maxSide"].as_u64().is_some_and(|side| side >= 2048),
+        "{info}"
+    );
+    let format = if info["halfFloat"] == true {
+        "rgba16f"
+    } else {
+        "rgba8"
+    };
+    assert_eq!(info["format"], format);
+    let text = folder.run(&["info"]);
+    let renderer = info["renderer"].as_str().unwrap_or_default();
+    assert!(text.text().contains(renderer), "{}", text.text());
+}
+
+#[test]
+fn every_drawn_pass_has_a_time() {
+    let folder = Folder::new("bench");
+    let options = [
+        "bench",
+        "campfire",
+        "--at",
+        "0.2",
+        "--size",
+        "64x48",
+        "--pictures",
+        "2",
+    ];
+    let bench = json(&folder, &[&options[..], &["--json"]].concat());
+    let passes: Vec<_> = bench["passes"].as_array().into_iter().flatten().collect();
+    let names: Vec<_> = passes
+        .iter()
+        .filter_map(|pass| pass["pass"].as_str())
+        .collect();
+    for name in ["gas", "flame", "tone_map"] {
+        assert!(names.contains(&name), "{names:?}");
+    }
+    for pass in passes {
+        assert!(pass["ms"].as_f64().is_some_and(|ms| ms >= 0.0), "{pass}");
+    }
+    assert!(
+        bench["pictureMs"].as_f64().is_some_and(|ms| ms > 0.0),
+        "{bench}"
+    );
+    let text = folder.run(&options);
+    assert!(
+        names.iter().all(|name| text.text().contains(name)),
+        "{}",
+        text.text()
+    );
+}

@@ -1,0 +1,9 @@
+//! The command `hearth` as a process: files, standard streams, exit codes.
+
+mod bench;
+mod harness;
+mod render;
+mod scene_files;
+mod sheet;
+mod streams;
+mod without_driver;

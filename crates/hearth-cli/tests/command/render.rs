@@ -1,0 +1,276 @@
+use std::process::Command;
+use std::{fs, thread};
+
+use crate::harness::{CHEAP, Folder, Png, ended};
+
+/// The arguments of a cheap picture with others before them.
+fn render<'a>(others: &[&'a str]) -> Vec<&'a str> {
+    [&["render"], others, &CHEAP[..]].concat()
+}
+
+#[test]
+fn a_picture_has_its_size_straight_alpha_and_the_colours_of_srgb() {
+    let folder = Folder::new("picture");
+    let run = folder.run(&render(&["candle", "--out", "a.png"]));
+    assert_eq!((run.code, &*run.errors), (0, ""));
+    assert_eq!(folder.names(), ["a.png"]);
+    let picture = Png::decode(&folder.read("a.png"));
+    assert_eq!(
+        (picture.size, picture.channels, picture.is_srgb),
+        ([48, 32], 4, true)
+    );
+    assert!(
+        picture.pixels().any(|pixel| pixel[3] == 0),
+        "no transparent pixel"
+    );
+    // Premultiplied colours of faint pixels would be at most as high as their alpha.
+    assert!(
+        picture
+            .pixels()
+            .any(|pixel| pixel[0] > pixel[3] && pixel[3] > 0)
+    );
+}
+
+#[test]
+fn the_same_command_gives_the_same_bytes_and_another_seed_gives_others() {
+    let folder = Folder::new("bytes");
+    let seeded = |seed| {
+        folder
+            .run(&render(&["torch", "--out", "-", "--seed", seed]))
+            .out
+    };
+    let first = seeded("7");
+    assert!(first.starts_with(b"\x89PNG"));
+    assert_eq!(first, seeded("7"));
+    assert_ne!(first, seeded("8"));
+}
+
+#[test]
+fn standard_output_gets_the_bytes_of_the_file() {
+    let folder = Folder::new("standard-output");
+    folder.run(&render(&["candle", "--out", "a.png"]));
+    assert_eq!(
+        folder.read("a.png"),
+        folder.run(&render(&["candle", "--out", "-"])).out
+    );
+}
+
+#[test]
+fn only_force_replaces_a_file() {
+    let folder = Folder::new("force");
+    folder.write("a.png", "mine");
+    let run = folder.run(&render(&["candle", "--out", "a.png"]));
+    assert_eq!(run.code, 1);
+    assert!(run.errors.contains("--force"), "{}", run.errors);
+    assert_eq!(folder.read("a.png"), b"mine");
+    assert_eq!(
+        folder
+            .run(&render(&["candle", "--out", "a.png", "--force"]))
+            .code,
+        0
+    );
+    assert!(folder.read("a.png").starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn an_output_that_cannot_be_written_is_named_before_a_fire_burns() {
+    let folder = Folder::new("unwritable");
+    fs::create_dir(folder.0.join("folder")).expect("a folder");
+    for name in ["no/such/a.png", "folder"] {
+        let run = folder.run(&["render", "candle", "--at", "1000", "--out", name]);
+        assert_eq!(run.code, 1, "{run:?}");
+        assert!(run.errors.contains(name), "{}", run.errors);
+    }
+    assert_eq!(folder.names(), ["folder"]);
+}
+
+#[test]
+fn a_background_makes_the_picture_opaque() {
+    let folder = Folder::new("background");
+    let run = folder.run(&render(&[
+        "candle",
+        "--out",
+        "-",
+        "--background",
+        "#336699",
+    ]));
+    let picture = Png::decode(&run.out);
+    assert_eq!(picture.channels, 3);
+    assert_eq!(picture.pixel([0, 16]), [0x33, 0x66, 0x99]);
+}
+
+#[test]
+fn a_supersampled_picture_is_as_large_and_of_other_pixels() {
+    let folder = Folder::new("supersample");
+    let supersampled = |factor| {
+        let run = folder.run(&render(&["candle", "--out", "-", "--supersample", factor]));
+        Png::decode(&run.out)
+    };
+    let [one, two] = ["1", "2"].map(supersampled);
+    assert_eq!(one.size, two.size);
+    assert_ne!(one.data, two.data);
+    let mean = |picture: &Png| {
+        let sum: u64 = picture.pixels().map(|pixel| u64::from(pixel[3])).sum();
+        sum as f64 / f64::from(picture.size[0] * picture.size[1])
+    };
+    assert!(
+        (mean(&one) - mean(&two)).abs() < 4.0,
+        "{} {}",
+        mean(&one),
+        mean(&two)
+    );
+}
+
+#[test]
+fn values_quality_and_warm_up_change_the_picture() {
+    let folder = Folder::new("values");
+    let usual = [
+        "candle",
+        "--at",
+        "1.2",
+        "--size",
+        "32x48",
+        "--out",
+        "-",
+        "--quality",
+        "low",
+    ];
+    let picture = |others: &[&str]| folder.run(&[&["render"], &usual[..], others].concat()).out;
+    let plain = picture(&[]);
+    for others in [
+        &["--set", "exposure=2"][..],
+        &["--set", "exposure=2", "--set", "bloom=0"],
+        &["--warm", "1"],
+        &["--fit", "contain"],
+        &["--format", "rgba8"],
+    ] {
+        let other = picture(others);
+        assert!(other.starts_with(b"\x89PNG"), "{others:?}");
+        assert_ne!(plain, other, "{others:?}");
+    }
+}
+
+#[test]
+fn wrong_values_are_refused_by_name_and_leave_no_file() {
+    let folder = Folder::new("wrong-values");
+    let cases: [(&[&str], &[&str]); 22] = [
+        (
+            &["no-such-scene"],
+            &["preset = \"no-such-scene\" is refused", "candle"],
+        ),
+        (
+            &["candle", "--set", "viscosity=-1"],
+            &["viscosity = \"-1\" is refused", "from"],
+        ),
+        (
+            &["candle", "--set", "viscosity=NaN"],
+            &["viscosity = \"NaN\" is refused"],
+        ),
+        (
+            &["candle", "--set", "viscosity=1e999"],
+            &["viscosity = \"1e999\" is refused"],
+        ),
+        (&["candle", "--set", "vis=1"], &["vis"]),
+        (&["candle", "--set", "viscosity"], &["--set", "bloom=0.5"]),
+        (&["candle", "--set", "="], &["no parameter"]),
+        (
+            &["candle", "--set", "fuel_power=-5", "--set", "wind=x"],
+            &["fuel_power", "wind"],
+        ),
+        (&["candle", "--seed", "-1"], &["seed = \"-1\" is refused"]),
+        (
+            &["candle", "--seed", "many"],
+            &["seed = \"many\" is refused"],
+        ),
+        (
+            &["candle", "--background", "red"],
+            &["background = \"red\" is refused", "#"],
+        ),
+        (
+            &["candle", "--quality", "ultra"],
+            &["--quality", "low, medium, high"],
+        ),
+        (&["candle", "--fit", "stretch"], &["--fit", "contain"]),
+        (&["candle", "--format", "rgba32f"], &["--format", "rgba16f"]),
+        (
+            &["candle", "--supersample", "5"],
+            &["--supersample", "1..=4"],
+        ),
+        (&["candle", "--warm", "31"], &["--warm", "from 0 to 30"]),
+        (&["candle", "--device", "99"], &["no graphics device 99"]),
+        (&["candle", "--frames", "3"], &["--frames"]),
+        (&["candle", "torch"], &["torch"]),
+        (&[], &["<SCENE>"]),
+        (
+            &["--set", "bloom=1", "candle", "--background"],
+            &["--background"],
+        ),
+        (&["candle", "--device", "-1"], &["--device"]),
+    ];
+    for (others, words) in cases {
+        let mut arguments = render(others);
+        if others.last() == Some(&"--background") {
+            arguments.truncate(others.len() + 1);
+        }
+        folder
+            .run(&[&arguments[..], &["--out", "a.png"]].concat())
+            .refuses(words);
+    }
+    for (option, values) in [
+        ("--at", ["-1", "NaN", "inf", "1001", "soon"]),
+        ("--size", ["0x10", "10", "10x", "-4x4", "99999999999x1"]),
+    ] {
+        for value in values {
+            let value = format!("{option}={value}");
+            folder
+                .run(&["render", "candle", "--out", "a.png", &value])
+                .refuses(&[option]);
+        }
+    }
+    assert_eq!(folder.names(), [""; 0]);
+}
+
+#[test]
+fn a_size_beyond_the_driver_names_its_limit() {
+    let folder = Folder::new("large");
+    let info = folder.run(&["info", "--json"]);
+    let info: serde_json::Value = serde_json::from_str(info.text()).expect("JSON");
+    let longest = info["maxSide"].as_u64().expect("a limit");
+    for (size, supersample) in [("100000x100000", "1"), ("4294967295x1", "4")] {
+        let options = [
+            "--size",
+            size,
+            "--supersample",
+            supersample,
+            "--out",
+            "a.png",
+        ];
+        let run = folder.run(&[&["render", "candle"], &options[..]].concat());
+        run.refuses(&[&format!("its longest side is {longest} pixels")]);
+    }
+    assert_eq!(folder.names(), [""; 0]);
+}
+
+/// Threads of a process: the interrupt has a thread of its own, and so has the driver in software.
+#[cfg(target_os = "linux")]
+fn threads(process: u32) -> usize {
+    fs::read_dir(format!("/proc/{process}/task")).map_or(0, Iterator::count)
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn an_interrupt_leaves_no_file() {
+    let folder = Folder::new("interrupt");
+    let arguments = ["render", "fireside", "--at", "1000", "--out", "a.png"];
+    let child = folder.command(&arguments).spawn().expect("the command");
+    while threads(child.id()) < 2 {
+        thread::yield_now();
+    }
+    let kill = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(kill.is_ok_and(|status| status.success()));
+    let run = ended(child);
+    assert_eq!((run.code, &*run.errors), (130, ""));
+    assert_eq!(folder.names(), [""; 0]);
+}

@@ -1,0 +1,179 @@
+use hearth_settings::file::Config;
+use hearth_settings::untrusted::Untrusted;
+
+use crate::harness::{CHEAP, Folder, Run};
+
+/// Draws the scene on standard input.
+fn fed(folder: &Folder, scene: impl AsRef<[u8]>) -> Run {
+    let arguments = [&["render", "-", "--out", "-"], &CHEAP[..]].concat();
+    folder.feed(&arguments, scene.as_ref())
+}
+
+#[test]
+fn a_file_and_standard_input_draw_the_same_scene_as_the_preset_that_they_name() {
+    let folder = Folder::new("files");
+    let scene = r#"{"hearth": 2, "preset": "torch"}"#;
+    folder.write("my torch.json", scene);
+    let of = |name: &str| folder.run(&[&["render", name, "--out", "-"], &CHEAP[..]].concat());
+    let preset = of("torch");
+    assert_eq!(preset.code, 0, "{}", preset.errors);
+    assert_eq!(preset.out, of("my torch.json").out);
+    assert_eq!(preset.out, fed(&folder, scene).out);
+}
+
+#[test]
+fn values_of_the_command_line_win_over_those_of_the_file() {
+    let folder = Folder::new("values-win");
+    let draw = |scene: &str, values: &[&str]| {
+        let arguments = [&["render", "-", "--out", "-"], &CHEAP[..], values].concat();
+        folder.feed(&arguments, scene.as_bytes()).out
+    };
+    let in_file = draw(r#"{"values": {"exposure": 2}}"#, &[]);
+    assert!(in_file.starts_with(b"\x89PNG"));
+    assert_eq!(
+        in_file,
+        draw(r#"{"values": {"exposure": 1}}"#, &["--set", "exposure=2"])
+    );
+}
+
+#[test]
+fn a_refused_file_has_the_messages_of_the_element() {
+    let folder = Folder::new("messages");
+    let number = Untrusted::Number;
+    let object = |fields: &[(&str, Untrusted)]| {
+        let fields = fields
+            .iter()
+            .map(|(name, value)| Untrusted::named(name, value.clone()));
+        Untrusted::Object(fields.collect())
+    };
+    let values = [("viscosity", number(-1.0)), ("nonsense", number(1.0))];
+    let objects = Untrusted::List(vec![object(&[("kind", Untrusted::Text("cube".into()))])]);
+    for (json, value) in [
+        (
+            r#"{"values": {"viscosity": -1, "nonsense": 1}}"#,
+            object(&[("values", object(&values))]),
+        ),
+        (
+            r#"{"objects": [{"kind": "cube"}]}"#,
+            object(&[("objects", objects)]),
+        ),
+        (r#"{"hearth": 3}"#, object(&[("hearth", number(3.0))])),
+        (r#"{"viscosity": 1}"#, object(&[("viscosity", number(1.0))])),
+        ("[]", Untrusted::List(Vec::new())),
+        ("1", number(1.0)),
+    ] {
+        let errors = Config::requested_by(&value).expect_err("a refusal");
+        let messages: Vec<_> = errors.iter().map(|error| &*error.message).collect();
+        fed(&folder, json).refuses(&messages);
+    }
+}
+
+#[test]
+fn hostile_files_are_refused_with_the_reason_and_its_place() {
+    let folder = Folder::new("hostile");
+    let nested = |open: &str, close: &str, depth| open.repeat(depth) + &close.repeat(depth);
+    let many = |count: usize| {
+        let fields = (0..count)
+            .map(|field| format!("\"f{field}\": 0"))
+            .collect::<Vec<_>>();
+        format!("{{\"values\": {{{}}}}}", fields.join(","))
+    };
+    let solids = vec![r#"{"kind": "solid"}"#; 70].join(",");
+    let solids = format!("{{\"objects\": [{solids}]}}");
+    let cases: [(Vec<u8>, &[&str]); 18] = [
+        (b"".to_vec(), &["standard input", "JSON", "line 1"]),
+        (b"{".to_vec(), &["JSON"]),
+        (b"{} {}".to_vec(), &["trailing"]),
+        (b"\xff\xfe{}".to_vec(), &["byte 1 is not UTF-8"]),
+        (
+            b"{\"values\": \"\xff\"}".to_vec(),
+            &["byte 13 is not UTF-8"],
+        ),
+        (
+            b"{\"values\": {\"wind\": NaN}}".to_vec(),
+            &["JSON", "column"],
+        ),
+        (
+            b"{\"values\": {\"wind\": 1e999}}".to_vec(),
+            &["out of range"],
+        ),
+        (
+            b"{\"values\": {\"wind\": null}}".to_vec(),
+            &["wind = \"null\" is refused"],
+        ),
+        (
+            b"{\"values\": {\"wind\": []}}".to_vec(),
+            &["wind = \"an array\" is refused"],
+        ),
+        (b"{\"values\": 5}".to_vec(), &["values = 5 is refused"]),
+        (
+            b"{\"preset\": \"fire\\u0000side\"}".to_vec(),
+            &["preset = "],
+        ),
+        (
+            b"{\"values\": {\"wind\": 1, \"wind\": 2}}".to_vec(),
+            &["wind is there twice", "line 1"],
+        ),
+        (
+            nested("[", "]", 100_000).into_bytes(),
+            &["config = \"an array\" is refused"],
+        ),
+        (
+            nested("[", "]", 100).into_bytes(),
+            &["config = \"an array\" is refused"],
+        ),
+        (nested("{\"values\":", "}", 50).into_bytes(), &["JSON"]),
+        (many(1001).into_bytes(), &["more than a thousand fields"]),
+        (solids.into_bytes(), &["64"]),
+        (vec![b' '; 5_000_000], &["more than", "bytes"]),
+    ];
+    for (scene, words) in cases {
+        fed(&folder, scene).refuses(words);
+    }
+}
+
+#[test]
+fn random_bytes_never_panic() {
+    let folder = Folder::new("random");
+    let pieces = [
+        "{",
+        "}",
+        "[",
+        "]",
+        ":",
+        ",",
+        "\"values\"",
+        "\"objects\"",
+        "\"kind\"",
+        "\"source\"",
+        "1",
+        "-1e308",
+        "\"",
+        "\\u",
+        "null",
+        "true",
+        "\u{0}",
+        "é",
+        "\"preset\"",
+        "\"candle\"",
+    ];
+    let mut random = hearth_core::random::Random::new(5);
+    for _ in 0..60 {
+        let length = (random.unit() * 30.0) as usize;
+        let scene: String = (0..length)
+            .map(|_| pieces[(random.unit() * pieces.len() as f32) as usize % pieces.len()])
+            .collect();
+        fed(&folder, scene).refuses(&["standard input"]);
+    }
+}
+
+#[test]
+fn a_scene_file_that_cannot_be_read_is_named() {
+    let folder = Folder::new("unreadable");
+    std::fs::create_dir(folder.0.join("folder.json")).expect("a folder");
+    for name in ["missing.json", "no/such/scene", "folder.json"] {
+        let run = folder.run(&["render", name, "--out", "a.png"]);
+        assert_eq!(run.code, 1, "{run:?}");
+        assert!(run.errors.contains(name), "{}", run.errors);
+    }
+}

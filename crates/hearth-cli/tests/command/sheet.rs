@@ -1,0 +1,127 @@
+use crate::harness::{Folder, Png};
+
+/// Height of the label above a small tile, and the margins of a tile.
+const LABEL: u32 = 9;
+const MARGIN: u32 = 2;
+
+const CHEAP: [&str; 6] = ["--quality", "low", "--tile", "48x32", "--out", "-"];
+
+fn sheet(folder: &Folder, others: &[&str]) -> Png {
+    let run = folder.run(&[&["sheet"], others, &CHEAP[..]].concat());
+    assert_eq!((run.code, &*run.errors), (0, ""), "{others:?}");
+    Png::decode(&run.out)
+}
+
+/// Size of a sheet of tiles.
+fn size(columns: u32, rows: u32) -> [u32; 2] {
+    [
+        columns * (48 + 2 * MARGIN),
+        rows * (32 + LABEL + 2 * MARGIN),
+    ]
+}
+
+#[test]
+fn a_sheet_has_a_tile_for_each_scene_moment_and_background() {
+    let folder = Folder::new("sheet");
+    let options = [
+        "candle",
+        "torch",
+        "--at",
+        "0.1,0.2",
+        "--background",
+        "black,#888",
+    ];
+    assert_eq!(sheet(&folder, &options).size, size(4, 2));
+    let columns = [&options[..], &["--columns", "3"]].concat();
+    assert_eq!(sheet(&folder, &columns).size, size(3, 3));
+}
+
+#[test]
+fn a_strip_has_pictures_that_far_apart() {
+    let folder = Folder::new("strip");
+    let strip = sheet(
+        &folder,
+        &["candle", "--at", "0.1", "--strip", "3", "--every", "1/30"],
+    );
+    assert_eq!(strip.size, size(3, 1));
+    let moments = sheet(
+        &folder,
+        &[
+            "candle",
+            "--at",
+            "0.1,0.13333333333333333,0.16666666666666666",
+        ],
+    );
+    assert_eq!(strip, moments);
+}
+
+#[test]
+fn a_tile_is_the_rendered_picture_over_its_background() {
+    let folder = Folder::new("tile");
+    let options = ["candle", "--at", "0.1", "--quality", "low", "--out", "-"];
+    let sheet = sheet(&folder, &["candle", "--at", "0.1", "--background", "white"]);
+    let run = folder.run(&[&["render", "--size", "48x32"], &options[..]].concat());
+    let picture = Png::decode(&run.out);
+    for (x, y) in (0..48).flat_map(|x| (0..32).map(move |y| (x, y))) {
+        let tile = sheet.pixel([x + MARGIN, y + MARGIN + LABEL]);
+        let &[.., alpha] = picture.pixel([x, y]) else {
+            panic!("no alpha");
+        };
+        for (straight, shown) in picture.pixel([x, y]).iter().zip(tile) {
+            let share = f32::from(alpha) / 255.0;
+            let blended = f32::from(*straight) * share + 255.0 * (1.0 - share);
+            assert!((blended - f32::from(*shown)).abs() <= 2.0, "at {x}, {y}");
+        }
+    }
+}
+
+#[test]
+fn labels_differ_by_scene_and_moment() {
+    let folder = Folder::new("labels");
+    let label = |options: &[&str]| {
+        let sheet = sheet(&folder, options);
+        let rows = MARGIN..MARGIN + LABEL;
+        let pixels = rows.flat_map(|y| (0..48).map(move |x| [x, y]));
+        pixels
+            .map(|at| sheet.pixel(at)[0] > 128)
+            .collect::<Vec<_>>()
+    };
+    let [candle, torch] = ["candle", "torch"].map(|scene| label(&[scene, "--at", "0"]));
+    assert!(candle.contains(&true));
+    assert_ne!(candle, torch);
+}
+
+#[test]
+fn the_same_sheet_has_the_same_bytes() {
+    let folder = Folder::new("sheet-bytes");
+    let options = ["seed", "classic", "candle", "--at", "0.1"];
+    assert_eq!(sheet(&folder, &options), sheet(&folder, &options));
+}
+
+#[test]
+fn wrong_sheets_are_refused() {
+    let folder = Folder::new("wrong-sheets");
+    let cases: [(&[&str], &[&str]); 9] = [
+        (&["candle", "--at", "1,soon"], &["--at", "soon"]),
+        (
+            &["candle", "--background", "transparent"],
+            &["--background", "opaque"],
+        ),
+        (&["candle", "--background", "#12345678"], &["--background"]),
+        (&["candle", "--columns", "0"], &["--columns"]),
+        (&["candle", "--strip", "0"], &["--strip"]),
+        (&["candle", "--every", "1/0"], &["--every"]),
+        (&["candle", "--tile", "20000x20000"], &["pixels"]),
+        (
+            &["candle", "nonsense"],
+            &["preset = \"nonsense\" is refused"],
+        ),
+        (&["-", "-"], &["standard input"]),
+    ];
+    for (options, words) in cases {
+        folder
+            .run(&[&["sheet", "--out", "a.png"], options].concat())
+            .refuses(words);
+    }
+    assert_eq!(folder.names(), [""; 0]);
+}

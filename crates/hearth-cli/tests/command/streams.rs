@@ -1,0 +1,56 @@
+use crate::harness::{CHEAP, Folder, ended};
+
+#[test]
+fn a_reader_that_closes_standard_output_ends_the_command_quietly() {
+    let folder = Folder::new("closed");
+    let picture = [&["render", "candle", "--out", "-"], &CHEAP[..]].concat();
+    for arguments in [&["scenes"][..], &["info"], &["--help"], &picture] {
+        let mut child = folder.command(arguments).spawn().expect("the command");
+        drop(child.stdout.take());
+        let run = ended(child);
+        assert_eq!((run.code, &*run.errors), (0, ""), "{arguments:?}");
+    }
+}
+
+#[test]
+fn help_and_version_are_no_errors_and_a_missing_command_is() {
+    let folder = Folder::new("help");
+    for arguments in [
+        &["--help"][..],
+        &["--version"],
+        &["help", "render"],
+        &["sheet", "--help"],
+    ] {
+        let run = folder.run(arguments);
+        assert_eq!((run.code, &*run.errors), (0, ""), "{arguments:?}");
+        assert!(!run.out.is_empty(), "{arguments:?}");
+    }
+    folder.run(&[""; 0]).refuses(&["Usage"]);
+    folder.run(&["draw"]).refuses(&["draw"]);
+}
+
+#[test]
+#[cfg(unix)]
+fn arguments_that_are_no_text_are_refused() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+
+    let folder = Folder::new("not-text");
+    let bytes = OsStr::from_bytes(b"\xff\xfe");
+    folder
+        .run(&[OsStr::new("render"), bytes])
+        .refuses(&["UTF-8"]);
+    folder.run(&[bytes]).refuses(&[]);
+}
+
+#[test]
+fn eight_bits_are_mentioned_only_where_nobody_asked_for_them() {
+    let folder = Folder::new("eight-bits");
+    let arguments = [
+        &["render", "candle", "--format", "rgba8", "--out", "-"],
+        &CHEAP[..],
+    ]
+    .concat();
+    let run = folder.run(&arguments);
+    assert_eq!((run.code, &*run.errors), (0, ""));
+}

@@ -45,11 +45,12 @@ impl Bench {
     /// # Errors
     /// A value is refused, or the driver fails.
     pub fn run(&self) -> Result<(), Error> {
-        let mut fire = self.fire.fire(&self.scene, &[], self.size)?;
+        let requested = self.fire.requested(&self.scene, &[])?;
         let (offscreen, shared) = self.driver.open()?;
         self.driver.warn(&shared);
         let options = self.fire.picture(self.size, 1);
         let mut painter = Painter::new(&offscreen, &shared, options)?;
+        let mut fire = self.fire.fire(&requested, self.size);
         let progress = Progress::new(self.at);
         progress.name(&self.scene);
         let mut counter = Counter::new(&progress);

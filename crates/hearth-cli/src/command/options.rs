@@ -8,6 +8,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use hearth_core::params::Colour;
 use hearth_core::resolution::Level;
 use hearth_render::{Camera, Fit, SharedResources, TargetFormat};
+use hearth_settings::Requested;
 
 use crate::error::Error;
 use crate::painter::{PictureOptions, resources};
@@ -26,7 +27,7 @@ pub struct FireOptions {
     #[arg(long, value_name = "ID=VALUE", value_parser = setting)]
     set: Vec<Setting>,
     /// Seed of the random numbers: the same seed gives the same picture.
-    #[arg(long, value_name = "NUMBER")]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     seed: Option<String>,
     /// Level of quality: particles, and resolution of the light.
     #[arg(long, default_value = "high", value_parser = levels())]
@@ -70,20 +71,22 @@ impl FireOptions {
         }
     }
 
-    /// The fire of a scene, with other values beside those of the command line.
+    /// The settings of a scene, with other values beside those of the command line.
     ///
     /// # Errors
     /// There is no such scene, or a value is refused.
-    pub fn fire(&self, scene: &str, others: &[Setting], size: [u32; 2]) -> Result<Fire, Error> {
-        let seed = self
-            .seed
-            .iter()
-            .map(|seed| ("seed".to_owned(), seed.clone()));
+    pub fn requested(&self, scene: &str, others: &[Setting]) -> Result<Requested, Error> {
+        let seed = self.seed.iter();
+        let seed = seed.map(|seed| ("seed".to_owned(), seed.clone()));
         let values: Vec<_> = self.set.iter().chain(others).cloned().chain(seed).collect();
-        let requested = scene::requested(scene, &values)?;
-        let mut fire = Fire::new(requested, self.quality, self.warm);
+        scene::requested(scene, &values)
+    }
+
+    /// A fire of these settings before its first step, for pictures of that size.
+    pub fn fire(&self, requested: &Requested, size: [u32; 2]) -> Fire {
+        let mut fire = Fire::new(requested.clone(), self.quality, self.warm);
         fire.see(size, self.camera());
-        Ok(fire)
+        fire
     }
 }
 

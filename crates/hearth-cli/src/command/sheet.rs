@@ -6,6 +6,7 @@ use std::thread;
 
 use clap::Args;
 use hearth_core::preset::Preset;
+use hearth_settings::Requested;
 
 use super::options::{DriverOptions, FireOptions, age, background, interval, size};
 use super::progress::{Counter, Progress};
@@ -88,7 +89,10 @@ impl Sheet {
         let of_scene = moments.len() as u64 * self.background.len() as u64;
         let layout = Layout::new(self, of_scene, scenes.len() as u64 * of_scene)?;
         let output = Output::new(&self.out, self.force)?;
-        let rows = self.rows(&scenes, &moments)?;
+        // Every scene is checked before the first burns.
+        let checked = scenes.iter().map(|scene| self.fire.requested(scene, &[]));
+        let requested = checked.collect::<Result<Vec<_>, _>>()?;
+        let rows = self.rows(&scenes, &requested, &moments)?;
         let mut canvas = Canvas::new(layout);
         let mut tile = 0;
         for (scene, row) in scenes.iter().zip(rows) {
@@ -120,7 +124,12 @@ impl Sheet {
     }
 
     /// The pictures of all scenes. Each thread has a context, and takes the next scene.
-    fn rows(&self, scenes: &[String], moments: &[f64]) -> Result<Vec<Row>, Error> {
+    fn rows(
+        &self,
+        scenes: &[String],
+        requested: &[Requested],
+        moments: &[f64],
+    ) -> Result<Vec<Row>, Error> {
         let last = moments.last().copied().unwrap_or(0.0);
         let progress = Progress::new(last * scenes.len() as f64);
         let (next, rows) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
@@ -132,13 +141,13 @@ impl Sheet {
             }
             loop {
                 let number = next.fetch_add(1, Ordering::Relaxed);
-                let Some(scene) = scenes.get(number) else {
+                let Some((scene, requested)) = scenes.get(number).zip(requested.get(number)) else {
                     return Ok(());
                 };
                 progress.name(scene);
                 let options = self.fire.picture(self.tile, self.supersample);
                 let mut painter = Painter::new(&offscreen, &shared, options)?;
-                let mut fire = self.fire.fire(scene, &[], self.tile)?;
+                let mut fire = self.fire.fire(requested, self.tile);
                 let mut counter = Counter::new(&progress);
                 let mut row = Row::new();
                 for &moment in moments {

@@ -1,5 +1,8 @@
 //! The command `hearth` as a process: files, standard streams, exit codes.
 
+// `expect` is allowed in what only tests compile.
+#![cfg(test)]
+
 mod bench;
 mod harness;
 mod render;

@@ -205,7 +205,7 @@ fn wrong_values_are_refused_by_name_and_leave_no_file() {
             &["--set", "bloom=1", "candle", "--background"],
             &["--background"],
         ),
-        (&["candle", "--device", "-1"], &["--device"]),
+        (&["candle", "--device=-1"], &["--device"]),
     ];
     for (others, words) in cases {
         let mut arguments = render(others);

@@ -1,13 +1,21 @@
 /**
- * The crates of other people that cargo compiles into the wasm modules, with the metadata of
+ * The crates of other people that cargo compiles into what is released, with the metadata of
  * their packages.
  */
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 
-const WASM = 'wasm32-unknown-unknown';
-const MODULES = ['hearth-engine', 'hearth-panel', 'hearth-sim'];
+/** What is released: packages and their target. @typedef {{packages: string[], target: string}} Release */
+
+/** The wasm modules. @type {Release} */
+export const WASM = {
+  packages: ['hearth-engine', 'hearth-panel', 'hearth-sim'],
+  target: 'wasm32-unknown-unknown',
+};
+
+/** The command `hearth`: the same notices on every machine, so those of one target. @type {Release} */
+export const COMMAND = { packages: ['hearth-fire-cli'], target: 'x86_64-unknown-linux-gnu' };
 
 /**
  * @typedef {object} Crate
@@ -19,8 +27,13 @@ const MODULES = ['hearth-engine', 'hearth-panel', 'hearth-sim'];
  * @property {string} checksum  The SHA-256 of its archive.
  */
 
-/** The crates, by name and version. @param {string} root  The checkout. @returns {Crate[]} */
-export function compiled(root) {
+/**
+ * The crates, by name and version.
+ * @param {string} root  The checkout.
+ * @param {Release} release
+ * @returns {Crate[]}
+ */
+export function compiled(root, { packages: released, target }) {
   const cargo = (/** @type {string[]} */ ...options) =>
     execFileSync('cargo', options, {
       cwd: root,
@@ -31,7 +44,7 @@ export function compiled(root) {
   const tree = cargo(
     'tree',
     '--target',
-    WASM,
+    target,
     '--edges',
     'normal,no-proc-macro',
     '--prefix',
@@ -39,11 +52,11 @@ export function compiled(root) {
     '--no-dedupe',
     '--format',
     '{p}',
-    ...MODULES.flatMap((name) => ['--package', name]),
+    ...released.flatMap((name) => ['--package', name]),
   );
   // A line is `name v1.2.3`, with a folder behind it for a crate of the workspace.
   const wanted = new Set(tree.split('\n').map((line) => line.split(' ').slice(0, 2).join(' ')));
-  const { packages } = JSON.parse(cargo('metadata', '--format-version', '1', '--filter-platform', WASM));
+  const { packages } = JSON.parse(cargo('metadata', '--format-version', '1', '--filter-platform', target));
   const checksums = checksumsOf(readFileSync(path.join(root, 'Cargo.lock'), 'utf8'));
   return packages
     .filter(({ name, version, source }) => source && wanted.has(`${name} v${version}`))

@@ -1,12 +1,13 @@
 /**
- * Writes `web/THIRD-PARTY.txt`, the notices of other people's code in the wasm modules, and
- * `web/hearth-fire.cdx.json`, the bill of materials. Prints the path of each file that was
+ * Writes `web/THIRD-PARTY.txt`, the notices of other people's code in the wasm modules,
+ * `web/hearth-fire.cdx.json`, their bill of materials, and `crates/hearth-cli/THIRD-PARTY.txt`, the
+ * notices of the command. Prints the path of each file that was
  * behind and is written. Both follow from `Cargo.lock`: the same on every machine.
  */
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { compiled, order } from './crates.mjs';
+import { COMMAND, WASM, compiled, order } from './crates.mjs';
 
 const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../..');
 const APACHE = text('LICENSE-APACHE');
@@ -28,10 +29,29 @@ const STANDARD = [
   { name: 'hashbrown', licence: 'MIT OR Apache-2.0', authors: ["Amanieu d'Antras"] },
 ];
 
-const crates = compiled(ROOT);
+/** The parts of the standard library that a native program contains besides those of wasm. */
+const NATIVE_STANDARD = [
+  { name: 'addr2line', licence: 'Apache-2.0 OR MIT', authors: ['the gimli project contributors'] },
+  { name: 'adler2', licence: '0BSD OR MIT OR Apache-2.0', authors: ['Jonas Schievink', 'oyvindln'] },
+  { name: 'gimli', licence: 'MIT OR Apache-2.0', authors: ['the gimli project contributors'] },
+  { name: 'libc', licence: 'MIT OR Apache-2.0', authors: ['The Rust Project contributors'] },
+  { name: 'miniz_oxide', licence: 'MIT OR Zlib OR Apache-2.0', authors: ['Frommi', 'oyvindln'] },
+  { name: 'object', licence: 'Apache-2.0 OR MIT', authors: ['the gimli project contributors'] },
+  { name: 'rustc-demangle', licence: 'MIT OR Apache-2.0', authors: ['Alex Crichton'] },
+];
+
+/** @typedef {import('./crates.mjs').Crate} Crate */
+
+const crates = compiled(ROOT, WASM);
+const font = {
+  licence: text('crates/hearth-panel/font/LICENCE.txt'),
+  name: `${FONT.name}, the font of the panel, a part of Ubuntu Light`,
+};
+const native = [...STANDARD.filter(({ name }) => name !== 'dlmalloc'), ...NATIVE_STANDARD];
 for (const [file, content] of [
-  ['web/THIRD-PARTY.txt', notices()],
+  ['web/THIRD-PARTY.txt', notices('Its wasm modules contain', crates, STANDARD, [font])],
   ['web/hearth-fire.cdx.json', materials()],
+  ['crates/hearth-cli/THIRD-PARTY.txt', notices('The command hearth contains', compiled(ROOT, COMMAND), native, [])],
 ]) {
   const target = path.join(ROOT, file);
   if (readdirSync(path.dirname(target)).includes(path.basename(file)) && text(file) === content) continue;
@@ -39,8 +59,14 @@ for (const [file, content] of [
   console.log(file);
 }
 
-/** Each text once, below the names of those whose text it is. */
-function notices() {
+/**
+ * Each text once, below the names of those whose text it is.
+ * @param {string} what  What contains the code.
+ * @param {Crate[]} contained
+ * @param {typeof STANDARD} standard
+ * @param {{licence: string, name: string}[]} others
+ */
+function notices(what, contained, standard, others) {
   /** @type {Map<string, {licence: string, names: string[]}>} */
   const owners = new Map();
   const add = (/** @type {string} */ licence, /** @type {string} */ name) => {
@@ -48,19 +74,19 @@ function notices() {
     const flat = licence.replace(/\s+/g, ' ').trim();
     owners.set(flat, { licence, names: [...(owners.get(flat)?.names ?? []), name] });
   };
-  for (const { name, licence, authors } of STANDARD) add(APACHE, `${name}, ${licence}, by ${authors.join(', ')}`);
-  for (const crate of crates) {
+  for (const { name, licence, authors } of standard) add(APACHE, `${name}, ${licence}, by ${authors.join(', ')}`);
+  for (const crate of contained) {
     const by = crate.authors.length ? `, by ${crate.authors.join(', ')}` : '';
     for (const licence of textsOf(crate)) add(licence, `${crate.name} ${crate.version}, ${crate.licence}${by}`);
   }
-  add(text('crates/hearth-panel/font/LICENCE.txt'), `${FONT.name}, the font of the panel, a part of Ubuntu Light`);
+  for (const { licence, name } of others) add(licence, name);
   const parts = [...owners.values()].map(
     ({ licence, names }) => `${names.sort(order).join('\n')}\n\n${licence.replace(/^\n+/, '').trimEnd()}\n`,
   );
   const rule = `\n${'='.repeat(80)}\n\n`;
   return [
     'Third-party notices of Hearth\n\n' +
-      'Hearth is licensed under MIT or Apache-2.0, at your option. Its wasm modules contain\n' +
+      `Hearth is licensed under MIT or Apache-2.0, at your option. ${what}\n` +
       'the code below. Each licence follows the names of what it covers.\n',
     ...parts.sort(order),
   ].join(rule);
@@ -69,7 +95,7 @@ function notices() {
 /**
  * The texts that a crate's licence requires in copies. Where it is a choice, MIT's is
  * enough, because it names the owners of the copyright.
- * @param {import('./crates.mjs').Crate} crate
+ * @param {Crate} crate
  */
 function textsOf({ name, licence, folder }) {
   const files = readdirSync(folder).filter((file) => /^(LICEN[CS]E|COPYING|COPYRIGHT|NOTICE|UNLICENSE)/i.test(file));

@@ -220,6 +220,23 @@ impl Program {
     }
 }
 
+/// What the command `hearth` draws with where there is no graphics card.
+const GRAPHICS_DRIVER: Names = &["libegl1", "libgles2", "libegl-mesa0", "libgl1-mesa-dri"];
+
+/// Installs EGL and a driver of OpenGL ES if the command `hearth` finds none.
+pub(crate) fn graphics_driver() -> Result<()> {
+    let (_only, sh) = (installing(), Shell::new()?);
+    let finds_one = || {
+        let info = sh.cargo("run --quiet --package hearth-fire-cli -- info");
+        info.quiet().ignore_stdout().run()
+    };
+    if finds_one().is_ok() {
+        return Ok(());
+    }
+    apt_install(GRAPHICS_DRIVER).context("there is no driver of OpenGL ES 3")?;
+    Ok(finds_one()?)
+}
+
 /// Chromium, with its driver beside it.
 pub fn chromium() -> Result<PathBuf> {
     let hint = "this stage needs a browser (`--skip-browser` leaves such stages out)";

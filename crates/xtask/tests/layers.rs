@@ -7,7 +7,7 @@ use std::process::Command;
 use serde_json::Value;
 
 /// The packages that a package of `crates/` uses, for its code and for its tests alike.
-const ARROWS: [(&str, &[&str]); 12] = [
+const ARROWS: [(&str, &[&str]); 13] = [
     ("hearth-fire-core", &[]),
     ("hearth-fire", &["hearth-fire-core"]),
     ("hearth-fire-render", &["hearth-fire-core"]),
@@ -20,6 +20,14 @@ const ARROWS: [(&str, &[&str]); 12] = [
         "hearth-engine",
         &[
             "hearth-bindings",
+            "hearth-fire-core",
+            "hearth-fire-render",
+            "hearth-fire-settings",
+        ],
+    ),
+    (
+        "hearth-fire-cli",
+        &[
             "hearth-fire-core",
             "hearth-fire-render",
             "hearth-fire-settings",

@@ -126,6 +126,36 @@ fn what_browsers_get_has_a_licence_a_checksum_and_a_notice() -> Result {
     Ok(())
 }
 
+/// What `cargo install` compiles into the command `hearth` on Linux.
+#[test]
+fn every_crate_of_the_command_has_a_licence_and_a_notice() -> Result {
+    let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut tree = Command::new(cargo);
+    tree.args(["tree", "--package", "hearth-fire-cli", "--prefix", "none"]);
+    tree.args(["--edges", "normal,no-proc-macro", "--format", "{p}|{l}"]);
+    tree.arg("--no-dedupe");
+    tree.args(["--target", "x86_64-unknown-linux-gnu"]);
+    let listed = String::from_utf8(tree.current_dir(root()).output()?.stdout)?;
+    let notices = fs::read_to_string(root().join("crates/hearth-cli/THIRD-PARTY.txt"))?;
+    let mut checked = 0;
+    // A crate of the workspace has its folder behind its version.
+    for line in listed.lines().filter(|line| !line.contains(" (/")) {
+        let Some((package, licence)) = line.split_once('|') else {
+            continue;
+        };
+        assert!(
+            allowed(licence, &RELEASED),
+            "{package}: licence {licence:?}"
+        );
+        let package = package.replacen(" v", " ", 1);
+        let notice = format!("\n{package}, ");
+        assert!(notices.contains(&notice), "no notice of {package}");
+        checked += 1;
+    }
+    assert!(checked > 20, "{checked} crates");
+    Ok(())
+}
+
 /// The lock files of npm below a folder.
 fn npm_locks(folder: &Path, found: &mut Vec<PathBuf>) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {

@@ -48,6 +48,7 @@ pub(super) fn native() -> Result<()> {
     let sh = Shell::new()?;
     let commands = COMMANDS.iter().flat_map(|name| ["--package", name]);
     sh.cargo("test").args(commands).run()?;
+    tools::graphics_driver()?;
     Ok(test_others(&sh).envs([tools::fingerprints()?]).run()?)
 }
 

@@ -7,13 +7,22 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use crate::error::Error;
 
+const EXISTS: &str = "the file exists; --force replaces it";
+
 /// An output that is free.
 #[derive(Debug)]
 pub enum Output {
     /// Standard output.
     Standard,
-    /// A file.
-    File(PathBuf),
+    /// A new file, or one in the place of an old one.
+    File {
+        /// Its path.
+        path: PathBuf,
+        /// Whether it may replace another.
+        replace: bool,
+    },
+    /// What is no file, as a pipe with a name.
+    Device(PathBuf),
 }
 
 /// While it is locked, a file is written. An interrupt waits for that.
@@ -54,13 +63,16 @@ impl Output {
         if path.is_dir() {
             return Err(Error::at(name, "is a folder"));
         }
+        if path.exists() && !path.is_file() {
+            return Ok(Output::Device(path));
+        }
         if path.exists() && !replace {
-            return Err(Error::at(name, "the file exists; --force replaces it"));
+            return Err(Error::at(name, EXISTS));
         }
         if !folder(&path).is_dir() {
             return Err(Error::at(name, "its folder does not exist"));
         }
-        Ok(Output::File(path))
+        Ok(Output::File { path, replace })
     }
 
     /// Writes bytes: all of them, or nothing to the file.
@@ -68,14 +80,21 @@ impl Output {
     /// # Errors
     /// The disk or the reader of standard output takes no more.
     pub fn write(&self, bytes: &[u8]) -> Result<(), Error> {
-        let path = match self {
+        let (path, replace) = match self {
             Output::Standard => return print(bytes),
-            Output::File(path) => path,
+            Output::Device(path) => {
+                let written = OpenOptions::new().write(true).open(path);
+                let written = written.and_then(|mut device| device.write_all(bytes));
+                return written.map_err(|error| Error::at(&path.display().to_string(), error));
+            }
+            Output::File { path, replace } => (path, *replace),
         };
         let name = path.display().to_string();
         let _writing = writing();
-        let mut temporary = path.clone().into_os_string();
-        temporary.push(format!(".{}.part", std::process::id()));
+        if path.exists() && !replace {
+            return Err(Error::at(&name, EXISTS));
+        }
+        let temporary = folder(path).join(format!(".hearth-{}.part", std::process::id()));
         let written = OpenOptions::new()
             .write(true)
             .create_new(true)

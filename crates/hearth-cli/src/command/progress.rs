@@ -1,6 +1,6 @@
 //! The progress bar, on standard error where that is a terminal.
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 
 /// Steps of the bar per second of fire.
 const STEPS_PER_SECOND: f64 = 100.0;
@@ -14,6 +14,7 @@ impl Progress {
     pub fn new(seconds: f64) -> Progress {
         // indicatif draws nothing where standard error is no terminal.
         let bar = ProgressBar::new((seconds * STEPS_PER_SECOND) as u64);
+        let bar = bar.with_finish(ProgressFinish::AndClear);
         if let Ok(style) = ProgressStyle::with_template("{wide_bar} {percent:>3} % {msg}") {
             bar.set_style(style);
         }

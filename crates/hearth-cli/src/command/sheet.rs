@@ -234,7 +234,11 @@ impl Layout {
     /// Width and height of a tile with its label and margin.
     fn cell(&self) -> [u32; 2] {
         let label = (font::SIZE[1] + 2) * self.scale;
-        [self.tile[0] + 2 * MARGIN, self.tile[1] + 2 * MARGIN + label]
+        let [width, height] = self.tile;
+        [
+            width.saturating_add(2 * MARGIN),
+            height.saturating_add(2 * MARGIN + label),
+        ]
     }
 }
 

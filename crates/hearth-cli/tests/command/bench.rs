@@ -82,6 +82,10 @@ fn every_drawn_pass_has_a_time() {
         bench["pictureMs"].as_f64().is_some_and(|ms| ms > 0.0),
         "{bench}"
     );
+    let options_of_json = [&options[..], &["--json"]].concat();
+    let submitted = folder.without_extension("GL_EXT_disjoint_timer_query", &options_of_json);
+    let submitted: Value = serde_json::from_str(submitted.text()).expect("JSON");
+    assert_eq!(submitted["timer"], "submit");
     let text = folder.run(&options);
     assert!(
         names.iter().all(|name| text.text().contains(name)),

@@ -84,6 +84,14 @@ impl Folder {
         self.feed(arguments, b"")
     }
 
+    /// Runs the command with Mesa's driver, without its extensions of that name.
+    pub fn without_extension(&self, name: &str, arguments: &[impl AsRef<OsStr>]) -> Run {
+        let missing = ["", "_float", "_half_float"].map(|end| format!("-{name}{end}"));
+        let mut command = self.command(arguments);
+        command.env("MESA_EXTENSION_OVERRIDE", missing.join(" "));
+        ended(command.spawn().expect("the command"))
+    }
+
     /// Runs the command with these bytes on standard input.
     pub fn feed(&self, arguments: &[impl AsRef<OsStr>], input: &[u8]) -> Run {
         let mut child = self.command(arguments).spawn().expect("the command");

@@ -73,6 +73,20 @@ fn only_force_replaces_a_file() {
 }
 
 #[test]
+#[cfg(unix)]
+fn a_device_is_written_and_stays_a_device() {
+    use std::os::unix::fs::FileTypeExt;
+
+    let folder = Folder::new("device");
+    let run = folder.run(&render(&["candle", "--out", "/dev/null", "--force"]));
+    assert_eq!((run.code, &*run.errors), (0, ""));
+    let device = fs::metadata("/dev/null").expect("the device");
+    assert!(device.file_type().is_char_device());
+    let written = folder.run(&render(&["candle", "--out", "/dev/stdout"])).out;
+    assert!(written.starts_with(b"\x89PNG"));
+}
+
+#[test]
 fn an_output_that_cannot_be_written_is_named_before_a_fire_burns() {
     let folder = Folder::new("unwritable");
     fs::create_dir(folder.0.join("folder")).expect("a folder");

@@ -101,7 +101,8 @@ fn the_same_sheet_has_the_same_bytes() {
 #[test]
 fn wrong_sheets_are_refused() {
     let folder = Folder::new("wrong-sheets");
-    let cases: [(&[&str], &[&str]); 9] = [
+    let cases: [(&[&str], &[&str]); 10] = [
+        (&["candle", "--tile", "4294967295x4294967295"], &["pixels"]),
         (&["candle", "--at", "1,soon"], &["--at", "soon"]),
         (
             &["candle", "--background", "transparent"],

@@ -53,4 +53,8 @@ fn eight_bits_are_mentioned_only_where_nobody_asked_for_them() {
     .concat();
     let run = folder.run(&arguments);
     assert_eq!((run.code, &*run.errors), (0, ""));
+    let arguments = [&["render", "candle", "--out", "-"], &CHEAP[..]].concat();
+    let run = folder.without_extension("GL_EXT_color_buffer", &arguments);
+    assert_eq!(run.code, 0, "{run:?}");
+    assert!(run.errors.contains("eight bits"), "{}", run.errors);
 }

@@ -36,7 +36,7 @@ fn clippy(packages: &str) -> Result<()> {
 /// The libraries for other people.
 pub(super) fn docs() -> Result<()> {
     let sh = Shell::new()?;
-    let doc = sh.cargo("doc --no-deps -p hearth-fire -p hearth-fire-core -p hearth-fire-settings -p hearth-fire-render");
+    let doc = sh.cargo("doc --no-deps -p hearth-fire -p hearth-fire-core -p hearth-fire-settings -p hearth-fire-render -p hearth-fire-cli");
     Ok(doc.env("RUSTDOCFLAGS", "--deny warnings").run()?)
 }
 

@@ -5,7 +5,7 @@ use serde_json::json;
 
 use super::options::DriverOptions;
 use crate::error::Error;
-use crate::{egl, output};
+use crate::{Offscreen, egl, output};
 
 /// Arguments of `hearth info`.
 #[derive(Args)]
@@ -23,9 +23,10 @@ impl Info {
     /// # Errors
     /// The machine has no such driver, or standard output fails.
     pub fn run(&self) -> Result<(), Error> {
+        let devices: Vec<_> = (0..egl::device_count()?).map(device).collect();
         let (offscreen, shared) = self.driver.open()?;
         let driver = offscreen.driver();
-        let (devices, format) = (egl::device_count()?, shared.target_format().name());
+        let format = shared.target_format().name();
         if self.json {
             let record = json!({
                 "vendor": driver.vendor,
@@ -43,7 +44,7 @@ impl Info {
         let yes = |it| if it { "yes" } else { "no" };
         let text = format!(
             "renderer        {}\nvendor          {}\nversion         {}\nplatform        {} of EGL\n\
-             devices         {devices}\nlargest side    {} pixels\nhalf floats     {}\n\
+             largest side    {} pixels\nhalf floats     {}\n\
              format          {format}\ntimer queries   {}\n",
             driver.renderer,
             driver.vendor,
@@ -53,6 +54,16 @@ impl Info {
             yes(driver.half_float),
             yes(driver.timer_queries),
         );
-        output::print(text.as_bytes())
+        let devices = devices.iter().enumerate();
+        let devices = devices.map(|(number, name)| format!("device {number:<9}{name}\n"));
+        output::print((text + &devices.collect::<String>()).as_bytes())
+    }
+}
+
+/// The renderer of a device, or why it has none.
+fn device(number: usize) -> String {
+    match Offscreen::on(Some(number)) {
+        Ok(offscreen) => offscreen.driver().renderer,
+        Err(error) => error.to_string(),
     }
 }

@@ -48,6 +48,14 @@ fn the_driver_is_named_with_its_limits() {
         "rgba8"
     };
     assert_eq!(info["format"], format);
+    let devices = info["devices"].as_array().map_or(0, Vec::len);
+    for device in 0..devices {
+        let name = info["devices"][device].as_str().unwrap_or_default();
+        let run = folder.run(&["info", "--device", &device.to_string()]);
+        // A device without such a driver is listed with the reason.
+        let printed = run.text().to_owned() + &run.errors;
+        assert!(printed.contains(name), "{name:?} in {printed}");
+    }
     let text = folder.run(&["info"]);
     let renderer = info["renderer"].as_str().unwrap_or_default();
     assert!(text.text().contains(renderer), "{}", text.text());

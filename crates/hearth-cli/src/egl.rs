@@ -10,85 +10,25 @@
 
 #![allow(unsafe_code)]
 
+mod error;
+mod library;
+
 use std::cell::{Cell, RefCell};
 use std::ffi::c_void;
-use std::fmt;
 use std::marker::PhantomData;
-use std::mem::transmute;
 use std::ptr::null_mut;
-use std::sync::OnceLock;
 
 use hearth_render::Graphics;
-use khronos_egl::{self as egl, Boolean, Int};
+use khronos_egl as egl;
 
-/// A device of EGL_EXT_device_base.
-type Device = *mut c_void;
-type Egl = egl::DynamicInstance<egl::EGL1_5>;
-
-/// Debian's packages with EGL, OpenGL ES and their software renderer.
-pub const PACKAGES: &str = "libegl1 libgles2 libegl-mesa0 libgl1-mesa-dri";
+pub use error::{OffscreenError, PACKAGES};
+pub use library::device_count;
+use library::{Egl, devices, has, library};
 
 const PLATFORM_SURFACELESS: egl::Enum = 0x31dd;
 const PLATFORM_DEVICE: egl::Enum = 0x313f;
-/// Most devices that are asked for.
-const MAX_DEVICES: usize = 64;
 const TIME_ELAPSED: u32 = 0x88bf;
 const GPU_DISJOINT: u32 = 0x8fbb;
-
-/// Why there is no context, or no target.
-#[derive(Clone, Debug, PartialEq)]
-pub enum OffscreenError {
-    /// The library EGL 1.5 does not load, for this reason.
-    NoEgl(String),
-    /// No display has an OpenGL ES 3 context; what each attempt returned.
-    NoContext(String),
-    /// No device has this number.
-    NoDevice {
-        /// The requested number.
-        requested: usize,
-        /// How many devices there are.
-        devices: usize,
-    },
-    /// This thread has another context.
-    InUse,
-    /// The driver has no target of this size.
-    NoTarget {
-        /// Width and height \[pixels\].
-        size: [u32; 2],
-        /// The driver's longest side \[pixels\].
-        max_side: u32,
-    },
-}
-
-impl fmt::Display for OffscreenError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            OffscreenError::NoEgl(reason) => write!(
-                f,
-                "the library EGL 1.5 (libEGL.so.1) does not load: {reason}; Debian's packages are {PACKAGES}"
-            ),
-            OffscreenError::NoContext(reason) => write!(
-                f,
-                "no driver offers OpenGL ES 3 without a window: {reason}; Debian's packages for a \
-                 machine without a graphics card are {PACKAGES}"
-            ),
-            OffscreenError::NoDevice { requested, devices } => write!(
-                f,
-                "no graphics device {requested}: this machine has {devices}, counted from 0"
-            ),
-            OffscreenError::InUse => f.write_str("this thread already has an offscreen context"),
-            OffscreenError::NoTarget {
-                size: [width, height],
-                max_side,
-            } => write!(
-                f,
-                "the driver has no picture of {width} x {height} pixels; its longest side is {max_side} pixels"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for OffscreenError {}
 
 /// Names and limits of a driver.
 #[derive(Clone, Debug, PartialEq)]
@@ -414,54 +354,4 @@ impl Drop for Offscreen {
         let _ = self.egl.make_current(self.display, None, None, None);
         let _ = self.egl.destroy_context(self.display, self.context);
     }
-}
-
-/// Number of devices that EGL lists: graphics cards, and Mesa's software renderer.
-///
-/// # Errors
-/// EGL does not load.
-pub fn device_count() -> Result<usize, OffscreenError> {
-    library().map(|egl| devices(egl).len())
-}
-
-/// EGL, which stays loaded: drivers keep threads.
-fn library() -> Result<&'static Egl, OffscreenError> {
-    static EGL: OnceLock<Result<Egl, OffscreenError>> = OnceLock::new();
-    let loaded = EGL.get_or_init(|| {
-        // SAFETY: this is the system's library of that name.
-        let loaded = unsafe { Egl::load_required() };
-        loaded.map_err(|error| OffscreenError::NoEgl(error.to_string()))
-    });
-    loaded.as_ref().map_err(Clone::clone)
-}
-
-/// The devices of EGL_EXT_device_enumeration.
-fn devices(egl: &Egl) -> Vec<Device> {
-    type QueryDevices = unsafe extern "system" fn(Int, *mut Device, *mut Int) -> Boolean;
-    let extensions = egl.query_string(None, egl::EXTENSIONS);
-    let extensions = extensions.map(|names| names.to_string_lossy());
-    let enumerates = extensions.is_ok_and(|names| {
-        has(&names, "EGL_EXT_platform_device")
-            && (has(&names, "EGL_EXT_device_enumeration") || has(&names, "EGL_EXT_device_base"))
-    });
-    let Some(query) = egl
-        .get_proc_address("eglQueryDevicesEXT")
-        .filter(|_| enumerates)
-    else {
-        return Vec::new();
-    };
-    let (mut devices, mut count) = (vec![null_mut(); MAX_DEVICES], 0);
-    // SAFETY: the extension defines this signature, and the call writes at most `MAX_DEVICES` devices.
-    let listed = unsafe {
-        let query = transmute::<extern "system" fn(), QueryDevices>(query);
-        query(MAX_DEVICES as Int, devices.as_mut_ptr(), &mut count)
-    };
-    let count = if listed == egl::TRUE { count.max(0) } else { 0 };
-    devices.truncate(count as usize);
-    devices
-}
-
-/// Whether a list of extensions names one.
-fn has(extensions: &str, name: &str) -> bool {
-    extensions.split(' ').any(|listed| listed == name)
 }

@@ -21,8 +21,11 @@ export class Picture {
     this.rgb = rgb;
   }
 
-  /** @param {Uint8Array} png */
-  static decode(png) {
+  /**
+   * @param {Uint8Array} png
+   * @param {number[]} [behind]  The colour behind what is transparent; without one, alpha is ignored.
+   */
+  static decode(png, behind) {
     const bytes = Buffer.from(png);
     const width = bytes.readUInt32BE(16);
     const height = bytes.readUInt32BE(20);
@@ -42,7 +45,8 @@ export class Picture {
     const rows = unfilter(inflateSync(Buffer.concat(parts)), width * channels, height, channels);
     const rgb = new Uint8Array(width * height * 3);
     for (let from = 0, to = 0; to < rgb.length; from += channels, to += 3) {
-      rgb.set(rows.subarray(from, from + 3), to);
+      const alpha = behind && channels === 4 ? rows[from + 3] / 255 : 1;
+      for (let k = 0; k < 3; k += 1) rgb[to + k] = rows[from + k] * alpha + (behind?.[k] ?? 0) * (1 - alpha) + 0.5;
     }
     return new Picture(width, height, rgb);
   }

@@ -20,6 +20,14 @@ export async function markOf(name) {
   return `Hearth: ${name} ${digest.slice(0, 12)}`;
 }
 
+/** The scene in the HTML of the landing page. */
+export async function landingScene() {
+  const html = await readFile(path.join(ROOT, 'index.html'), 'utf8');
+  const scene = /<hearth-fire id="fire" [^>]*?preset="([^"]+)"/.exec(html)?.[1];
+  if (!scene) throw new Error('the landing page names no scene');
+  return scene;
+}
+
 /** A JPEG with a comment. @param {Uint8Array} jpeg @param {string} words */
 export function marked(jpeg, words) {
   const comment = Buffer.from(words);

@@ -3,7 +3,6 @@
  * defaults.
  */
 import { accessSync } from 'node:fs';
-import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
@@ -35,12 +34,4 @@ export async function table() {
  */
 export function domainOf(parameter, model) {
   return parameter.domains[model] ?? Object.values(parameter.domains)[0];
-}
-
-/** The scene in the HTML of the landing page. */
-export async function landingScene() {
-  const html = await readFile(path.join(SITE, 'index.html'), 'utf8');
-  const scene = /<hearth-fire id="fire" [^>]*?preset="([^"]+)"/.exec(html)?.[1];
-  if (!scene) throw new Error('the landing page names no scene');
-  return scene;
 }

@@ -5,7 +5,8 @@
  * `cargo measure look` runs this; `HEARTH_SECONDS` sets the duration.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
-import { BARS, TRAIT_PARAMETERS, traits } from './measurements.mjs';
+import { BARS, traits } from './measurements.mjs';
+import { Film } from './figures/film.mjs';
 import { Painter, named } from './painter.mjs';
 
 const SECONDS = Number(process.env.HEARTH_SECONDS ?? 60);
@@ -25,18 +26,15 @@ const head = [
 ].join('\n');
 const rows = keptRows(existsSync(file) ? readFileSync(file, 'utf8') : '');
 
-const painter = await Painter.open();
+const painter = new Painter();
 let missed = 0;
 try {
   const scenes = await painter.ask('presets');
   for (const lit of named(scenes, begins, 'scene')) {
-    const values = {};
-    for (const id of TRAIT_PARAMETERS) values[id] = await painter.ask('value', { lit }, id);
-    const has = traits(values);
-    await painter.ask('watch', { lit, burnt: BURNT });
-    // In parts: a browser's driver waits for an answer only so long.
-    for (let second = 1; second < SECONDS; second += 1) await painter.ask('until', second);
-    const found = await painter.ask('seen', SECONDS);
+    const has = traits(await painter.ask('values', { lit }));
+    const film = await Film.of(painter, { lit, burnt: BURNT });
+    await film.until(SECONDS);
+    const found = film.found();
     const cells = BARS.map(({ figure, holds, show, needs = [] }) => {
       const value = figure(found);
       if (!needs.every((trait) => has.includes(trait))) return '–';

@@ -1,7 +1,7 @@
 /**
  * The golden pictures, and the tolerance of their comparison.
  */
-import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { Picture } from '../e2e/picture.mjs';
 import { compare } from './compare.mjs';
@@ -17,40 +17,42 @@ const PIXELS = { most: 100_000, discs: 24_000 };
 const DISCS = ['particles', 'neighbours'];
 
 /**
- * What two drawings of the same may differ by. Other versions of the browser round
+ * What two drawings of the same may differ by. Other versions of the driver round
  * elsewhere; nobody sees a difference of 2. The tests show what lies beyond.
  */
 export const TOLERANCE = { colour: 1, shift: 0.4, structure: 0.985 };
 
-/** Settings that no snapshot has: @type {{[name: string]: PictureRequest}} */
+/** Fires with settings that no scene has: @type {{[name: string]: PictureRequest}} */
 const VARIANTS = {
-  'default-gas': { kept: 'default', values: { palette: 'gas' } },
-  'default-copper': { kept: 'default', values: { palette: 'copper' } },
-  'default-lithium': { kept: 'default', values: { palette: 'lithium' } },
-  'default-ghost': { kept: 'default', values: { palette: 'ghost' } },
-  'default-custom': { kept: 'default', values: { palette: 'custom' } },
-  'default-bricks': { kept: 'default', values: { backdrop: 'bricks', heat_haze: 1 } },
-  'default-smoke': { kept: 'default', values: { layers: 'smoke', smoke_opacity: 1 } },
-  'default-low': { kept: 'default', quality: 'low', values: { detail: 0.5, bloom: 0.4 } },
-  'classic-copper': { kept: 'classic', values: { palette: 'copper' } },
-  'classic-bricks': { kept: 'classic', values: { backdrop: 'bricks', heat_haze: 1 } },
+  'default-gas': { lit: 'default', values: { palette: 'gas' } },
+  'default-copper': { lit: 'default', values: { palette: 'copper' } },
+  'default-lithium': { lit: 'default', values: { palette: 'lithium' } },
+  'default-ghost': { lit: 'default', values: { palette: 'ghost' } },
+  'default-custom': { lit: 'default', values: { palette: 'custom' } },
+  'default-bricks': { lit: 'default', values: { backdrop: 'bricks', heat_haze: 1 } },
+  'default-smoke': { lit: 'default', values: { layers: 'smoke', smoke_opacity: 1 } },
+  'default-low': { lit: 'default', quality: 'low', values: { detail: 0.5, bloom: 0.4 } },
+  'classic-copper': { lit: 'classic', values: { palette: 'copper' } },
+  'classic-bricks': { lit: 'classic', values: { backdrop: 'bricks', heat_haze: 1 } },
 };
 
-/** The display modes that a snapshot keeps. @param {string} name */
-function modes(name) {
-  const file = readFileSync(path.join(GOLDENS, 'snapshots', `${name}.bin`)).toString('latin1');
-  return [...file.slice(0, file.indexOf('\nend\n')).matchAll(/^rows (\S+)/gm)].map(([, mode]) => mode);
-}
+/** The scene that is drawn in every display mode, of each model; discs of few particles can be told apart. */
+const MODES = { combustion: 'default', classic: 'classic' };
+const PARTICLES_OF_MODES = 1000;
 
-/** Every picture that is kept, by its name. @returns {{[name: string]: PictureRequest}} */
-export function requests() {
-  const snapshots = readdirSync(path.join(GOLDENS, 'snapshots')).map((file) => path.parse(file).name);
-  const all = {};
-  for (const kept of snapshots.sort()) {
-    const shown = modes(kept);
-    // Where all modes are kept, fire is that of a scene.
-    for (const mode of shown.length === 1 ? shown : shown.filter((name) => name !== 'fire')) {
-      all[shown.length === 1 ? kept : `${kept}-${mode}`] = { kept, mode };
+/** Not drawn: a fire that the scene itself shows, and the distance from solids, which these scenes lack. */
+const OTHER_MODES = ['fire', 'distance'];
+
+/**
+ * Every picture that is kept, by its name.
+ * @param {Painter} painter @returns {Promise<{[name: string]: PictureRequest}>}
+ */
+export async function requests(painter) {
+  const [presets, modes] = await Promise.all([painter.ask('presets'), painter.ask('modes')]);
+  const all = Object.fromEntries(presets.map((/** @type {string} */ lit) => [lit, { lit }]));
+  for (const [model, lit] of Object.entries(MODES)) {
+    for (const display_mode of modes.filter((/** @type {string} */ mode) => !OTHER_MODES.includes(mode))) {
+      all[`modes-${model}-${display_mode}`] = { lit, particles: PARTICLES_OF_MODES, values: { display_mode } };
     }
   }
   return { ...all, ...VARIANTS };
@@ -58,11 +60,9 @@ export function requests() {
 
 /** A picture as wide as its fire, and not much wider. @param {Painter} painter @param {PictureRequest} request */
 export async function drawn(painter, request) {
-  const [width, height] = await Promise.all(
-    ['domain_width', 'domain_height'].map((id) => painter.ask('value', request, id)),
-  );
-  const share = Math.min(Math.max((1.15 * Number(width)) / Number(height), 0.4), 1.5);
-  const pixels = DISCS.includes(request.mode ?? '') ? PIXELS.discs : PIXELS.most;
+  const { domain_width, domain_height, display_mode } = await painter.ask('values', request);
+  const share = Math.min(Math.max((1.15 * Number(domain_width)) / Number(domain_height), 0.4), 1.5);
+  const pixels = DISCS.includes(display_mode) ? PIXELS.discs : PIXELS.most;
   const size = [share, 1].map((side) => 2 * Math.round((side * Math.sqrt(pixels / share)) / 2));
   return sheet(await painter.still({ ...request, width: size[0], height: size[1] }));
 }

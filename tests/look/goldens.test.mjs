@@ -5,21 +5,18 @@
 import assert from 'node:assert/strict';
 import { readdirSync } from 'node:fs';
 import path from 'node:path';
-import { after, before, test } from 'node:test';
+import { after, test } from 'node:test';
 import { compare } from './compare.mjs';
 import { mismatch, drawn, golden, show, TOLERANCE, requests } from './goldens.mjs';
 import { hueTurned, toneMappedByChannel } from './negative-controls.mjs';
 import { coarse, sheet } from './sheet.mjs';
 import { GOLDENS, Painter } from './painter.mjs';
 
-/** @type {Painter} */
-let painter;
-before(async () => {
-  painter = await Painter.open();
-});
-after(() => painter?.close());
+const painter = new Painter();
+after(() => painter.close());
+const REQUESTS = await requests(painter);
 
-for (const [name, request] of Object.entries(requests())) {
+for (const [name, request] of Object.entries(REQUESTS)) {
   test(`${name} looks as it did`, async () => {
     const [actual, expected] = [await drawn(painter, request), golden(name)];
     const differences = mismatch(actual, expected);
@@ -29,7 +26,7 @@ for (const [name, request] of Object.entries(requests())) {
 
 test('every kept picture is one that is drawn', () => {
   const kept = readdirSync(GOLDENS).filter((file) => file.endsWith('.png'));
-  assert.deepEqual(kept.map((file) => path.parse(file).name).sort(), Object.keys(requests()).sort());
+  assert.deepEqual(kept.map((file) => path.parse(file).name).sort(), Object.keys(REQUESTS).sort());
 });
 
 /** Settings that make a picture as a mistake in the drawing would. */
@@ -43,10 +40,10 @@ const WRONG = {
   'the paper instead': { display_mode: 'paper' },
 };
 
-for (const kept of ['default', 'classic']) {
+for (const lit of ['default', 'classic']) {
   for (const [mistake, values] of Object.entries(WRONG)) {
-    test(`${mistake} is reported of ${kept}`, async () => {
-      assertReported(await drawn(painter, { kept, values }), golden(kept));
+    test(`${mistake} is reported of ${lit}`, async () => {
+      assertReported(await drawn(painter, { lit, values }), golden(lit));
     });
   }
   for (const [mistake, make] of Object.entries({
@@ -54,15 +51,15 @@ for (const kept of ['default', 'classic']) {
     'a hue turned by 8° towards red': hueTurned(-8),
     'another tone map': toneMappedByChannel,
   })) {
-    test(`${mistake} is reported of ${kept}`, async () => {
-      const right = await painter.still({ kept });
+    test(`${mistake} is reported of ${lit}`, async () => {
+      const right = await painter.still({ lit });
       const [wrong, expected] = [make(right), right].map(sheet);
       assertReported(wrong, coarse(expected));
     });
   }
 
-  test(`invisible differences are not reported of ${kept}`, async () => {
-    const right = await painter.still({ kept });
+  test(`invisible differences are not reported of ${lit}`, async () => {
+    const right = await painter.still({ lit });
     // Rounding elsewhere: each channel one step off, this way or that.
     let seed = 1;
     const step = () => {

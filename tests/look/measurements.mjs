@@ -34,9 +34,6 @@ export function traits({ display_mode, palette, backdrop, background, wind }) {
     .map(([trait]) => trait);
 }
 
-/** The values that these follow from. */
-export const TRAIT_PARAMETERS = ['display_mode', 'palette', 'backdrop', 'background', 'wind'];
-
 /** @type {Bar[]} */
 export const BARS = [
   {

@@ -3,22 +3,25 @@
  * every scene.
  */
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { after, test } from 'node:test';
 import { BARS } from './measurements.mjs';
+import { Film } from './figures/film.mjs';
 import { rising } from './figures/motion.mjs';
 import { Painter } from './painter.mjs';
 
-/** @type {Painter} */
-let painter;
-before(async () => {
-  painter = await Painter.open();
-});
-after(() => painter?.close());
+const painter = new Painter();
+after(() => painter.close());
+
+/** The figures of so many seconds. @param {import('./painter.mjs').PictureRequest} request @param {number} seconds */
+async function seen(request, seconds) {
+  const film = await Film.of(painter, request);
+  await film.until(seconds);
+  return film.found();
+}
 
 for (const lit of ['default', 'classic']) {
   test(`the pixels of ${lit} are those of a fire`, async () => {
-    await painter.ask('watch', { lit, burnt: 2 });
-    const found = await painter.ask('seen', 2.5);
+    const found = await seen({ lit, burnt: 2 }, 2.5);
     for (const { words, figure, holds, brief } of BARS) {
       if (brief) assert.ok(holds(figure(found)), `${words}: ${JSON.stringify(figure(found))}`);
     }
@@ -27,8 +30,7 @@ for (const lit of ['default', 'classic']) {
 }
 
 test('light that no black body emits is recognised', async () => {
-  await painter.ask('watch', { lit: 'default', burnt: 1, values: { palette: 'copper' } });
-  const found = await painter.ask('seen', 0.5);
+  const found = await seen({ lit: 'default', burnt: 1, values: { palette: 'copper' } }, 0.5);
   for (const id of ['locus', 'warm']) {
     const { figure, holds } = BARS.find((bar) => bar.id === id) ?? assert.fail(id);
     assert.ok(!holds(figure(found)), `${id}: ${figure(found)}`);

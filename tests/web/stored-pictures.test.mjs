@@ -5,14 +5,12 @@ import assert from 'node:assert/strict';
 import { readFile, readdir } from 'node:fs/promises';
 import path from 'node:path';
 import { test } from 'node:test';
-import { ROOT, commentOf, markOf, marked } from '../e2e/scene-mark.mjs';
+import { ROOT, commentOf, landingScene, markOf, marked } from '../e2e/scene-mark.mjs';
 
 const stored = async (/** @type {string} */ file) => commentOf(await readFile(path.join(ROOT, 'web', file)));
 
 test('the picture that links show is of the values of the scene that the page opens with', async () => {
-  const page = await readFile(path.join(ROOT, 'index.html'), 'utf8');
-  const scene = /<hearth-fire id="fire" [^>]*?preset="([^"]+)"/.exec(page)?.[1] ?? '';
-  assert.equal(await stored('poster.jpg'), await markOf(scene), 'run `cargo xtask poster`');
+  assert.equal(await stored('poster.jpg'), await markOf(await landingScene()), 'run `cargo xtask poster`');
 });
 
 test('every picture of a scene is of its values', async () => {

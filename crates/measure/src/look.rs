@@ -20,7 +20,7 @@ pub(crate) fn run(names: &[String]) -> Result<()> {
         sh.write_file(&table, before)?;
     }
     let arguments = iter::once(table.clone()).chain(names.iter().map(Into::into));
-    let passed = goldens::run_script("flash-scan.mjs", arguments);
+    let passed = goldens::run_script("flash-scan.mjs", arguments, None);
     match fs::read_to_string(table) {
         Ok(table) => evaluation::write("looked", &table)?,
         Err(_) if passed.is_ok() => bail!("the scenes were not recorded"),

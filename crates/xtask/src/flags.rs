@@ -38,8 +38,6 @@ xflags::xflags! {
         cmd cost {}
         /// Draws the golden pictures again.
         cmd goldens {
-            /// Simulates the fires again as well.
-            optional --snapshots
             /// How the names of the pictures begin.
             repeated name: String
         }
@@ -95,7 +93,7 @@ mod tests {
             "build --url=https://a.example/ → Some(Base(\"https://a.example/\"))",
             "test --skip-browser lint → stage: [\"lint\"], skip_browser: true",
             "thumbnails candle → scene: [\"candle\"]",
-            "goldens --snapshots default → name: [\"default\"], snapshots: true",
+            "goldens default → name: [\"default\"]",
             "package → Package",
             "reproduce → Reproduce",
             "poster → Poster",

@@ -1,8 +1,8 @@
 //! Golden pictures: the tests that compare with them, and `cargo xtask goldens`, which
 //! draws them again.
 //!
-//! Both draw stored fires with the renderer in headless Chromium without a graphics card,
-//! whose pictures are the same on every machine.
+//! Both burn fires from their seeds and draw them natively with a software renderer: the same
+//! version of it draws the same pictures on every machine.
 
 use std::iter;
 use std::path::PathBuf;
@@ -11,46 +11,45 @@ use anyhow::Result;
 use xshell::cmd;
 
 use crate::shell::Shell;
-use crate::site::{self, Module};
-use crate::stages::browser;
-use crate::{paths, tools};
+use crate::stages::code;
+use crate::tools;
 
-/// The renderer for tests, in the profile of the engine: the tests burn minutes of fire, which takes
-/// twice as long in the profile `dev`.
-const PAINTER: Module = Module::new("hearth-painter", "engine");
-
-/// Draws the pictures whose names begin with one of `names`, or all; with `snapshots` of
-/// fires simulated again.
-pub(crate) fn write(snapshots: bool, names: &[String]) -> Result<()> {
-    if snapshots {
-        let folder = paths::root().join("tests/goldens/snapshots");
-        let run = "run --quiet --release --package hearth-painter --example snapshots --";
-        Shell::new()?.cargo(run).arg(folder).run()?;
-    }
-    run_script("write.mjs", names.iter().map(Into::into))
+/// Draws the pictures whose names begin with one of `names`, or all.
+pub(crate) fn write(names: &[String]) -> Result<()> {
+    run_script("write.mjs", names.iter().map(Into::into), None)
 }
 
 /// Compares what is drawn with the goldens, and runs the other tests of pictures.
 pub(crate) fn check() -> Result<()> {
-    run_script("run.mjs", iter::empty())
+    run_script("run.mjs", iter::empty(), None)
 }
 
-/// Runs a script of `tests/look` with a painter and a browser.
-pub fn run_script(name: &str, arguments: impl Iterator<Item = PathBuf>) -> Result<()> {
-    let chromium = tools::chromium()?;
-    browser::packages()?;
-    tools::wasm_target()?;
-    site::compile(&PAINTER, &[])?;
-    let folder = tools::target()?.join("hearth-look");
-    let painter = folder.join("painter");
-    site::bind(&PAINTER, "painter", &painter)?;
+/// The painter of tests and the command `hearth`, each with the variable in which scripts look for it. Their
+/// profile is `dev`, in which the physics is optimised: the stage `native` compiles most of them.
+pub(crate) fn programs() -> Result<[(&'static str, PathBuf); 2]> {
+    let programs = [
+        ("HEARTH_PAINTER", "hearth-painter"),
+        ("HEARTH_COMMAND", "hearth"),
+    ];
+    tools::graphics_driver()?;
+    code::build(programs.map(|(_, name)| name))?;
+    let folder = tools::target()?.join("debug");
+    Ok(programs.map(|(variable, name)| (variable, folder.join(name))))
+}
+
+/// Runs a script of `tests/look` with the programs that draw, and another one.
+pub fn run_script(
+    name: &str,
+    arguments: impl IntoIterator<Item = PathBuf>,
+    other: Option<(&str, PathBuf)>,
+) -> Result<()> {
+    tools::node()?;
+    let programs = programs()?;
+    let shown = tools::target()?.join("hearth-look/shown");
     let sh = Shell::new()?;
-    sh.remove_path(folder.join("shown"))?;
+    sh.remove_path(&shown)?;
     sh.change_dir("tests/look");
-    Ok(cmd!(sh, "node {name}")
-        .args(arguments)
-        .env("HEARTH_CHROMIUM", chromium)
-        .env("HEARTH_PAINTER", painter)
-        .env("HEARTH_SHOWN", folder.join("shown"))
-        .run()?)
+    let script = cmd!(sh, "node {name}").args(arguments);
+    let script = script.envs(programs).envs(other);
+    Ok(script.env("HEARTH_SHOWN", shown).run()?)
 }

@@ -62,7 +62,7 @@ fn run(command: Xtask) -> Result<ExitCode> {
             }
         }
         XtaskCmd::Cost(_) => cost::record()?,
-        XtaskCmd::Goldens(goldens) => goldens::write(goldens.snapshots, &goldens.name)?,
+        XtaskCmd::Goldens(goldens) => goldens::write(&goldens.name)?,
         XtaskCmd::Poster(_) => pictures::poster()?,
         XtaskCmd::Thumbnails(thumbnails) => pictures::thumbnails(&thumbnails.scene)?,
         XtaskCmd::Showcase(_) => pictures::showcase()?,

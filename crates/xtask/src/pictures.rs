@@ -1,6 +1,6 @@
-//! Pictures of fires, taken in headless Chromium by scripts of `tests/e2e`: `cargo xtask
-//! poster`, `thumbnails` and `showcase`. The same scene gives the same picture; a changed
-//! scene or renderer needs new ones.
+//! Pictures of fires, drawn natively by scripts of `tests/look`: `cargo xtask poster`,
+//! `thumbnails` and `showcase`. The same scene gives the same picture; a changed scene or renderer
+//! needs new ones.
 
 use std::fs;
 
@@ -8,8 +8,7 @@ use anyhow::{Result, ensure};
 use xshell::cmd;
 
 use crate::shell::Shell;
-use crate::stages::browser;
-use crate::{paths, tools};
+use crate::{goldens, paths, tools};
 
 /// Largest animation \[bytes\].
 const LARGEST: u64 = 2_000_000;
@@ -20,7 +19,7 @@ const RATE: u32 = 20;
 /// loads: a moment of the scene that the page opens with.
 pub(crate) fn poster() -> Result<()> {
     let poster = paths::root().join("web/poster.jpg");
-    browser::run_script("poster.mjs", [poster], vec![])
+    goldens::run_script("poster.mjs", [poster], Some(tools::CJPEG.variable()?))
 }
 
 /// Takes `web/scenes/NAME.jpg` of these scenes, or of all of them. One is also the picture of
@@ -28,7 +27,7 @@ pub(crate) fn poster() -> Result<()> {
 pub(crate) fn thumbnails(names: &[String]) -> Result<()> {
     let folder = paths::root().join("web/scenes");
     let arguments = std::iter::once(folder).chain(names.iter().map(Into::into));
-    browser::run_script("thumbnails.mjs", arguments, vec![])?;
+    goldens::run_script("thumbnails.mjs", arguments, Some(tools::CJPEG.variable()?))?;
     Ok(Shell::new()?.copy_file("web/scenes/fireside.jpg", "crates/hearth-fire/fire.jpg")?)
 }
 
@@ -40,7 +39,7 @@ pub(crate) fn showcase() -> Result<()> {
     sh.remove_path(&frames)?;
     sh.create_dir(&frames)?;
     let arguments = [frames.clone(), RATE.to_string().into()];
-    browser::run_script("showcase.mjs", arguments, vec![])?;
+    goldens::run_script("showcase.mjs", arguments, None)?;
 
     // The animation replaces the committed one only if it is small enough.
     let (pictures, animation) = (sh.read_dir(&frames)?, frames.join("fire.webp"));

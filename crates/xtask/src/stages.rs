@@ -5,7 +5,7 @@
 //! one set of flags, so that little is compiled twice.
 
 pub mod browser;
-mod code;
+pub mod code;
 mod library;
 mod trunk;
 
@@ -85,7 +85,7 @@ const STAGES: &[Stage] = stages! {
     All "consumers" needs "package": "the npm package works in pages, bundlers, React and on servers", browser::consumers, beside, in_browser;
     All "trunk" needs "site": "the page that Trunk builds and serves burns", trunk::page_burns, beside, in_browser;
     Demand "trunk-files" needs "site": "Trunk builds the same files", trunk::same_files;
-    All "goldens": "fires match the golden pictures", goldens::check, beside, in_browser;
+    All "goldens": "fires match the golden pictures", goldens::check, beside;
     Quick "e2e-core" needs "site": "a visitor's first minutes, in Chromium", browser::core, in_browser;
     All "e2e" needs "site": "the page in Chromium, and its element in every browser", browser::extended, in_browser;
 };

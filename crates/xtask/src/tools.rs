@@ -183,6 +183,9 @@ pub(crate) const GLSLANG: Program =
     Program::new("HEARTH_GLSLANG", &["glslangValidator"], &["glslang-tools"]);
 /// Makes an animation of pictures.
 pub(crate) const IMG2WEBP: Program = Program::new("", &["img2webp"], &["webp"]);
+/// Makes a JPEG of a picture.
+pub(crate) const CJPEG: Program =
+    Program::new("HEARTH_CJPEG", &["cjpeg"], &["libjpeg-turbo-progs"]);
 
 impl Program {
     const fn new(variable: &'static str, names: Names, packages: Names) -> Program {
@@ -210,6 +213,11 @@ impl Program {
         })?;
         let not_found = || anyhow!("{} is installed, but not on the PATH", names[0]);
         self.found().with_context(not_found)
+    }
+
+    /// The variable in which scripts look for the program, and the program.
+    pub(crate) fn variable(&self) -> Result<(&'static str, PathBuf)> {
+        Ok((self.variable, self.get()?))
     }
 
     fn found(&self) -> Option<PathBuf> {
@@ -250,8 +258,8 @@ pub fn chromium() -> Result<PathBuf> {
 /// `HEARTH_BROWSERS` leaves browsers out.
 pub fn other_browsers() -> Result<Vec<(&'static str, PathBuf)>> {
     let browsers = env::var("HEARTH_BROWSERS").unwrap_or_default();
-    let program = |program: &Program| Ok((program.variable, program.get()?));
-    needed_by(&browsers).into_iter().map(program).collect()
+    let needed = needed_by(&browsers).into_iter();
+    needed.map(Program::variable).collect()
 }
 
 /// What the browsers in this list need; an empty list names all.

@@ -1,6 +1,6 @@
 /**
  * A fire as the page shows it at 1024 × 768, picture by picture, and the figures
- * of its pixels. Runs in the painter's page: the pictures are too many to be sent.
+ * of its pixels.
  */
 import { Flashes } from './flashes.mjs';
 import { okLab, relativeLuminance } from './colour.mjs';
@@ -60,15 +60,33 @@ class Share {
   }
 }
 
+/** Temperatures of the black bodies that colours are compared with [K]. */
+const KELVINS = Array.from({ length: 241 }, (_, step) => 1000 + 5 * step);
+
 export class Film {
   /**
-   * @param {{context: WebGL2RenderingContext, brush: any, fire: any, locus: (kelvin: number) => [number, number]}} of
+   * Starts to watch a fire that burns. A painter has one film at a time.
+   * @param {import('../painter.mjs').Painter} painter
+   * @param {import('../painter.mjs').PictureRequest} request
    */
-  constructor({ context, brush, fire, locus }) {
-    Object.assign(this, { context, brush, fire });
+  static async of(painter, request) {
+    const [values, bodies, start] = await Promise.all([
+      painter.ask('values', request),
+      painter.ask('locus', { kelvins: KELVINS }),
+      painter.ask('film', { ...request, width: WIDTH, height: HEIGHT }),
+    ]);
+    return new Film(painter, start, values, bodies);
+  }
+
+  /**
+   * @param {import('../painter.mjs').Painter} painter @param {number} start  Age of the fire [s].
+   * @param {{[id: string]: string}} values @param {[number, number][]} bodies  Where black bodies are.
+   */
+  constructor(painter, start, values, bodies) {
+    this.painter = painter;
+    this.start = start;
     this.flashes = new Flashes(WIDTH, HEIGHT, PIXEL);
     this.page = new Uint8ClampedArray(4 * WIDTH * HEIGHT);
-    const bodies = Array.from({ length: 241 }, (_, step) => locus(1000 + 5 * step));
     this.locus = { true: bodies, shown: bodies.map(shown) };
     this.warm = new Share();
     this.up = new Share();
@@ -80,7 +98,7 @@ export class Film {
     this.contrast = [0, 1, 2].map(() => new Share());
     this.pictures = 0;
     this.before = undefined;
-    const number = (id) => Number(fire.value(id));
+    const number = (id) => Number(values[id]);
     /** Seconds of fire in one of the clock. */
     this.pace = number('time_scale');
     this.base =
@@ -91,18 +109,19 @@ export class Film {
   }
 
   /** Goes on until that time [s] since the first picture. `found` is called once, because it takes long. */
-  until(seconds) {
-    this.start ??= this.fire.time;
-    Object.assign(this.context.canvas, { width: WIDTH, height: HEIGHT });
-    for (; this.pictures < seconds * RATE; this.pictures += 1) {
-      const time = this.pictures / RATE;
-      this.fire.burn(this.start + time * this.pace);
-      const light =
-        this.pictures % LIGHT_EVERY === 0
-          ? this.brush.light(this.fire, WIDTH, HEIGHT)
-          : this.brush.paint(this.fire, WIDTH, HEIGHT);
-      if (light) this.seeLight(light);
-      this.see(time, this.brush.pixels(WIDTH, HEIGHT));
+  async until(seconds) {
+    const ahead = [];
+    for (let picture = this.pictures; picture < seconds * RATE; picture += 1) {
+      const [time, light] = [this.start + (picture / RATE) * this.pace, picture % LIGHT_EVERY === 0];
+      ahead.push(this.painter.call('picture', { time, light }));
+    }
+    // The painter draws the next picture while this one is measured.
+    for (const picture of ahead) {
+      const { bytes } = await picture;
+      const light = bytes.subarray(4 * WIDTH * HEIGHT);
+      if (light.length > 0) this.seeLight(new Float32Array(Uint8Array.from(light).buffer));
+      this.see(this.pictures / RATE, bytes);
+      this.pictures += 1;
     }
   }
 
@@ -136,8 +155,7 @@ export class Film {
   }
 
   /** How far the chromaticity of what shines lies from the black bodies'. */
-  seeLight(light) {
-    const { rgba } = light;
+  seeLight(rgba) {
     for (let at = 0; at < rgba.length; at += 4) {
       const rgb = [...rgba.subarray(at, at + 3)];
       if (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2] < SHINING) continue;
@@ -151,7 +169,6 @@ export class Film {
         this.offLocus[which].push(Math.sqrt(least));
       }
     }
-    light.free();
   }
 
   /** The largest step of luminance between two lines at the base, in its columns, as a
@@ -179,7 +196,7 @@ export class Film {
         const under = [...behind.subarray(3 * at, 3 * at + 3)];
         const left = 1 - rgba[4 * at + 3] / 255;
         const over = under.map((code, k) => Math.min(255, Math.round(rgba[4 * at + k] + code * left)));
-        const [a, b] = [okLab(...over), okLab(...under)];
+        const [a, b] = [over, under].map(([red, green, blue]) => okLab(red, green, blue));
         sum += Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
         count += 1;
       }
@@ -187,7 +204,7 @@ export class Film {
     });
   }
 
-  /** Everything that was seen. */
+  /** Everything that was seen. @returns {any} */
   found() {
     const sorted = (values) => Float64Array.from(values).sort();
     const quantile = (values, share) => values[Math.min(values.length - 1, Math.floor(share * values.length))];
@@ -220,18 +237,24 @@ export class Film {
 /**
  * The flashes of a fire, and its pixels with a colour above their alpha, in a film of so
  * long [s]. A coarse one: what flashes is larger than its pixels.
- * @param {{context: WebGL2RenderingContext, brush: any, fire: any}} of @param {number} seconds
+ * @param {import('../painter.mjs').Painter} painter @param {import('../painter.mjs').PictureRequest} request
+ * @param {number} seconds
  */
-export function glance({ context, brush, fire }, seconds) {
+export async function glance(painter, request, seconds) {
   const [width, height] = [WIDTH / 2, HEIGHT / 2];
-  Object.assign(context.canvas, { width, height });
   const flashes = new Flashes(width, height, 2 * PIXEL);
-  const [start, pace] = [fire.time, Number(fire.value('time_scale'))];
-  let [exceeds, luminous] = [0, 0];
+  const [values, start] = await Promise.all([
+    painter.ask('values', request),
+    painter.ask('film', { ...request, width, height, quality: 'low' }),
+  ]);
+  const ahead = [];
   for (let picture = 0; picture < seconds * RATE; picture += 1) {
-    fire.burn(start + (picture / RATE) * pace);
-    brush.paint(fire, width, height);
-    const rgba = brush.pixels(width, height);
+    const time = start + (picture / RATE) * Number(values.time_scale);
+    ahead.push(painter.call('picture', { time }));
+  }
+  let [exceeds, luminous] = [0, 0];
+  for (const [picture, answer] of ahead.entries()) {
+    const { bytes: rgba } = await answer;
     for (let at = 0; at < rgba.length; at += 4) {
       const [r, g, b, a] = rgba.subarray(at, at + 4);
       if (Math.max(r, g, b) > a) exceeds += 1;

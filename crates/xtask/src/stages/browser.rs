@@ -6,7 +6,7 @@ use anyhow::Result;
 use xshell::{Cmd, cmd};
 
 use crate::shell::Shell;
-use crate::{npm, package, paths, site, tools};
+use crate::{goldens, npm, package, paths, site, tools};
 
 pub(super) fn wasm_in_node() -> Result<()> {
     tools::node()?;
@@ -42,7 +42,10 @@ pub(super) fn core() -> Result<()> {
 
 /// The other end-to-end tests: in Chromium, and those of the element in Firefox and WebKit too.
 pub(super) fn extended() -> Result<()> {
-    end_to_end("extended", tools::other_browsers()?)
+    let programs = tools::other_browsers()?
+        .into_iter()
+        .chain(goldens::programs()?);
+    end_to_end("extended", programs.collect())
 }
 
 /// The end-to-end tests of a folder.

@@ -24,7 +24,7 @@ pub(super) fn lint_wasm() -> Result<()> {
     tools::wasm_target()?;
     clippy(concat!(
         "--target wasm32-unknown-unknown -p hearth-bindings -p hearth-engine -p hearth-sim ",
-        "-p hearth-panel -p hearth-tests -p hearth-painter"
+        "-p hearth-panel -p hearth-tests"
     ))
 }
 
@@ -68,6 +68,17 @@ pub(super) fn shaders() -> Result<()> {
 
 /// The tests of all packages but those of the commands.
 fn test_others(sh: &Shell) -> Cmd<'_> {
+    others(sh, "test")
+}
+
+/// Builds programs with libraries that `native` compiles too.
+pub(crate) fn build<const N: usize>(programs: [&str; N]) -> Result<()> {
+    let programs = programs.iter().flat_map(|name| ["--bin", name]);
+    Ok(others(&Shell::new()?, "build").args(programs).run()?)
+}
+
+/// A command of cargo for all packages but those of the commands.
+fn others<'a>(sh: &'a Shell, command: &str) -> Cmd<'a> {
     let commands = COMMANDS.iter().flat_map(|name| ["--exclude", name]);
-    sh.cargo("test --workspace").args(commands)
+    sh.cargo(&format!("{command} --workspace")).args(commands)
 }

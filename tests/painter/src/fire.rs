@@ -1,0 +1,118 @@
+//! A fire that burns, and what the renderer gets of it.
+
+use hearth_core::params::{DisplayMode, Input, Model};
+use hearth_core::preset::Preset;
+use hearth_core::resolution::Level;
+use hearth_core::{Charred, Instance, Parameters, Simulation};
+use hearth_render::{RenderError, Renderer, ResolutionLimits, View};
+
+use crate::Failure;
+use crate::request::Request;
+
+/// A burning fire.
+#[derive(Clone)]
+pub struct Fire {
+    simulation: Simulation,
+    instances: Vec<Instance>,
+    embers: Vec<Instance>,
+    charred: Charred,
+}
+
+impl Fire {
+    /// A fire of the preset `lit`, with no more particles than `particles` fill its domain.
+    ///
+    /// # Errors
+    /// There is no such preset.
+    pub fn lit(request: &Request) -> Result<Fire, Failure> {
+        let name = request.text("lit");
+        let preset = Preset::find(name).ok_or_else(|| format!("no preset `{name}`"))?;
+        let mut scene = preset.scene();
+        let mut settings = scene.settings().clone();
+        let most = request.number("particles") as u32;
+        let limited = most > 0 && settings.model() == Model::Combustion;
+        if limited && settings.domain_particles() > most {
+            settings.set_domain_particles(most);
+            scene.set_settings(settings);
+        }
+        Ok(Fire {
+            simulation: Simulation::new(scene),
+            instances: Vec::new(),
+            embers: Vec::new(),
+            charred: Charred::default(),
+        })
+    }
+
+    /// Sets the values of a request.
+    ///
+    /// # Errors
+    /// The table refuses a value.
+    pub fn set(&mut self, request: &Request) -> Result<(), Failure> {
+        for (id, value) in request.values() {
+            let set = self.simulation.set(&id, Input::Text(&value));
+            set.map_err(|refusal| format!("{id}: {refusal}"))?;
+        }
+        Ok(())
+    }
+
+    /// The settings.
+    pub fn parameters(&self) -> &Parameters {
+        self.simulation.parameters()
+    }
+
+    /// How long it has burnt \[s\].
+    pub fn time(&self) -> f64 {
+        self.simulation.time()
+    }
+
+    /// Burns until it has burnt for so long \[s\].
+    pub fn burn(&mut self, until: f64) {
+        while self.simulation.time() < until {
+            self.simulation.step();
+        }
+    }
+
+    /// Draws the picture of a time \[s\] with the particles of now.
+    pub fn draw(
+        &mut self,
+        gl: &glow::Context,
+        renderer: &mut Renderer,
+        [width, height]: [u32; 2],
+        time: f64,
+        on_pass: &mut dyn FnMut(&'static str),
+    ) -> Result<(), RenderError> {
+        let fire = &self.simulation;
+        let mode = fire.parameters().display_mode;
+        fire.write_instances(&mut self.instances);
+        fire.write_charred(&mut self.charred);
+        self.embers.clear();
+        if mode == DisplayMode::Fire {
+            fire.write_embers(&mut self.embers);
+        }
+        let temperatures: Vec<_> = fire.solid_temperatures().collect();
+        renderer.upload(gl, mode, &self.instances, &self.embers);
+        renderer.upload_solids(
+            gl,
+            fire.scene(),
+            &fire.poses(),
+            &temperatures,
+            &self.charred,
+        );
+        let view = View {
+            width,
+            height,
+            time,
+            ..View::default()
+        };
+        renderer.paint_in_passes(gl, &view, fire.parameters(), on_pass)
+    }
+}
+
+/// The limits of a quality by its name; medium without one.
+pub fn limits(quality: &str) -> Result<ResolutionLimits, Failure> {
+    let level = match quality {
+        "" => Some(Level::Medium),
+        named => Level::of(named),
+    };
+    let level = level.ok_or_else(|| format!("no quality `{quality}`"))?;
+    Ok(ResolutionLimits::of(level))
+}

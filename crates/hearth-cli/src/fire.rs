@@ -86,6 +86,10 @@ impl Fire {
         on_step: &mut dyn FnMut(f64),
     ) -> Result<(), Error> {
         let frame = |time: f64| (time * FRAMES_PER_SECOND).floor();
+        // The element's first picture has a fire before its first step, or a warm one.
+        if self.simulation.time() == 0.0 && until > 0.0 && !self.warm_up.is_on() {
+            painter.follow(self)?;
+        }
         while self.simulation.time() < until {
             let before = self.simulation.time();
             self.simulation.step();

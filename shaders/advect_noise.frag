@@ -1,15 +1,15 @@
 // Noise advection: the offset of each of two patterns since its start. It is the offset at the
-// gas's position in the last picture, which may show another part of the world, plus the
+// gas's position at the last sample, whose picture may show another part of the world, plus the
 // displacement since then.
 
 in vec2 uv;
 
 uniform sampler2D flow;           // weight, weight × velocity
-uniform sampler2D noise_offsets_before; // the output of this pass in the last picture
-uniform vec2 step_time; // time since the last picture / size of the picture [s/m]
+uniform sampler2D advected_noise_before; // the output of this pass at the last sample
+uniform vec2 step_time; // time since that sample / size of the picture [s/m]
 uniform vec2 before_scale;  // from a position in this picture to that in the last one: the factor
 uniform vec2 before_offset; // and the offset of that position
-uniform vec2 kept;      // of each pattern: 0 if it restarts in this picture, else 1
+uniform vec2 kept;      // of each pattern: 0 if it restarts, else 1
 
 out vec4 noise_offsets; // in sizes of the picture: first pattern, second pattern
 
@@ -19,5 +19,5 @@ void main() {
     vec4 gas = texture(flow, uv);
     vec2 moved = gas.yz / max(gas.x, THIN) * step_time;
     vec2 place = (uv - moved) * before_scale + before_offset;
-    noise_offsets = texture(noise_offsets_before, place) * kept.xxyy / before_scale.xyxy + moved.xyxy;
+    noise_offsets = texture(advected_noise_before, place) * kept.xxyy / before_scale.xyxy + moved.xyxy;
 }

@@ -4,6 +4,7 @@ in vec2 uv;
 
 uniform sampler2D sharper; // the light, or the next sharper copy
 uniform vec2 texel;        // size of a texel of the smaller copy
+uniform float rooted;      // 1: it is a square root; 0: it is linear
 
 out vec4 blur;
 
@@ -13,8 +14,8 @@ void main() {
     vec3 sum = vec3(0.0);
     for (float y = -1.5; y < 2.0; y += 1.0) {
         for (float x = -1.5; x < 2.0; x += 1.0) {
-            vec3 root = texture(sharper, uv + vec2(x, y) * STEP * texel).rgb;
-            sum += root * root;
+            vec3 read = texture(sharper, uv + vec2(x, y) * STEP * texel).rgb;
+            sum += rooted > 0.0 ? read * read : read;
         }
     }
     blur = vec4(sqrt(sum / 16.0), 1.0);

@@ -23,6 +23,7 @@ uniform vec2 pattern_shares;    // shares of the patterns
 uniform float warp;             // displacement of the gas by fine structure [m]
 uniform float detail;           // amount of fine structure
 uniform float air;              // temperature of the air [kK]
+uniform float depth;            // optical depth of the slice, that of a single one is 1
 uniform float smoke;            // optical depth of cold gas with a soot of 1
 uniform float gain; // brightness of gas of 1500 K
 uniform float fire_share;       // 1: fire is visible; 0: only its smoke
@@ -49,8 +50,8 @@ const float SIDE_END = 0.48;
 const float TOP = 0.72;
 const float TOP_END = 0.96;
 // Glow starts at the first temperature and is complete at the second [kK].
-const float DARK = 0.75;
-const float GLOWING = 1.0;
+const float DARK = 0.85;
+const float GLOWING = 1.1;
 // Smoke forms where gas cools from the second to the first temperature [kK],
 const float COLD = 0.5;
 const float COOLING = 1.1;
@@ -118,11 +119,11 @@ void main() {
     kilokelvin -= SHEET_COOLING * detail * sheet;
 
     float glowing = smoothstep(DARK, GLOWING, kilokelvin) * fire_share;
-    float covered = 1.0 - exp(-OPTICAL_DEPTH * left);
+    float covered = 1.0 - exp(-OPTICAL_DEPTH * depth * left);
     vec3 emitted = radiance(kilokelvin) * (gain * covered * glowing);
     float aloft = smoothstep(ALOFT, HIGH, above);
     float hidden = 1.0 - exp(-smoke * soot * aloft * (1.0 - smoothstep(COLD, COOLING, kilokelvin)));
-    // Thin bright flame covers more than its emission suggests.
-    float opaque = covered * (2.0 - covered) * glowing * opacity_of(emitted);
+    // The brightness of a single slice decides what hides the background.
+    float opaque = covered * glowing * opacity_of(emitted / depth);
     light = vec4(encode_light(emitted), 1.0 - (1.0 - opaque) * (1.0 - hidden));
 }

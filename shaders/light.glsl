@@ -1,10 +1,10 @@
-// Targets store the square root of radiance / light range, so that half floats and eight bits
-// resolve dark light as finely as the eye.
+// A target of half floats stores the light, so that slices blend. One of eight bits stores the square root of
+// light / light range, which resolves dark light as finely as the eye.
 
-uniform float light_scale; // 1 / light range
+uniform float light_scale; // 1 / light range; 0 if the target stores the light
 
 vec3 encode_light(vec3 emitted) {
-    return sqrt(emitted * light_scale);
+    return light_scale > 0.0 ? sqrt(emitted * light_scale) : emitted;
 }
 
 // Opacity over a bright background. Bright flame hides it; dim red gas does not, because covering

@@ -15,15 +15,20 @@ struct Particle {
     bool real;     // false for unused quads of the last block
 };
 
-Particle this_particle() {
-    int number = gl_InstanceID * QUADS_PER_INSTANCE + gl_VertexID / 6;
-    ivec2 texel = ivec2(number % PARTICLES_PER_ROW * TEXELS_PER_PARTICLE, number / PARTICLES_PER_ROW);
+// The particle of this quad, one of each `every` ones in the rows from `first` on.
+Particle particle_from(int first, int every) {
+    int number = (gl_InstanceID * QUADS_PER_INSTANCE + gl_VertexID / 6) * every;
+    ivec2 texel = ivec2(number % PARTICLES_PER_ROW * TEXELS_PER_PARTICLE, number / PARTICLES_PER_ROW + first);
     vec4 motion = texelFetch(particles, texel, 0);
     vec4 state = texelFetch(particles, texel + ivec2(1, 0), 0);
     int at = gl_VertexID % 6; // two triangles: 0 1 2, 2 1 3
     int which = at < 3 ? at : at == 3 ? 2 : at == 4 ? 1 : 3;
     return Particle(motion.xy, motion.zw, state,
                     vec2(which & 1, which >> 1) * 2.0 - 1.0, float(number) < count);
+}
+
+Particle this_particle() {
+    return particle_from(0, 1);
 }
 
 // Direction of the motion; upward at rest.

@@ -7,7 +7,7 @@ uniform float yellow; // 1: light pales by way of yellow, as of soot; 0: directl
 // Compresses the peak and keeps the hue. Compressing each channel would shift orange to yellow.
 vec3 displayed(vec3 linear) {
     const float FAITHFUL = 0.8;  // maximum radiance with an unchanged hue
-    const float HALF_PALE = 13.0; // squared excess at which half of the hue has paled
+    const float HALF_PALE = 50.0; // squared excess at which half of the hue has paled
     float peak = max(linear.r, max(linear.g, linear.b));
     float compressed = 1.0 - exp(-peak);
     vec3 hue = linear / max(peak, 1e-6);

@@ -7,23 +7,26 @@ in vec2 uv;
 uniform sampler2D light;
 uniform sampler2D glow;
 uniform float light_range; // maximum radiance in targets
+uniform float rooted;    // 1: the light is a square root; 0: it is linear
 uniform float bloom;     // share of the glow, times the light range
 uniform float scattered; // additional share of the glow that smoke scatters
 uniform float soot;      // light on soot
 
 out vec4 shown;
 
-const float INVISIBLE = 0.004; // encoded light and coverage below one step of eight bits
+// Coverage, the root of the glow, and light below one step of eight bits.
+const float INVISIBLE = 0.004;
+const float DARK = 0.0003;
 const vec3 SOOT = vec3(0.36, 0.33, 0.31); // displayed colour of lit soot, a warm grey
 
 void main() {
     vec4 sharp = texture(light, uv);
     vec3 soft = texture(glow, uv).rgb;
-    if (max(max(sharp.a, sharp.r), soft.r) < INVISIBLE) {
+    if (max(sharp.a, soft.r) < INVISIBLE && sharp.r < DARK) {
         shown = vec4(0.0);
         return;
     }
-    vec3 sum = sharp.rgb * sharp.rgb * light_range + soft * soft * (bloom * (1.0 + scattered * sharp.a));
+    vec3 sum = sharp.rgb * (rooted > 0.0 ? sharp.rgb * light_range : vec3(1.0)) + soft * soft * (bloom * (1.0 + scattered * sharp.a));
     vec3 colour = displayed(sum);
     // Glow covers nothing, but no colour may exceed its alpha. Coverage without emission is soot,
     // which is not quite black.

@@ -85,9 +85,11 @@ export interface HearthParameters {
   display_mode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "distance" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
   /** Fire and smoke, the fire alone, or the smoke alone. The visible layers. Default "both". */
   layers: "both" | "fire" | "smoke";
+  /** A deeper fire with more tongues. Number of slices: moments of the fire's past that are drawn behind the present one. Low quality shows three. Default in combustion: 5, from 1 to 5. */
+  depth: number;
   /** Finer tongues and wisps. Strength of the fine structure that moves with the gas. Default 1, from 0 to 2. */
   detail: number;
-  /** More contrast between bright and dim parts of the fire. Exponent that compresses the brightness of a black body. Default 0.35, from 0.15 to 1. */
+  /** More contrast between bright and dim parts of the fire. Exponent that compresses the brightness of a black body. Default in combustion: 0.6, from 0.15 to 1. Default in classic: 0.35, from 0.15 to 1. */
   luminance_exponent: number;
   /** Larger, softer particles. Drawn size of a particle. [m] Default in classic: 0.04, from 0.0025 to 0.1. */
   particle_size: number;
@@ -263,9 +265,11 @@ export interface HearthProperties {
   displayMode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "distance" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
   /** Fire and smoke, the fire alone, or the smoke alone. The visible layers. Default "both". */
   layers: "both" | "fire" | "smoke";
+  /** A deeper fire with more tongues. Number of slices: moments of the fire's past that are drawn behind the present one. Low quality shows three. Default in combustion: 5, from 1 to 5. */
+  depth: number;
   /** Finer tongues and wisps. Strength of the fine structure that moves with the gas. Default 1, from 0 to 2. */
   detail: number;
-  /** More contrast between bright and dim parts of the fire. Exponent that compresses the brightness of a black body. Default 0.35, from 0.15 to 1. */
+  /** More contrast between bright and dim parts of the fire. Exponent that compresses the brightness of a black body. Default in combustion: 0.6, from 0.15 to 1. Default in classic: 0.35, from 0.15 to 1. */
   luminanceExponent: number;
   /** Larger, softer particles. Drawn size of a particle. [m] Default in classic: 0.04, from 0.0025 to 0.1. */
   particleSize: number;
@@ -584,6 +588,8 @@ export interface HearthStats {
   passes: Record<string, number>;
   /** What `passes` measures: `gpu`, time on the graphics card, of one pass per picture in turn; `submit`, time of submitting the pass, if the browser offers no timer query. */
   passTimer: 'gpu' | 'submit' | '';
+  /** Number of slices of the last picture: fewer than `depth` at low quality, while slices fade in, and where many fires share their memory. */
+  slices: number;
   /** The current level of quality. */
   quality: 'low' | 'medium' | 'high';
   /** The reason of that level. */

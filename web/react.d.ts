@@ -156,9 +156,11 @@ export interface HearthFireAttributes {
   'display-mode'?: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "distance" | "fuel" | "soot" | "neighbours" | "paper" | "sprites" | undefined;
   /** Fire and smoke, the fire alone, or the smoke alone. The visible layers. Default "both". */
   layers?: "both" | "fire" | "smoke" | undefined;
+  /** A deeper fire with more tongues. Number of slices: moments of the fire's past that are drawn behind the present one. Low quality shows three. Default in combustion: 5, from 1 to 5. */
+  depth?: number | `${number}` | undefined;
   /** Finer tongues and wisps. Strength of the fine structure that moves with the gas. Default 1, from 0 to 2. */
   detail?: number | `${number}` | undefined;
-  /** More contrast between bright and dim parts of the fire. Exponent that compresses the brightness of a black body. Default 0.35, from 0.15 to 1. */
+  /** More contrast between bright and dim parts of the fire. Exponent that compresses the brightness of a black body. Default in combustion: 0.6, from 0.15 to 1. Default in classic: 0.35, from 0.15 to 1. */
   'luminance-exponent'?: number | `${number}` | undefined;
   /** Larger, softer particles. Drawn size of a particle. [m] Default in classic: 0.04, from 0.0025 to 0.1. */
   'particle-size'?: number | `${number}` | undefined;

@@ -4,15 +4,8 @@ use hearth_core::params::DisplayMode;
 use hearth_core::resolution::{CountInputs, Level, ParticleCount, SizeLimit};
 use hearth_core::warm_up::WarmUp;
 use hearth_core::{Charred, Instance, Scene, Simulation, Vec2};
-use hearth_render::{Camera, Viewport};
+use hearth_render::{Camera, History, Viewport};
 use hearth_settings::Requested;
-
-use crate::Painter;
-use crate::error::Error;
-
-/// Moments per second of fire at which the state between pictures advances: the pictures of the
-/// element on a usual display.
-const FRAMES_PER_SECOND: f64 = 60.0;
 
 /// A fire and what it shows.
 pub struct Fire {
@@ -20,6 +13,7 @@ pub struct Fire {
     level: Level,
     warm_up: WarmUp,
     pub(crate) simulation: Simulation,
+    pub(crate) history: History,
     pub(crate) instances: Vec<Instance>,
     pub(crate) embers: Vec<Instance>,
     pub(crate) charred: Charred,
@@ -31,6 +25,7 @@ impl Fire {
     pub fn new(requested: Requested, level: Level, warm: f64) -> Fire {
         let mut fire = Fire {
             simulation: Simulation::new(Scene::default()),
+            history: History::default(),
             warm_up: WarmUp::new(warm, Vec::new()),
             requested,
             level,
@@ -74,42 +69,26 @@ impl Fire {
             .see(Some(viewport.corners().map(Vec2::from)));
     }
 
-    /// Burns until an age \[s\]. The painter follows, so that its next picture continues the motion of
-    /// the fine structure. Calls `on_step` with the age after each step.
-    ///
-    /// # Errors
-    /// The driver has no memory.
-    pub fn burn(
-        &mut self,
-        until: f64,
-        painter: &mut Painter<'_>,
-        on_step: &mut dyn FnMut(f64),
-    ) -> Result<(), Error> {
-        let frame = |time: f64| (time * FRAMES_PER_SECOND).floor();
-        // The element's first picture has a fire before its first step, or a warm one.
-        if self.simulation.time() == 0.0 && until > 0.0 && !self.warm_up.is_on() {
-            painter.follow(self)?;
-        }
+    /// Burns until an age \[s\]. Calls `on_step` with the age after each step.
+    pub fn burn(&mut self, until: f64, on_step: &mut dyn FnMut(f64)) {
         while self.simulation.time() < until {
             let before = self.simulation.time();
             self.simulation.step();
+            self.history.follow(&self.simulation);
             let now = self.simulation.time();
             if self.warm_up.is_on() && self.warm_up.advance(now - before) {
                 let scene = self.scene();
                 self.simulation.set_scene(scene);
             }
             on_step(now);
-            // The element draws no picture before its fire is warm.
-            if frame(now) > frame(before) && now < until && !self.warm_up.is_on() {
-                painter.follow(self)?;
-            }
         }
-        Ok(())
     }
 
     /// Writes what the renderer gets.
     pub(crate) fn write(&mut self) {
         let fire = &self.simulation;
+        // A fire that is drawn before its first step has no sample yet.
+        self.history.follow(fire);
         fire.write_instances(&mut self.instances);
         fire.write_charred(&mut self.charred);
         if fire.parameters().display_mode == DisplayMode::Fire {

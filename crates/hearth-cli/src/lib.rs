@@ -6,12 +6,14 @@
 //! ```
 //! use hearth_cli::Offscreen;
 //! use hearth_core::{Simulation, preset::Preset};
-//! use hearth_render::{Renderer, View};
+//! use hearth_render::{History, Renderer, View};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let mut fire = Simulation::new(Preset::all()[0].scene());
+//! let mut history = History::default();
 //! while fire.time() < 1.0 {
 //!     fire.step();
+//!     history.follow(&fire);
 //! }
 //! let mut instances = Vec::new();
 //! fire.write_instances(&mut instances);
@@ -22,7 +24,7 @@
 //! renderer.set_output(Some(offscreen.target([640, 360])?));
 //! renderer.upload(gl, fire.parameters().display_mode, &instances, &[]);
 //! let view = View { width: 640, height: 360, time: fire.time(), ..View::default() };
-//! renderer.paint(gl, &view, fire.parameters())?;
+//! renderer.paint(gl, &view, fire.parameters(), &history)?;
 //! let rgba = offscreen.pixels();
 //! assert!(rgba.iter().any(|&byte| byte > 100));
 //! # Ok(())

@@ -76,19 +76,7 @@ impl<'a> Painter<'a> {
         if let Some(renderer) = &mut self.renderer {
             renderer.set_output(Some(target));
             let values = fire.simulation.parameters();
-            renderer.paint_in_passes(self.offscreen.gl(), &view, values, on_pass)?;
-        }
-        Ok(())
-    }
-
-    /// Continues the motion of the fine structure without a picture.
-    ///
-    /// # Errors
-    /// The driver has no memory.
-    pub fn follow(&mut self, fire: &mut Fire) -> Result<(), Error> {
-        let view = self.upload(fire);
-        if let Some(renderer) = &mut self.renderer {
-            renderer.advance(self.offscreen.gl(), &view, fire.simulation.parameters())?;
+            renderer.paint_in_passes(self.offscreen.gl(), &view, values, &fire.history, on_pass)?;
         }
         Ok(())
     }

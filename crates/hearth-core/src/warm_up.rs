@@ -1,7 +1,7 @@
 //! Warm-up: a fire burns before it is shown.
 //!
 //! A fire that was just lit looks like a mushroom cloud. A warm fire first burns for some
-//! seconds, or resumes a saved fire. The cost of a step grows as the particle count to the
+//! seconds, or resumes a saved fire, which burns on until it has a past to show. The cost of a step grows as the particle count to the
 //! power of 1.5, so most of the warm-up uses few particles. The full number replaces them
 //! for the last part ([`ParticleCount`](crate::resolution::ParticleCount)).
 
@@ -10,6 +10,9 @@ use crate::{Scene, Simulation};
 
 /// Duration of the last part, with all particles [s of fire].
 const FINE_SECONDS: f64 = 0.9;
+
+/// Time that a saved fire burns on [s of fire]: the largest lag of a slice of a picture.
+const PAST_SECONDS: f64 = 1.7;
 
 /// The warm-up of a fire.
 #[derive(Debug, Default)]
@@ -51,8 +54,8 @@ impl WarmUp {
         self.left > FINE_SECONDS
     }
 
-    /// Starts a new fire of a scene with all its particles. If it [is on](WarmUp::is_on) after that, the caller
-    /// replaces the fire by a coarse one. Returns what is wrong with the saved fire.
+    /// Starts a new fire of a scene with all its particles, or resumes the saved one. If it [is on](WarmUp::is_on)
+    /// after that, the caller replaces a new fire by a coarse one, or resamples a burning one. Returns what is wrong with the saved fire.
     pub fn begin(&mut self, simulation: &mut Simulation, scene: Scene) -> Option<BurningError> {
         self.left = 0.0;
         *simulation = Simulation::new(scene);
@@ -62,7 +65,10 @@ impl WarmUp {
         let mut wrong = None;
         if !self.saved.is_empty() {
             match simulation.restore_burning(&self.saved) {
-                Ok(()) => return None,
+                Ok(()) => {
+                    self.left = PAST_SECONDS;
+                    return None;
+                }
                 Err(BurningError::OtherValues) => {}
                 Err(error) => {
                     self.saved.clear();

@@ -24,14 +24,13 @@ use crate::wall_clock::WallClock;
 
 const CONTEXT_LOST: &str = "the graphics context was lost; the fire continues when it is restored";
 
+/// Memory of the past moments of all fires \[bytes\], that of some ten fires of medium quality.
+const HISTORY_BYTES: usize = 24 << 20;
+
 /// Draws any number of fires.
 #[wasm_bindgen]
 pub struct Engine {
-    /// A page has few fires, so a linear search is faster than a map.
-    #[expect(
-        clippy::vec_box,
-        reason = "moving a pointer is faster than moving a fire"
-    )]
+    /// A page has few fires, so a linear search is faster than a map. Moving a pointer is faster than moving a fire.
     fires: Vec<Box<Fire>>,
     canvas: SharedCanvas,
     clock: WallClock,
@@ -215,6 +214,14 @@ fn spray(fire: &mut Fire, [x, y, u, v, grams]: [f64; 5]) -> Result<(), Vec<Valid
 }
 
 impl Engine {
+    /// Shares the memory of past moments among the fires.
+    fn share_history(&mut self) {
+        let bytes = HISTORY_BYTES / self.fires.len().max(1);
+        for fire in &mut self.fires {
+            fire.limit_history(bytes);
+        }
+    }
+
     fn needs_frame(&self) -> bool {
         self.fires.iter().any(|fire| fire.needs_frame())
     }
@@ -252,6 +259,7 @@ impl Engine {
                     events.error(id, ErrorKind::ContextLost, CONTEXT_LOST);
                 }
                 self.fires.push(Box::new(fire));
+                self.share_history();
                 return Ok(Answer::Done);
             }
             (Some(fire), command) if !matches!(command, Command::Add { .. }) => (fire, command),
@@ -352,7 +360,10 @@ impl Engine {
                 fire.request_steps(0, seconds.0, request);
                 return Ok(Answer::Deferred);
             }
-            Command::Remove {} => self.fires.retain(|fire| fire.id() != id),
+            Command::Remove {} => {
+                self.fires.retain(|fire| fire.id() != id);
+                self.share_history();
+            }
             // Executed above.
             Command::Add { .. }
             | Command::Set { .. }

@@ -10,7 +10,7 @@ use hearth_core::fps::FpsCounter;
 use hearth_core::{
     Charred, IgniteError, IgnitionTarget, Instance, Parameters, Simulation, SprayError, burning,
 };
-use hearth_render::{Camera, Fit, Viewport};
+use hearth_render::{Camera, Fit, History, Viewport};
 use js_sys::Float32Array;
 use wasm_bindgen::JsValue;
 
@@ -68,6 +68,7 @@ pub struct Fire {
     size_limit: SizeLimit,
     machine_limit: MachineLimit,
     pub(crate) renderer: FireRenderer,
+    history: History,
     /// Whether there is a context to draw in.
     drawable: bool,
     instances: Vec<Instance>,
@@ -114,6 +115,7 @@ impl Fire {
             size_limit: SizeLimit::of(start.side),
             machine_limit: MachineLimit::new(on_page),
             renderer: FireRenderer::default(),
+            history: History::default(),
             drawable: false,
             instances: Vec::new(),
             embers: Vec::new(),
@@ -304,6 +306,11 @@ impl Fire {
             .see(Some(viewport.corners().map(Vec2::from)));
     }
 
+    /// Limits the memory of the fire's past \[bytes\].
+    pub fn limit_history(&mut self, bytes: usize) {
+        self.history.set_limit(bytes);
+    }
+
     /// Counts a picture in flight as shown.
     pub fn shown(&mut self) {
         self.renderer.shown();
@@ -322,6 +329,7 @@ impl Fire {
     /// Restarts the simulation.
     pub fn reset(&mut self, events: &Events) {
         self.simulation.reset();
+        self.history.clear();
         if self.warm_up.is_enabled() {
             self.start(events);
         }

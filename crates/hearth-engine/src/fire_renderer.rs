@@ -1,9 +1,9 @@
 //! The rendering of one fire in the context that all fires share.
 
-use hearth_core::params::{DisplayMode, Model};
+use hearth_core::params::DisplayMode;
 use hearth_core::scene::Pose;
 use hearth_core::{Charred, Instance, Scene};
-use hearth_render::{Camera, CarriedNoise, Motion, RenderError, Renderer, ResolutionLimits, View};
+use hearth_render::{Camera, History, RenderError, Renderer, ResolutionLimits, Scale, View};
 
 use crate::pass_times::PassTimes;
 use crate::shared_canvas::{Gpu, SharedCanvas};
@@ -45,18 +45,16 @@ pub struct FrameInput<'a> {
     pub temperatures: &'a [(u32, f32)],
     /// What is left of solids with fuel.
     pub charred: &'a Charred,
-    /// Whether the fire is paused.
-    pub paused: bool,
+    /// The fire's past.
+    pub history: &'a History,
 }
 
 /// Draws a fire and limits its pictures in flight.
 #[derive(Default)]
 pub struct FireRenderer {
     drawing: Option<Drawing>,
-    /// State of the fine structure, which outlives a lost context.
-    motion: Motion,
-    /// The advected noise of a paused fire, which outlives a lost context.
-    carried: Option<CarriedNoise>,
+    /// The colour scale, which outlives a lost context.
+    scale: Scale,
     /// Number of drawn pictures that are not shown yet.
     in_flight: u32,
 }
@@ -88,6 +86,15 @@ impl FireRenderer {
         self.drawing.as_ref()?.renderer.as_ref()?.scale()
     }
 
+    /// Number of slices of the last picture; 0 while the fire is off stage.
+    pub fn slices(&self) -> usize {
+        let renderer = self
+            .drawing
+            .as_ref()
+            .and_then(|drawing| drawing.renderer.as_ref());
+        renderer.map_or(0, Renderer::slices)
+    }
+
     /// Draws a picture and shows it. Returns the time at which the upload of the particles ended
     /// \[ms\].
     ///
@@ -110,8 +117,7 @@ impl FireRenderer {
         } = input;
         let parameters = scene.settings();
         let context = &gpu.gl.context;
-        let mut motion = self.motion;
-        let mut carried = None;
+        let mut scale = self.scale;
         let painted = self.begin(gpu).and_then(|drawing| {
             let gl: &WebGl = &gpu.gl;
             let Some(renderer) = &mut drawing.renderer else {
@@ -131,19 +137,12 @@ impl FireRenderer {
                 camera,
             };
             let on_pass = &mut |name| passes.end(context, clock, name);
-            let painted = renderer.paint_in_passes(gl, &view, parameters, on_pass);
+            let painted = renderer.paint_in_passes(gl, &view, parameters, input.history, on_pass);
             passes.finish(context);
-            motion = renderer.motion();
-            if input.paused && parameters.model() == Model::Combustion {
-                carried = renderer.carried(gl);
-            }
+            scale = renderer.colour_scale();
             painted.map(|()| sent)
         });
-        self.motion = motion;
-        // A lost context returns no texels.
-        if !context.is_context_lost() {
-            self.carried = carried;
-        }
+        self.scale = scale;
         match painted {
             Ok(sent) => {
                 if !canvas.show(input.fire) {
@@ -164,7 +163,7 @@ impl FireRenderer {
         if self.drawing.is_none() {
             let gl: &WebGl = &gpu.gl;
             let mut renderer = Renderer::within(gl, gpu.resources.clone())?;
-            renderer.resume(self.motion, self.carried.take());
+            renderer.resume(self.scale);
             self.drawing = Some(Drawing {
                 gpu: gpu.clone(),
                 renderer: Some(renderer),

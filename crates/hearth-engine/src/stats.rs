@@ -93,6 +93,9 @@ stats! { fire, report, fuels, canvas =>
     /// What `passes` measures: `gpu`, time on the graphics card, of one pass per picture in
     /// turn; `submit`, time of submitting the pass, if the browser offers no timer query.
     "passTimer": "'gpu' | 'submit' | ''" = set_text(fire.renderer.passes().map_or("", |passes| passes.timer()))
+    /// Number of slices of the last picture: fewer than `depth` at low quality, while slices fade in, and where many
+    /// fires share their memory.
+    "slices": "number" = set_number(fire.renderer.slices() as f64)
     /// The current level of quality.
     "quality": "'low' | 'medium' | 'high'" = set_text(fire.quality.level().name())
     /// The reason of that level.

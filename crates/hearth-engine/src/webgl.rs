@@ -1,14 +1,14 @@
 //! The renderer's [`Graphics`] for a WebGL2 context of the page.
 //!
-//! A frame creates no JavaScript object. Particles and uniforms are uploaded through one view
-//! of wasm's whole memory, which is replaced only after that memory has grown. The bindings of
+//! A frame creates no JavaScript object. Particles and uniforms are uploaded through views
+//! of wasm's whole memory, which are replaced only after that memory has grown. The bindings of
 //! web-sys that return a `Result` create an object per call, so a frame uses bindings without
 //! one.
 
 use std::cell::RefCell;
 
 use hearth_render::Graphics;
-use js_sys::{Float32Array, WebAssembly};
+use js_sys::{Float32Array, Uint16Array, WebAssembly};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{
@@ -47,17 +47,19 @@ extern "C" {
         length: u32,
     );
 
-    #[wasm_bindgen(method, js_name = readPixels)]
+    #[wasm_bindgen(method, js_name = texSubImage2D)]
     #[allow(clippy::too_many_arguments)]
-    fn read(
+    fn replace_halves(
         this: &Calls,
+        target: u32,
+        level: i32,
         x: u32,
         y: u32,
         width: u32,
         height: u32,
         format: u32,
         kind: u32,
-        into: &Float32Array,
+        from: &Uint16Array,
         offset: u32,
     );
 
@@ -75,7 +77,7 @@ impl Calls {
     }
 }
 
-/// A context and the view of memory that it reads.
+/// A context and the views of memory that it reads.
 pub struct WebGl {
     /// The context.
     pub context: Context,
@@ -92,10 +94,11 @@ impl WebGl {
     }
 }
 
-/// A view of wasm's memory as floats.
+/// Views of wasm's memory.
 struct Memory {
     floats: Float32Array,
-    /// Size of the memory when the view was created.
+    halves: Uint16Array,
+    /// Size of the memory when the views were created.
     pages: usize,
 }
 
@@ -104,13 +107,13 @@ impl Memory {
         core::arch::wasm32::memory_size(0)
     }
 
-    /// Offset of these floats in the view.
-    fn find(&mut self, floats: &[f32]) -> u32 {
+    /// Offset of these numbers in their view.
+    fn find<T>(&mut self, numbers: &[T]) -> u32 {
         // Growing the memory empties its views. Creating a view may make the memory grow again.
         while self.pages != Memory::pages() {
             *self = Memory::now();
         }
-        (floats.as_ptr() as usize / size_of::<f32>()) as u32
+        (numbers.as_ptr() as usize / size_of::<T>()) as u32
     }
 
     fn now() -> Memory {
@@ -118,6 +121,7 @@ impl Memory {
         let memory: WebAssembly::Memory = wasm_bindgen::memory().unchecked_into();
         Memory {
             floats: Float32Array::new(&memory.buffer()),
+            halves: Uint16Array::new(&memory.buffer()),
             pages,
         }
     }
@@ -242,11 +246,22 @@ impl Graphics for WebGl {
         );
     }
 
-    fn read_floats(&self, [width, height]: [u32; 2], texels: &mut [f32]) {
+    fn replace_halves(&self, [x, y]: [u32; 2], [width, height]: [u32; 2], texels: &[u16]) {
         let mut memory = self.memory.borrow_mut();
         let offset = memory.find(texels);
-        let (rgba, float) = (Context::RGBA, Context::FLOAT);
-        Calls::of(&self.context).read(0, 0, width, height, rgba, float, &memory.floats, offset);
+        let (rgba, half) = (Context::RGBA, Context::HALF_FLOAT);
+        Calls::of(&self.context).replace_halves(
+            TEXTURE_2D,
+            0,
+            x,
+            y,
+            width,
+            height,
+            rgba,
+            half,
+            &memory.halves,
+            offset,
+        );
     }
 
     fn attach_texture(&self, texture: &WebGlTexture) -> u32 {

@@ -87,9 +87,14 @@ fn block(program: &Program, text: &mut String) -> std::fmt::Result {
     }
     writeln!(text, "}}\n\nimpl Uniforms for {name} {{")?;
     writeln!(text, "    const SHADER: Shader = Shader::{name};\n")?;
+    let to = if program.uniforms.is_empty() {
+        "_"
+    } else {
+        "to"
+    };
     writeln!(
         text,
-        "    #[inline]\n    fn write(self, to: &mut [f32; FLOATS]) {{"
+        "    #[inline]\n    fn write(self, {to}: &mut [f32; FLOATS]) {{"
     )?;
     for Uniform { name, size, at, .. } in &program.uniforms {
         if *size == 1 {

@@ -34,6 +34,7 @@ impl Gas {
 
 impl ParticleBounds {
     /// The bounds of particles of any model and embers.
+    #[inline(never)]
     pub fn of(particles: &[Instance], embers: &[Instance]) -> ParticleBounds {
         let far = f32::INFINITY;
         let mut edges = [far, far, -far, -far];
@@ -56,6 +57,16 @@ impl ParticleBounds {
             ];
         }
         ParticleBounds { edges, alive, hot }
+    }
+
+    /// The edges of both, with the motion of the first.
+    #[inline(never)]
+    pub fn around(a: &ParticleBounds, b: &ParticleBounds) -> ParticleBounds {
+        let ([l, d, r, u], [left, lower, right, upper]) = (a.edges, b.edges);
+        ParticleBounds {
+            edges: [l.min(left), d.min(lower), r.max(right), u.max(upper)],
+            ..*a
+        }
     }
 
     /// Mean height \[m\] and upward speed [m/s] of the glowing gas of a model.

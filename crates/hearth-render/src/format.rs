@@ -61,6 +61,20 @@ impl TargetFormat {
         }
     }
 
+    /// Whether targets store the square root of the light, which resolves dark light but does not blend.
+    pub(crate) const fn is_rooted(self) -> bool {
+        matches!(self, TargetFormat::Rgba8)
+    }
+
+    /// 1 / the maximum radiance of a target that stores its root; 0 for one that stores the light.
+    pub(crate) const fn light_scale(self) -> f32 {
+        if self.is_rooted() {
+            1.0 / self.light_range()
+        } else {
+            0.0
+        }
+    }
+
     /// Maximum radiance before tone mapping. The tone map shows a higher one as nearly white.
     pub(crate) const fn light_range(self) -> f32 {
         match self {

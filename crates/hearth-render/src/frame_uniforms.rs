@@ -3,11 +3,13 @@
 use hearth_core::params::{Backdrop, Colour, DisplayMode, Edges, Ground, Layers, Model};
 use hearth_core::{Parameters, Source};
 
+use crate::advection::Phase;
 use crate::bounds::ParticleBounds;
 use crate::format::TargetFormat;
 use crate::kernel::Kernel;
-use crate::motion::Motion;
 use crate::resolution::Layout;
+use crate::scale::Scale;
+use crate::slices::Slice;
 use crate::viewport::Viewport;
 
 /// Brightness of gas of 1500 K at an exposure of 0.
@@ -22,7 +24,50 @@ const WALL_OFFSET: f32 = 0.1;
 /// Maximum foot of the fire that stands on the floor, in heights of the domain.
 const MAX_FOOT: f32 = 0.6;
 
+/// Particles that a pass draws.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Batch {
+    /// Number of particles.
+    pub count: usize,
+    /// First row of a sample of the history; `None` for the present particles.
+    pub row: Option<u32>,
+    /// Time from the sample to the moment that is drawn \[s\].
+    pub ahead: f32,
+    /// Weight of the sample.
+    pub share: f32,
+    /// Unit of volumes \[m²\].
+    pub unit: f32,
+    /// One of so many particles is drawn, with that weight.
+    pub stride: usize,
+}
+
+impl Batch {
+    /// The present particles.
+    pub fn present(count: usize) -> Batch {
+        Batch {
+            count,
+            row: None,
+            ahead: 0.0,
+            share: 1.0,
+            unit: 1.0,
+            stride: 1,
+        }
+    }
+}
+
+/// How far the noise is advected in a pass.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Advected {
+    /// Time of advection \[s\].
+    pub elapsed: f32,
+    /// For each pattern: 0 if it restarts, else 1.
+    pub kept: [f32; 2],
+    /// Index of the newer of the two targets.
+    pub newest: usize,
+}
+
 /// What the uniforms of a frame follow from.
+#[derive(Clone)]
 pub struct FrameUniforms<'a> {
     /// Parameters of physics and look.
     pub parameters: &'a Parameters,
@@ -34,35 +79,57 @@ pub struct FrameUniforms<'a> {
     pub format: TargetFormat,
     /// Position of the world in the picture.
     pub viewport: Viewport,
-    /// Position of the world in the last picture.
+    /// Position of the world when the noise was last advected.
     pub before: Viewport,
     /// Age of the fire \[s\].
     pub time: f64,
-    /// Number of particles.
-    pub particles: usize,
+    /// The particles.
+    pub particles: Batch,
     /// Number of embers.
     pub embers: usize,
     /// Number of solids.
     pub solids: usize,
-    /// State of the fine structure and of the colour scale.
-    pub motion: Motion,
+    /// The slice.
+    pub slice: Slice,
+    /// Phase of the advected patterns.
+    pub phase: Phase,
+    /// Advection of the noise.
+    pub advected: Advected,
+    /// Distance that the gas has risen \[m\].
+    pub risen: f64,
+    /// Height of the flame above the source \[m\].
+    pub flame_height: f32,
+    /// The colour scale.
+    pub scale: Scale,
     /// Kernels of the particles, at least as wide as the texels resolve.
     pub kernel: Kernel,
     /// Size of the used part of the field \[texels\].
     pub used: [u32; 2],
     /// Bounds of the fire without its glow: left, lower, right, upper edge \[m\].
     pub reach: [f32; 4],
+    /// Bounds of the slices behind the front one \[m\], if there are any.
+    pub behind: Option<[f32; 4]>,
     /// Whether the backdrop is drawn again.
     pub scenery_is_stale: bool,
 }
 
-impl FrameUniforms<'_> {
+impl<'a> FrameUniforms<'a> {
+    /// The same frame with other particles.
+    #[inline(never)]
+    pub fn with(&self, particles: Batch) -> FrameUniforms<'a> {
+        FrameUniforms {
+            particles,
+            ..self.clone()
+        }
+    }
+
     /// Fits the kernels, the used part of the field and the reach to the bounds of the gas.
     pub fn fit(&mut self, bounds: &ParticleBounds) {
         let height = self.viewport.metres[1];
+        let (count, behind) = (self.particles.count, self.slice.index > 0);
         self.used = self
             .layout
-            .used_field(self.particles, self.kernel.radius, height);
+            .used_field(count, self.kernel.radius, height, behind);
         self.kernel.radius = self.resolved(self.kernel.radius, self.used[1]);
         self.reach = bounds.widened(self.kernel.margin.max(self.kernel.radius));
     }
@@ -202,11 +269,7 @@ impl FrameUniforms<'_> {
 
     /// Quantity of the first colour, and 1 / span to the last.
     pub fn span(&self) -> [f32; 2] {
-        let [min, max] = self
-            .motion
-            .scale
-            .ends()
-            .map_or([0.0, 1.0], |(_, ends)| ends);
+        let [min, max] = self.scale.ends().map_or([0.0, 1.0], |(_, ends)| ends);
         [min, 1.0 / (max - min)]
     }
 

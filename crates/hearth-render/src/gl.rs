@@ -52,8 +52,8 @@ pub trait Graphics {
     fn replace_bytes(&self, size: [u32; 2], texels: &[u8]);
     /// Replaces a part of the bound texture, whose texels are four floats.
     fn replace_floats(&self, from: [u32; 2], size: [u32; 2], texels: &[f32]);
-    /// Reads the lower left part of the bound framebuffer.
-    fn read_floats(&self, size: [u32; 2], texels: &mut [f32]);
+    /// The same of a texture of half floats, by their bits.
+    fn replace_halves(&self, from: [u32; 2], size: [u32; 2], texels: &[u16]);
     fn generate_mipmap(&self);
 
     fn create_framebuffer(&self) -> Option<Self::Framebuffer>;
@@ -173,11 +173,14 @@ impl Graphics for glow::Context {
         replace(self, from, size, glow::FLOAT, bytemuck::cast_slice(texels));
     }
 
-    fn read_floats(&self, size: [u32; 2], texels: &mut [f32]) {
-        let [width, height] = size.map(|side| side as i32);
-        let pixels = glow::PixelPackData::Slice(Some(bytemuck::cast_slice_mut(texels)));
-        // SAFETY: see the module's documentation.
-        unsafe { Gl::read_pixels(self, 0, 0, width, height, glow::RGBA, glow::FLOAT, pixels) }
+    fn replace_halves(&self, from: [u32; 2], size: [u32; 2], texels: &[u16]) {
+        replace(
+            self,
+            from,
+            size,
+            glow::HALF_FLOAT,
+            bytemuck::cast_slice(texels),
+        );
     }
 
     fn attach_texture(&self, texture: &glow::Texture) -> u32 {

@@ -3,6 +3,7 @@
 
 use crate::format::TargetFormat;
 use crate::resolution::{Layout, MAX_BLURS};
+use crate::slices::MAX_SLICES;
 
 /// An image of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,12 +20,16 @@ pub enum Image {
     Wide,
     /// Velocities of the gas.
     Flow,
-    /// Offsets of the advected noise.
+    /// Offsets of the noise at the newest sample of the slice.
+    AdvectedNoise,
+    /// The same at the sample before.
+    AdvectedNoiseBefore,
+    /// Offsets of the noise at the moment of the slice.
     NoiseOffsets,
-    /// The offsets of the previous picture.
-    NoiseOffsetsBefore,
-    /// Light before tone mapping.
+    /// Light before tone mapping. Slices behind the front one have a coarser target.
     Light,
+    /// Light of the slices behind the front one.
+    Behind,
     /// Displayed colours.
     Shown,
     /// The backdrop in white light.
@@ -48,30 +53,56 @@ pub enum Image {
 /// Indices of the targets.
 const FIELD: usize = 0;
 const WIDE: usize = 1;
-const FLOW: usize = 2;
-/// Two targets, which alternate.
-pub const NOISE_OFFSETS: usize = 3;
-const LIGHT: usize = 5;
-const SHOWN: usize = 6;
+const NOISE_OFFSETS: usize = 2;
+const LIGHT: usize = 3;
+const SHOWN: usize = 4;
 /// The backdrop.
-pub const SCENERY: usize = 7;
-const IRRADIANCE: usize = 8;
+pub const SCENERY: usize = 5;
+const IRRADIANCE: usize = 6;
+const BEHIND: usize = 7;
+const OFFSETS_BEHIND: usize = 8;
 const BLUR: usize = 9;
 const GLOW: usize = BLUR + MAX_BLURS;
+/// A target for each slice.
+const FLOW: usize = GLOW + MAX_BLURS - 1;
+/// Two targets for each slice, which alternate.
+const ADVECTED_NOISE: usize = FLOW + MAX_SLICES;
 /// Number of targets.
-pub const TARGETS: usize = GLOW + MAX_BLURS - 1;
+pub const TARGETS: usize = ADVECTED_NOISE + 2 * MAX_SLICES;
+
+/// Which of the targets of an image a pass uses.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Which {
+    /// Level of the bloom.
+    pub level: usize,
+    /// Level of the widest copy.
+    pub widest: usize,
+    /// Number of the slice.
+    pub slice: usize,
+    /// The newer target of its advected noise, 0 or 1.
+    pub newest: usize,
+}
 
 impl Image {
-    /// Index of the image's target in a pass at a level of a bloom with `widest + 1` levels; `None`
-    /// for the picture and for images that no pass draws.
-    pub fn target(self, level: usize, widest: usize, newest: usize) -> Option<usize> {
+    /// Index of the image's target; `None` for the picture and for images that no pass draws.
+    pub fn target(self, which: Which) -> Option<usize> {
+        let Which {
+            level,
+            widest,
+            slice,
+            newest,
+        } = which;
         Some(match self {
             Image::Particles | Image::Noise | Image::Palette | Image::Picture => return None,
             Image::Field => FIELD,
             Image::Wide => WIDE,
-            Image::Flow => FLOW,
-            Image::NoiseOffsets => NOISE_OFFSETS + newest,
-            Image::NoiseOffsetsBefore => NOISE_OFFSETS + 1 - newest,
+            Image::Flow => FLOW + slice,
+            Image::AdvectedNoise => ADVECTED_NOISE + 2 * slice + newest,
+            Image::AdvectedNoiseBefore => ADVECTED_NOISE + 2 * slice + 1 - newest,
+            Image::NoiseOffsets if slice > 0 => OFFSETS_BEHIND,
+            Image::NoiseOffsets => NOISE_OFFSETS,
+            Image::Behind => BEHIND,
+            Image::Light if slice > 0 => BEHIND,
             Image::Light => LIGHT,
             Image::Shown => SHOWN,
             Image::Scenery => SCENERY,
@@ -95,13 +126,17 @@ pub fn format_and_size(
     let size = match target {
         FIELD => layout.field,
         WIDE => layout.wide,
-        FLOW => layout.flow,
+        NOISE_OFFSETS => layout.noise_offsets,
+        // Slices behind the front one need less detail.
+        ADVECTED_NOISE.. if target < ADVECTED_NOISE + 2 => layout.noise_offsets,
+        OFFSETS_BEHIND | ADVECTED_NOISE.. => layout.flow,
         LIGHT | SHOWN => layout.light,
+        BEHIND => layout.behind,
         SCENERY => layout.scenery,
         IRRADIANCE => layout.irradiance,
+        FLOW.. => layout.flow,
         GLOW.. => layout.blurs()[target - GLOW],
-        BLUR.. => layout.blurs()[target - BLUR],
-        _ => layout.noise_offsets,
+        _ => layout.blurs()[target - BLUR],
     };
     let format = match target {
         SHOWN | SCENERY => TargetFormat::Rgba8,
@@ -117,7 +152,13 @@ mod tests {
     #[test]
     fn bloom_levels_go_down_from_the_light_and_up_to_the_glow() {
         let widest = 3;
-        let of = |image: Image, level| image.target(level, widest, 0);
+        let of = |image: Image, level| {
+            image.target(Which {
+                level,
+                widest,
+                ..Which::default()
+            })
+        };
         assert_eq!(of(Image::Sharper, 0), of(Image::Light, 0));
         for level in 1..=widest {
             assert_eq!(of(Image::Sharper, level), of(Image::Blur, level - 1));

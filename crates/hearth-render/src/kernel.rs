@@ -8,6 +8,8 @@ use hearth_core::{Parameters, Source};
 pub const RADII_PER_SIZE: f32 = 0.92;
 /// Radius of the kernel (1 − q²)² with the same blur as the cubic spline, in smoothing lengths.
 const RADII_PER_LENGTH: f32 = 1.6;
+/// Radius of the kernel of a parcel of two particles, in those of a particle.
+const PARCEL_WIDENING: f32 = 1.1;
 /// Maximum reach of a stretched classic kernel in its radii.
 const CLASSIC_REACH: f32 = 2.3;
 /// Displacement of the gas by fine structure, relative to the size of the structure.
@@ -39,7 +41,7 @@ impl Kernel {
             (DisplayMode::Fire, Model::Classic) => RADII_PER_SIZE * size,
             (DisplayMode::Sprites, Model::Classic) => SPRITE_SIZES * size,
             (DisplayMode::Sprites, Model::Combustion) => SPRITE_SPACINGS * spacing,
-            _ => RADII_PER_LENGTH * parameters.smoothing_length(),
+            _ => gas_radius(parameters.smoothing_length()),
         };
         if parameters.display_mode != DisplayMode::Fire {
             return Kernel {
@@ -65,6 +67,16 @@ impl Kernel {
             margin: reach * radius + 2.0 * warp,
         }
     }
+}
+
+/// Radius of the kernel of gas with that smoothing length \[m\].
+pub fn gas_radius(smoothing_length: f32) -> f32 {
+    RADII_PER_LENGTH * smoothing_length
+}
+
+/// The same of a parcel of two particles.
+pub fn parcel_radius(smoothing_length: f32) -> f32 {
+    PARCEL_WIDENING * gas_radius(smoothing_length)
 }
 
 /// Maximum of the kernel (1 − q²)² with an integral of 1.

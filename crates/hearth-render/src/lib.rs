@@ -22,10 +22,11 @@ mod gl;
 #[cfg(test)]
 #[path = "../build/glsl/mod.rs"]
 mod glsl;
+mod half;
+mod history;
 mod image;
 mod instance;
 mod kernel;
-mod motion;
 mod noise;
 mod palette;
 mod particles;
@@ -34,11 +35,14 @@ mod passes;
 mod program;
 mod renderer;
 mod resolution;
+mod ring;
 mod rise;
 mod scale;
 mod shaders;
 mod shared;
+mod slices;
 mod solids;
+mod surroundings;
 mod target;
 mod targets;
 #[cfg(test)]
@@ -51,9 +55,10 @@ pub use camera::{Camera, Fit};
 pub use error::RenderError;
 pub use format::TargetFormat;
 pub use gl::Graphics;
-pub use motion::{CarriedNoise, Motion};
+pub use history::{History, Moment};
 pub use renderer::{Renderer, View};
 pub use resolution::ResolutionLimits;
+pub use scale::Scale;
 pub use shared::SharedResources;
 pub use viewport::Viewport;
 

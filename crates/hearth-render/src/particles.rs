@@ -81,14 +81,14 @@ impl<G: Graphics> Particles<G> {
         &self.texture
     }
 
-    /// Draws a quad for each particle with the current program.
-    pub fn draw(&self, gl: &G) {
-        let blocks = self.count.div_ceil(QUADS_PER_INSTANCE);
-        gl.draw_instances(6 * QUADS_PER_INSTANCE as i32, blocks as i32);
-    }
-
     /// Frees the texture.
     pub fn destroy(&self, gl: &G) {
         gl.delete_texture(&self.texture);
     }
+}
+
+/// Draws a quad for each of `count` particles with the current program.
+pub fn draw_quads<G: Graphics>(gl: &G, count: usize) {
+    let blocks = count.div_ceil(QUADS_PER_INSTANCE);
+    gl.draw_instances(6 * QUADS_PER_INSTANCE as i32, blocks as i32);
 }

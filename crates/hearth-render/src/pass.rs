@@ -14,6 +14,8 @@ pub trait Pass {
     const BLEND: Blend = Blend::Replace;
     /// Geometry.
     const DRAW: Draw;
+    /// How often it draws.
+    const PER: Per = Per::Frame;
     /// Levels of the bloom that it draws.
     const LEVELS: Levels = Levels::Once;
     /// The uniforms of its shaders.
@@ -71,6 +73,8 @@ pub enum Draw {
     All,
     /// The bounds of the fire.
     Reach,
+    /// The bounds of the slices behind the front one.
+    Behind,
     /// The bounds of the fire and its glow.
     Halo,
     /// A quad for each particle.
@@ -79,6 +83,17 @@ pub enum Draw {
     Embers,
     /// A quad for each solid.
     Solids,
+}
+
+/// How often a pass draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Per {
+    /// Once in a frame.
+    Frame,
+    /// For each visible slice.
+    Slice,
+    /// For each sample of the history that a visible slice has reached.
+    Sample,
 }
 
 /// Levels of the bloom that a pass draws.
@@ -113,6 +128,7 @@ pub struct Row {
     pub load: Load,
     pub blend: Blend,
     pub draw: Draw,
+    pub per: Per,
     pub levels: Levels,
     pub applies: fn(&FrameUniforms) -> bool,
     pub uniforms: fn(&FrameUniforms, usize, &mut [f32; FLOATS]),
@@ -128,6 +144,7 @@ impl Row {
             load: P::LOAD,
             blend: P::BLEND,
             draw: P::DRAW,
+            per: P::PER,
             levels: P::LEVELS,
             applies: P::applies,
             uniforms: |frame, level, to| P::uniforms(frame, level).write(to),

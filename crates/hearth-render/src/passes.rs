@@ -4,8 +4,10 @@
 mod accumulate;
 mod advect_noise;
 mod backdrop;
+mod behind;
 mod bloom_downsample;
 mod bloom_upsample;
+mod carry_noise;
 mod colour_map;
 mod composite;
 mod disc;
@@ -28,7 +30,7 @@ mod velocity;
 use crate::pass::Row;
 
 /// Every pass, in the order of a frame.
-pub static PASSES: [Row; 23] = [
+pub static PASSES: [Row; 25] = [
     // Fire of the classic model: particles, field, light.
     Row::of::<splat::Splat>("splat"),
     Row::of::<spread::Spread>("spread"),
@@ -37,6 +39,8 @@ pub static PASSES: [Row; 23] = [
     Row::of::<gas::Gas>("gas"),
     Row::of::<velocity::Velocity>("velocity"),
     Row::of::<advect_noise::AdvectNoise>("advect_noise"),
+    Row::of::<carry_noise::CarryNoise>("carry_noise"),
+    Row::of::<behind::Behind>("behind"),
     Row::of::<flame::Flame>("flame"),
     Row::of::<ember::Ember>("ember"),
     // Light to the picture.

@@ -2,6 +2,7 @@
 
 mod draw;
 mod fit;
+mod slices;
 
 use std::rc::Rc;
 
@@ -9,21 +10,22 @@ use hearth_core::params::DisplayMode;
 use hearth_core::scene::Pose;
 use hearth_core::{Charred, Instance, Parameters, Scene, Source};
 
-use crate::advection;
+use crate::advection::Phase;
 use crate::bounds::ParticleBounds;
 use crate::camera::Camera;
 use crate::error::RenderError;
 use crate::format::TargetFormat;
-use crate::frame_uniforms::FrameUniforms;
+use crate::frame_uniforms::{Advected, Batch, FrameUniforms};
 use crate::gl::Graphics;
-use crate::image::{Image, NOISE_OFFSETS, SCENERY};
+use crate::history::History;
 use crate::kernel::Kernel;
-use crate::motion::{CarriedNoise, Motion};
 use crate::palette::Tint;
 use crate::particles::Particles;
 use crate::resolution::{Layout, ResolutionLimits};
-use crate::scale::extremes;
+use crate::ring::Ring;
+use crate::scale::{Scale, extremes};
 use crate::shared::SharedResources;
+use crate::slices::{MAX_SLICES, Slice};
 use crate::solids::Solids;
 use crate::targets::Targets;
 use crate::viewport::Viewport;
@@ -54,14 +56,15 @@ pub struct Renderer<G: Graphics = glow::Context> {
     /// Colour table of another palette than the black body, whose table all fires share.
     tinted: Option<(Tint, G::Texture)>,
     bounds: ParticleBounds,
-    motion: Motion,
-    carried: Option<CarriedNoise>,
-    /// Position of the world in the last picture.
-    viewport: Option<Viewport>,
+    /// Past particles.
+    ring: Ring<G>,
+    /// The advected noise of each slice.
+    noise: [slices::Noise; MAX_SLICES],
+    /// Number of slices of the last picture.
+    slices: usize,
+    scale: Scale,
     /// The source on a solid of the uploaded scene.
     source: Option<Source>,
-    /// Index of the newest of the two targets of the noise advection.
-    newest: usize,
     /// The drawn backdrop: its wall, ground and foot, and the picture's floor and size.
     scenery: Option<([f32; 3], [[f32; 2]; 2])>,
     /// Range of the measured quantity.
@@ -101,11 +104,11 @@ impl<G: Graphics> Renderer<G> {
             targets: Targets::new(),
             tinted: None,
             bounds: ParticleBounds::of(&[], &[]),
-            motion: Motion::default(),
-            carried: None,
-            viewport: None,
+            ring: Ring::new(max_rows),
+            noise: Default::default(),
+            slices: 0,
+            scale: Scale::default(),
             source: None,
-            newest: 0,
             scenery: None,
             measured: None,
         })
@@ -116,31 +119,25 @@ impl<G: Graphics> Renderer<G> {
         self.shared.format
     }
 
-    /// State of the fine structure.
-    pub fn motion(&self) -> Motion {
-        self.motion
+    /// The colour scale of the last picture.
+    pub fn colour_scale(&self) -> Scale {
+        self.scale
     }
 
-    /// Reads the offsets of the advected noise. Only paused fires should: reading stalls the
-    /// graphics pipeline.
-    pub fn carried(&self, gl: &G) -> Option<CarriedNoise> {
-        let (layout, target) = self.targets.get(NOISE_OFFSETS + self.newest)?;
-        (self.shared.format == TargetFormat::Rgba16F).then(|| CarriedNoise {
-            layout: *layout,
-            texels: target.read(gl),
-        })
+    /// Continues the colour scale of another renderer of the same fire.
+    pub fn resume(&mut self, scale: Scale) {
+        self.scale = scale;
     }
 
-    /// Continues the state of another renderer of the same fire.
-    pub fn resume(&mut self, motion: Motion, carried: Option<CarriedNoise>) {
-        self.motion = motion;
-        self.carried = carried;
+    /// Number of slices of the last picture.
+    pub fn slices(&self) -> usize {
+        self.slices
     }
 
     /// Display mode of the last picture and the quantities of its first and last colour, in the
     /// unit of [`DisplayMode::quantity`]; `None` if the mode measures nothing.
     pub fn scale(&self) -> Option<(DisplayMode, [f32; 2])> {
-        self.motion.scale.ends()
+        self.scale.ends()
     }
 
     /// Sets the framebuffer of the next pictures, which the renderer does not free; `None`: that of the
@@ -183,7 +180,7 @@ impl<G: Graphics> Renderer<G> {
         self.solids.upload(gl, scene, poses, temperatures, charred);
     }
 
-    /// Draws the uploaded particles and solids. Ignores a picture without pixels.
+    /// Draws the uploaded particles and solids, with the fine structure and the slices of a history. Ignores a picture without pixels.
     ///
     /// # Errors
     /// The driver has no memory for targets of this size.
@@ -192,8 +189,9 @@ impl<G: Graphics> Renderer<G> {
         gl: &G,
         view: &View,
         parameters: &Parameters,
+        history: &History,
     ) -> Result<(), RenderError> {
-        self.paint_in_passes(gl, view, parameters, &mut |_| {})
+        self.paint_in_passes(gl, view, parameters, history, &mut |_| {})
     }
 
     /// As [`paint`](Renderer::paint); calls `on_pass` with the key of each pass after it was
@@ -206,33 +204,7 @@ impl<G: Graphics> Renderer<G> {
         gl: &G,
         view: &View,
         parameters: &Parameters,
-        on_pass: &mut dyn FnMut(&'static str),
-    ) -> Result<(), RenderError> {
-        self.draw_frame(gl, view, parameters, &|_| true, on_pass)
-    }
-
-    /// Advances the state that the next picture continues, as a picture at that moment does, without
-    /// drawing one.
-    ///
-    /// # Errors
-    /// The driver has no memory for targets of this size.
-    pub fn advance(
-        &mut self,
-        gl: &G,
-        view: &View,
-        parameters: &Parameters,
-    ) -> Result<(), RenderError> {
-        let continued = |image| matches!(image, Image::Flow | Image::NoiseOffsets);
-        self.draw_frame(gl, view, parameters, &continued, &mut |_| {})
-    }
-
-    /// Draws the passes with these targets.
-    fn draw_frame(
-        &mut self,
-        gl: &G,
-        view: &View,
-        parameters: &Parameters,
-        draws: &dyn Fn(Image) -> bool,
+        history: &History,
         on_pass: &mut dyn FnMut(&'static str),
     ) -> Result<(), RenderError> {
         let size = [view.width, view.height];
@@ -241,7 +213,6 @@ impl<G: Graphics> Renderer<G> {
         };
         let domain = [parameters.domain_width, parameters.domain_height];
         let viewport = Viewport::new(layout.picture, domain, view.camera);
-        let before = self.viewport.replace(viewport).unwrap_or(viewport);
         for capability in [
             glow::DEPTH_TEST,
             glow::STENCIL_TEST,
@@ -254,42 +225,52 @@ impl<G: Graphics> Renderer<G> {
         gl.bind_vertex_array(Some(&self.shared.no_attributes));
         let (mode, model) = (parameters.display_mode, parameters.model());
         self.fit_colours(gl, Tint::of(parameters))?;
-        self.motion.scale.add(mode, model, self.measured);
+        self.scale.add(mode, model, self.measured);
         let source = self.source.unwrap_or_else(|| Source::of(parameters));
+        let present = Slice::present(view.time);
         let mut frame = FrameUniforms {
             parameters,
             source,
             layout,
             format: self.shared.format,
             viewport,
-            before,
+            before: viewport,
             time: view.time,
-            particles: self.particles.count(),
+            particles: Batch::present(self.particles.count()),
             embers: self.embers.count(),
             solids: self.solids.texture.count(),
-            motion: self.motion,
+            slice: present,
+            phase: Phase::default(),
+            advected: Advected::default(),
+            risen: history.rise.distance_at(view.time),
+            flame_height: history.rise.flame_height(source.base.y),
+            scale: self.scale,
             kernel: Kernel::of(parameters, &source),
             used: layout.field,
             reach: [0.0; 4],
+            behind: None,
             scenery_is_stale: true,
         };
         frame.fit(&self.bounds);
-        self.fit_targets(gl, &frame)?;
-        if mode == DisplayMode::Fire {
-            self.motion.rise.advance(&self.bounds, view.time, model);
-            let period = advection::period(frame.source.width);
-            self.motion.advection.advance(view.time, period);
-            self.newest = 1 - self.newest;
+        let mut slices = vec![present];
+        // Eight bits store roots, which do not blend. The classic model's gas is a cloud without sheets.
+        if frame.advects_noise() {
+            let count = self.limits.slices.min(parameters.depth as usize);
+            slices = history.slices(view.time, count, &source);
+            self.ring.upload(gl, history)?;
         }
-        frame.motion = self.motion;
-        if frame.has_backdrop() && draws(Image::Scenery) {
+        frame.behind = (slices.len() > 1).then_some([0.0; 4]);
+        self.fit_targets(gl, &frame, &slices)?;
+        let slices = self.slice_frames(&mut frame, history, &slices);
+        self.slices = slices.len();
+        if frame.has_backdrop() {
             let position = (
                 [frame.wall(), frame.ground(), frame.wall_foot()],
                 [viewport.floor, viewport.heights()],
             );
             frame.scenery_is_stale = self.scenery.replace(position) != Some(position);
         }
-        self.draw(gl, &frame, draws, on_pass);
+        self.draw(gl, &frame, &slices, on_pass);
         gl.bind_vertex_array(None);
         Ok(())
     }
@@ -299,6 +280,7 @@ impl<G: Graphics> Renderer<G> {
         self.particles.destroy(gl);
         self.embers.destroy(gl);
         self.solids.texture.destroy(gl);
+        self.ring.destroy(gl);
         self.targets.destroy(gl);
         if let Some((_, colours)) = &self.tinted {
             gl.delete_texture(colours);

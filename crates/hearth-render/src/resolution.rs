@@ -18,6 +18,11 @@ const FIELD_LINES_PER_WIDE: u32 = 6;
 const FIELD_LINES_PER_FLOW: u32 = 3;
 const FIELD_LINES_PER_NOISE_OFFSETS: u32 = 2;
 
+/// Minimum number of lines of the light of slices behind the front one, which has half of the light's.
+const MIN_BEHIND_LINES: u32 = 240;
+/// Texels of the field of a slice behind the front one per radius of a kernel, relative to those of the front.
+const BEHIND_TEXELS_SHARE: f32 = 0.65;
+
 /// Maximum number of lines of the backdrop, which is far away.
 const MAX_SCENERY_LINES: u32 = 1080;
 /// Lines and maximum number of columns of the irradiance on the backdrop. Each texel reads the
@@ -42,6 +47,8 @@ pub struct ResolutionLimits {
     /// Texels of the field per radius of a kernel. With fewer, texels become visible; more cost
     /// time without effect.
     pub texels: f32,
+    /// Maximum number of slices.
+    pub slices: usize,
     /// Share of each sharper copy when it blends with the wider ones, widest first.
     pub sharper_shares: &'static [f32],
 }
@@ -62,6 +69,7 @@ impl ResolutionLimits {
         light: 360,
         field: 180,
         texels: 2.6,
+        slices: 3,
         sharper_shares: &[0.64],
     };
     /// For most machines.
@@ -70,6 +78,7 @@ impl ResolutionLimits {
         light: 720,
         field: 270,
         texels: 3.2,
+        slices: 5,
         sharper_shares: &[0.4, 0.4],
     };
     /// For fast machines.
@@ -78,6 +87,7 @@ impl ResolutionLimits {
         light: 1080,
         field: 405,
         texels: 4.0,
+        slices: 5,
         sharper_shares: &[0.4, 0.25, 0.2],
     };
 }
@@ -99,6 +109,8 @@ pub struct Layout {
     pub noise_offsets: [u32; 2],
     /// The light before the tone map.
     pub light: [u32; 2],
+    /// The light of the slices behind the front one.
+    pub behind: [u32; 2],
     /// The backdrop.
     pub scenery: [u32; 2],
     /// Irradiance on the backdrop.
@@ -147,6 +159,7 @@ impl Layout {
             flow: field.map(|side| side.div_ceil(FIELD_LINES_PER_FLOW)),
             noise_offsets: field.map(|side| side.div_ceil(FIELD_LINES_PER_NOISE_OFFSETS)),
             light,
+            behind: lines(light[1].min((light[1] / 2).max(MIN_BEHIND_LINES))),
             scenery: backdrop(MAX_SCENERY_LINES, max),
             irradiance: backdrop(
                 IRRADIANCE_LINES_AND_COLUMNS[0],
@@ -162,9 +175,11 @@ impl Layout {
     }
 
     /// The lower left part of the field that a frame uses: as fine as `count` kernels of
-    /// `radius` \[m\] need in a picture of `height` \[m\], within the budget of texels.
-    pub fn used_field(&self, count: usize, radius: f32, height: f32) -> [u32; 2] {
-        let needed = self.limits.texels * height / radius;
+    /// `radius` \[m\] need in a picture of `height` \[m\], within the budget of texels. `behind`: for a slice
+    /// behind the front one.
+    pub fn used_field(&self, count: usize, radius: f32, height: f32, behind: bool) -> [u32; 2] {
+        let share = if behind { BEHIND_TEXELS_SHARE } else { 1.0 };
+        let needed = share * self.limits.texels * height / radius;
         let affordable = (MAX_SPLAT_TEXELS / count.max(1) as f32).sqrt() * height / (2.0 * radius);
         let share = needed.min(affordable).max(MIN_FIELD_LINES) / self.field[1] as f32;
         self.field
@@ -201,13 +216,14 @@ mod tests {
                 layout.flow,
                 layout.noise_offsets,
                 layout.light,
+                layout.behind,
                 layout.scenery,
                 layout.irradiance,
             ]);
             for [width, height] in sizes {
                 assert!((1..=2048).contains(&width) && (1..=2048).contains(&height));
             }
-            let [width, height] = layout.used_field(100_000, 0.01, 6.0);
+            let [width, height] = layout.used_field(100_000, 0.01, 6.0, false);
             assert!((1..=layout.field[0]).contains(&width));
             assert!((1..=layout.field[1]).contains(&height));
         }
@@ -226,7 +242,7 @@ mod tests {
                 |layout: &Layout| layout.light[1],
                 |layout: &Layout| layout.field[1],
                 |layout: &Layout| layout.blurs()[0][1],
-                |layout: &Layout| layout.used_field(1000, 0.04, 1.5)[1],
+                |layout: &Layout| layout.used_field(1000, 0.04, 1.5, false)[1],
             ] {
                 assert!(layouts.is_sorted_by_key(of), "{layouts:?}");
             }
@@ -259,7 +275,7 @@ mod tests {
         let layout = Layout::new([1280, 720], ResolutionLimits::MEDIUM, 4096)
             .expect("a picture with pixels");
         for count in [1000, 10_000, 100_000] {
-            let [_, lines] = layout.used_field(count, 0.04, 1.5);
+            let [_, lines] = layout.used_field(count, 0.04, 1.5, false);
             let side = 2.0 * 0.04 / 1.5 * lines as f32;
             assert!(
                 count as f32 * side * side <= 1.1 * MAX_SPLAT_TEXELS,

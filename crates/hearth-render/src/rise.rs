@@ -7,8 +7,8 @@ use crate::bounds::ParticleBounds;
 
 /// Time constant of the smoothing [s of fire].
 const SMOOTHING_SECONDS: f32 = 0.5;
-/// Maximum time between two pictures of continuous motion \[s\].
-const MAX_PICTURE_INTERVAL: f32 = 0.1;
+/// Maximum time between two samples of continuous motion \[s\].
+const MAX_INTERVAL: f32 = 0.1;
 /// Height of a flame relative to the mean height of its gas, which thins out upwards.
 const TIP_PER_MEAN_HEIGHT: f32 = 2.2;
 
@@ -22,7 +22,7 @@ pub struct Rise {
     speed: f32,
     /// Distance that the gas has risen \[m\]. A hundred kilometres per day exceed the precision of
     /// an `f32`.
-    pub distance: f64,
+    distance: f64,
 }
 
 impl Rise {
@@ -32,9 +32,9 @@ impl Rise {
             .time
             .map_or(f32::INFINITY, |before| (time - before) as f32);
         self.time = Some(time);
-        // The first picture counts fully. A reset of the time or a long pause is no motion.
+        // The first sample counts fully. A reset of the time or a long pause is no motion.
         let first = elapsed.is_infinite();
-        let elapsed = elapsed.clamp(0.0, MAX_PICTURE_INTERVAL);
+        let elapsed = elapsed.clamp(0.0, MAX_INTERVAL);
         let share = if first {
             1.0
         } else {
@@ -49,6 +49,12 @@ impl Rise {
         if !first {
             self.distance += f64::from(elapsed * self.speed);
         }
+    }
+
+    /// Distance that the gas has risen at a time after the last sample \[m\].
+    pub fn distance_at(&self, time: f64) -> f64 {
+        let elapsed = self.time.map_or(0.0, |last| time - last);
+        self.distance + elapsed.clamp(0.0, f64::from(MAX_INTERVAL)) * f64::from(self.speed)
     }
 
     /// Height of the flame above `source` \[m\].

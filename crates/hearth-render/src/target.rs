@@ -48,6 +48,8 @@ impl<G: Graphics> Target<G> {
         };
         gl.bind_framebuffer(Some(&framebuffer));
         let status = gl.attach_texture(&texture);
+        // Native drivers do not clear it.
+        gl.clear([0.0; 4]);
         gl.bind_framebuffer(None);
         let target = Target {
             texture,
@@ -76,22 +78,6 @@ impl<G: Graphics> Target<G> {
     /// The texture.
     pub fn texture(&self) -> &G::Texture {
         &self.texture
-    }
-
-    /// Reads all texels.
-    pub fn read(&self, gl: &G) -> Vec<f32> {
-        let [width, height] = self.size;
-        let mut texels = vec![0.0; 4 * (width * height) as usize];
-        gl.bind_framebuffer(Some(&self.framebuffer));
-        gl.read_floats(self.size, &mut texels);
-        gl.bind_framebuffer(None);
-        texels
-    }
-
-    /// Replaces all texels.
-    pub fn write(&self, gl: &G, texels: &[f32]) {
-        bind(gl, 0, &self.texture);
-        gl.replace_floats([0, 0], self.size, texels);
     }
 
     /// Frees the target.

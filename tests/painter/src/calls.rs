@@ -64,9 +64,7 @@ impl Calls {
         fire.set(request)?;
         let (quality, format) = (request.text("quality"), request.text("format"));
         let mut renderer = self.painter.renderer(quality, format)?;
-        let pixels = self
-            .painter
-            .draw_still(&mut renderer, &mut fire, request.size()?);
+        let pixels = self.painter.draw(&mut renderer, &mut fire, request.size()?);
         renderer.destroy(self.painter.gl());
         Ok((Value::Null, pixels?))
     }

@@ -4,7 +4,7 @@ use hearth_core::params::{DisplayMode, Input, Model};
 use hearth_core::preset::Preset;
 use hearth_core::resolution::Level;
 use hearth_core::{Charred, Instance, Parameters, Simulation};
-use hearth_render::{RenderError, Renderer, ResolutionLimits, View};
+use hearth_render::{History, RenderError, Renderer, ResolutionLimits, View};
 
 use crate::Failure;
 use crate::request::Request;
@@ -13,6 +13,7 @@ use crate::request::Request;
 #[derive(Clone)]
 pub struct Fire {
     simulation: Simulation,
+    history: History,
     instances: Vec<Instance>,
     embers: Vec<Instance>,
     charred: Charred,
@@ -36,6 +37,7 @@ impl Fire {
         }
         Ok(Fire {
             simulation: Simulation::new(scene),
+            history: History::default(),
             instances: Vec::new(),
             embers: Vec::new(),
             charred: Charred::default(),
@@ -68,19 +70,21 @@ impl Fire {
     pub fn burn(&mut self, until: f64) {
         while self.simulation.time() < until {
             self.simulation.step();
+            self.history.follow(&self.simulation);
         }
     }
 
-    /// Draws the picture of a time \[s\] with the particles of now.
+    /// Draws its picture.
     pub fn draw(
         &mut self,
         gl: &glow::Context,
         renderer: &mut Renderer,
         [width, height]: [u32; 2],
-        time: f64,
         on_pass: &mut dyn FnMut(&'static str),
     ) -> Result<(), RenderError> {
         let fire = &self.simulation;
+        // Another display mode has forgotten the past, and a fire before its first step has none.
+        self.history.follow(fire);
         let mode = fire.parameters().display_mode;
         fire.write_instances(&mut self.instances);
         fire.write_charred(&mut self.charred);
@@ -100,10 +104,10 @@ impl Fire {
         let view = View {
             width,
             height,
-            time,
+            time: fire.time(),
             ..View::default()
         };
-        renderer.paint_in_passes(gl, &view, fire.parameters(), on_pass)
+        renderer.paint_in_passes(gl, &view, fire.parameters(), &self.history, on_pass)
     }
 }
 

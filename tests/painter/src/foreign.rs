@@ -43,6 +43,20 @@ pub fn view(gl: &Context) -> [u32; 2] {
     [view[2], view[3]].map(|side| side.max(0) as u32)
 }
 
+/// The lower left texels of the bound framebuffer.
+pub fn read(gl: &Context, [width, height]: [u32; 2]) -> Vec<f32> {
+    let mut bytes = vec![0; 16 * (width * height) as usize];
+    let into = glow::PixelPackData::Slice(Some(&mut bytes));
+    let [columns, lines] = [width, height].map(|side| side as i32);
+    // SAFETY: the slice has the size of the read part.
+    unsafe { gl.read_pixels(0, 0, columns, lines, glow::RGBA, glow::FLOAT, into) };
+    let floats = bytes.as_chunks::<4>().0;
+    floats
+        .iter()
+        .map(|bytes| f32::from_ne_bytes(*bytes))
+        .collect()
+}
+
 /// Fails if OpenGL has refused a call.
 pub fn report(gl: &Context) -> Result<(), Failure> {
     // SAFETY: see the module's documentation.

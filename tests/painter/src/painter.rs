@@ -3,14 +3,10 @@
 use std::rc::Rc;
 
 use hearth_cli::Offscreen;
-use hearth_render::{Graphics as _, Renderer, SharedResources, TargetFormat};
+use hearth_render::{Renderer, SharedResources, TargetFormat};
 
 use crate::fire::{Fire, limits};
 use crate::{Failure, foreign};
-
-/// Time between the two pictures of a fire that stands still \[s\]: what the gas carries along needs one
-/// before the last.
-const BEFORE: f64 = 1.0 / 60.0;
 
 /// A context with the GPU resources that all its fires share.
 pub struct Painter {
@@ -62,19 +58,8 @@ impl Painter {
         fire: &mut Fire,
         size: [u32; 2],
     ) -> Result<Vec<u8>, Failure> {
-        self.paint(renderer, fire, size, fire.time(), &mut |_| {})?;
+        self.paint(renderer, fire, size, &mut |_| {})?;
         Ok(self.offscreen.pixels())
-    }
-
-    /// The same of a fire that stands still, and has just moved.
-    pub fn draw_still(
-        &self,
-        renderer: &mut Renderer,
-        fire: &mut Fire,
-        size: [u32; 2],
-    ) -> Result<Vec<u8>, Failure> {
-        self.paint(renderer, fire, size, fire.time() - BEFORE, &mut |_| {})?;
-        self.draw(renderer, fire, size)
     }
 
     /// Draws a fire; returns its pixels, and its light before glow and tone map, without that of embers:
@@ -86,8 +71,8 @@ impl Painter {
         size: [u32; 2],
     ) -> Result<(Vec<u8>, Vec<f32>), Failure> {
         let (gl, mut light) = (self.gl(), Vec::new());
-        self.paint(renderer, fire, size, fire.time(), &mut |pass| {
-            if pass == "shade" || pass == "flame" {
+        self.paint(renderer, fire, size, &mut |pass| {
+            if pass == "shade" || pass == "slices" {
                 light = target(gl);
             }
         })?;
@@ -99,22 +84,15 @@ impl Painter {
         renderer: &mut Renderer,
         fire: &mut Fire,
         size: [u32; 2],
-        time: f64,
         on_pass: &mut dyn FnMut(&'static str),
     ) -> Result<(), Failure> {
         renderer.set_output(Some(self.offscreen.target(size)?));
-        fire.draw(self.gl(), renderer, size, time, on_pass)?;
+        fire.draw(self.gl(), renderer, size, on_pass)?;
         foreign::report(self.gl())
     }
 }
 
-/// The light in the target that was drawn into last, which holds square roots.
+/// The light in the target of half floats that was drawn into last.
 fn target(gl: &glow::Context) -> Vec<f32> {
-    let size = foreign::view(gl);
-    let mut rgba = vec![0.0; 4 * (size[0] * size[1]) as usize];
-    gl.read_floats(size, &mut rgba);
-    for pixel in rgba.as_chunks_mut::<4>().0 {
-        pixel[..3].iter_mut().for_each(|root| *root *= *root);
-    }
-    rgba
+    foreign::read(gl, foreign::view(gl))
 }

@@ -1,8 +1,8 @@
 //! A real canvas with a real WebGL2 context, and what was painted on it.
 
-use hearth_core::params::Parameters;
+use hearth_core::params::{DisplayMode, Parameters};
 use hearth_core::{Charred, Instance, Scene};
-use hearth_render::{Renderer, View};
+use hearth_render::{History, Moment, Renderer, View};
 use js_sys::{Function, Reflect};
 use wasm_bindgen::prelude::*;
 use web_sys::{HtmlCanvasElement, WebGl2RenderingContext, WebglLoseContext};
@@ -109,7 +109,17 @@ impl Canvas {
     ) -> Result<Pixels, JsValue> {
         renderer.upload(&self.gl, parameters.display_mode, particles, embers);
         let view = View { time, ..self.view };
-        renderer.paint(&self.gl, &view, parameters).map_err(words)?;
+        let mut history = History::default();
+        if parameters.display_mode == DisplayMode::Fire {
+            history.record(&Moment {
+                time,
+                scene: &parameters.clone().into(),
+                poses: &[],
+                particles,
+            });
+        }
+        let painted = renderer.paint(&self.gl, &view, parameters, &history);
+        painted.map_err(words)?;
         let View { width, height, .. } = self.view;
         let mut rgba = vec![0; (width * height * 4) as usize];
         self.context

@@ -5,7 +5,7 @@ mod fields;
 
 use hearth_core::params::{Choice, DisplayMode, Input, Model, Parameters};
 use hearth_core::{Instance, Simulation};
-use hearth_render::{Renderer, View};
+use hearth_render::{History, Renderer, View};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -248,7 +248,7 @@ fn no_mode_panics_without_a_context() -> Result<(), JsValue> {
             ..View::default()
         };
         // An error or a picture without effect: neither stops the page.
-        let _ = renderer.paint(&canvas.gl, &view, fire.parameters());
+        let _ = renderer.paint(&canvas.gl, &view, fire.parameters(), &History::default());
         renderer.destroy(&canvas.gl);
     }
     Ok(())

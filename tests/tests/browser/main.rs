@@ -16,7 +16,7 @@ mod source;
 use canvas::{Canvas, Pixels, words};
 use hearth_core::Instance;
 use hearth_core::params::{DisplayMode, Input, Model, Parameters};
-use hearth_render::{Renderer, TargetFormat, View};
+use hearth_render::{History, Renderer, TargetFormat, View};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -211,7 +211,7 @@ fn one_renderer_follows_a_change_of_size() -> Result<(), JsValue> {
         };
         let parameters = Parameters::new(Model::Classic);
         renderer
-            .paint(&canvas.gl, &small, &parameters)
+            .paint(&canvas.gl, &small, &parameters, &History::default())
             .map_err(words)?;
         let pixels = canvas.paint_with(&mut renderer, &puff(place, 1900.0), &parameters)?;
         assert_light_only_at(place, &pixels);
@@ -239,7 +239,12 @@ fn a_view_without_size_paints_nothing() -> Result<(), JsValue> {
             ..View::default()
         };
         renderer
-            .paint(&canvas.gl, &view, &Parameters::new(Model::Classic))
+            .paint(
+                &canvas.gl,
+                &view,
+                &Parameters::new(Model::Classic),
+                &History::default(),
+            )
             .map_err(words)?;
         assert_eq!(canvas.gl_error(), 0, "{width} × {height}");
     }
@@ -284,7 +289,12 @@ fn a_renderer_does_not_panic_without_a_context() -> Result<(), JsValue> {
         &[],
     );
     // An error or a picture without effect: neither stops the page.
-    let _ = renderer.paint(&canvas.gl, &view, &Parameters::new(Model::Classic));
+    let _ = renderer.paint(
+        &canvas.gl,
+        &view,
+        &Parameters::new(Model::Classic),
+        &History::default(),
+    );
     renderer.destroy(&canvas.gl);
     Ok(())
 }

@@ -54,7 +54,7 @@ impl Bench {
         let progress = Progress::new(self.at);
         progress.name(&self.scene);
         let mut counter = Counter::new(&progress);
-        fire.burn(self.at, &mut painter, &mut |age| counter.at(age))?;
+        fire.burn(self.at, &mut |age| counter.at(age));
         progress.finish();
         // The first picture compiles programs and creates targets.
         painter.draw(&mut fire, &mut |_| {})?;

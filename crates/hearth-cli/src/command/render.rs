@@ -57,7 +57,7 @@ impl Render {
         let progress = Progress::new(self.at);
         progress.name(&self.scene);
         let mut counter = Counter::new(&progress);
-        fire.burn(self.at, &mut painter, &mut |age| counter.at(age))?;
+        fire.burn(self.at, &mut |age| counter.at(age));
         let picture = painter.paint(&mut fire)?;
         progress.finish();
         output.write(&picture.png()?)

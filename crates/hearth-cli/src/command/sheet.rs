@@ -151,7 +151,7 @@ impl Sheet {
                 let mut counter = Counter::new(&progress);
                 let mut row = Row::new();
                 for &moment in moments {
-                    fire.burn(moment, &mut painter, &mut |age| counter.at(age))?;
+                    fire.burn(moment, &mut |age| counter.at(age));
                     row.push((moment, painter.paint(&mut fire)?));
                 }
                 let mut rows = rows.lock().unwrap_or_else(PoisonError::into_inner);

@@ -170,11 +170,14 @@ parameters! {
         [View] display_mode: (choice DisplayMode) "Display" { Every(Fire) }
         /// Fire and smoke, the fire alone, or the smoke alone. The visible layers.
         [View] layers: (choice Layers) "Layers" { Every(Both) } when { display_mode: FIRE }
+        /// A deeper fire with more tongues. Number of slices: moments of the fire's past that are drawn
+        /// behind the present one. Low quality shows three.
+        [Look] depth: integer "Depth" [""] Linear { Combustion(5, 1.0..=5.0) } when { display_mode: FIRE }
         /// Finer tongues and wisps. Strength of the fine structure that moves with the gas.
         [Look] detail: number "Detail" [""] Linear { Every(1.0, 0.0..=2.0) } when { display_mode: FIRE }
         /// More contrast between bright and dim parts of the fire. Exponent that compresses the
         /// brightness of a black body.
-        [Look] luminance_exponent: number "Luminance exponent" [""] Linear { Every(0.35, 0.15..=1.0) } when { display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
+        [Look] luminance_exponent: number "Luminance exponent" [""] Linear { Classic(0.35, 0.15..=1.0) Combustion(0.6, 0.15..=1.0) } when { display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// Larger, softer particles. Drawn size of a particle.
         [Look] particle_size: number "Particle size" ["m"] Log { Classic(0.04, 0.0025..=0.1) } when { display_mode: LIGHT }
         /// Colour of the coolest fire in the custom palette; transparent is black.

@@ -1,11 +1,12 @@
 //! The number of particles of a fire, and its warm-up.
 
-use hearth_core::{Scene, Simulation};
+use hearth_core::Scene;
 
 use super::Fire;
 use crate::events::Events;
 use hearth_core::resolution::Level;
 use hearth_core::resolution::{CountInputs, ParticleCount, Resolution};
+use hearth_settings::adapt;
 
 impl Fire {
     /// Sets the duration of the warm-up of new fires. The answer to `request` follows when the
@@ -30,15 +31,16 @@ impl Fire {
     /// Starts the warm-up of a new fire, or resumes the saved one.
     pub(super) fn begin_warm_up(&mut self, events: &Events) {
         self.starts = false;
+        self.history.clear();
         let scene = self.scene_with(self.count_at(self.quality.level(), false));
         if let Some(error) = self.warm_up.begin(&mut self.simulation, scene) {
             events.warn(self.id, &error.to_string());
         }
         if self.warm_up.is_on() {
-            self.simulation = Simulation::new(self.scene());
+            let scene = self.scene();
+            adapt(&mut self.simulation, scene);
         }
         self.send_seen_domain();
-        // A saved fire is drawn before its first step.
         self.stale = true;
     }
 

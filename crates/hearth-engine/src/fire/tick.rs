@@ -90,7 +90,7 @@ impl Fire {
         self.drawn |= drawn;
         let scale_before = self.renderer.scale();
         let draw_ms = if drawn {
-            self.draw(paused, canvas, clock, events)
+            self.draw(canvas, clock, events)
         } else {
             0.0
         };
@@ -172,6 +172,7 @@ impl Fire {
                 {
                     self.pointer = None;
                 }
+                self.history.follow(&self.simulation);
                 self.last_step = length;
                 made.seconds += length;
                 if warms {
@@ -199,14 +200,10 @@ impl Fire {
     }
 
     /// Draws the picture. Returns the time of drawing \[ms\].
-    fn draw(
-        &mut self,
-        paused: bool,
-        canvas: &SharedCanvas,
-        clock: &WallClock,
-        events: &Events,
-    ) -> f64 {
+    fn draw(&mut self, canvas: &SharedCanvas, clock: &WallClock, events: &Events) -> f64 {
         let start = clock.now();
+        // A fire that is drawn before its first step has no sample yet.
+        self.history.follow(&self.simulation);
         self.simulation.write_instances(&mut self.instances);
         self.simulation.write_charred(&mut self.charred);
         if self.simulation.parameters().display_mode == DisplayMode::Fire {
@@ -229,7 +226,7 @@ impl Fire {
                 temperatures: &temperatures,
                 poses: &self.simulation.poses(),
                 charred: &self.charred,
-                paused,
+                history: &self.history,
             },
             clock,
         );

@@ -30,7 +30,7 @@ impl Pass for Accumulate {
         uniforms::Accumulate {
             clip_scale,
             clip_offset,
-            count: frame.particles as f32,
+            count: frame.particles.count as f32,
             radius,
             reach: 1.0,
             peak: peak(radius) / MAX_WEIGHT,

@@ -2,16 +2,17 @@
 
 use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
-use crate::pass::{Draw, Pass};
+use crate::pass::{Draw, Pass, Per};
 use crate::shaders::uniforms;
 
-/// Advances the offsets of the advected noise. It draws the whole target, because the next picture
-/// may show fire in any part.
+/// Advances the offsets of a slice's noise to the next sample of the history, so the noise depends on no frame
+/// rate. It draws the whole target, because the next picture may show fire in any part.
 pub struct AdvectNoise;
 
 impl Pass for AdvectNoise {
-    const TARGET: Image = Image::NoiseOffsets;
+    const TARGET: Image = Image::AdvectedNoise;
     const DRAW: Draw = Draw::All;
+    const PER: Per = Per::Sample;
     type Uniforms = uniforms::AdvectNoise;
 
     fn applies(frame: &FrameUniforms) -> bool {
@@ -19,13 +20,13 @@ impl Pass for AdvectNoise {
     }
 
     fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::AdvectNoise {
-        let advection = &frame.motion.advection;
         let [before_scale, before_offset] = frame.viewport.before(frame.before);
+        let advected = &frame.advected;
         uniforms::AdvectNoise {
             before_scale,
             before_offset,
-            step_time: frame.viewport.metres.map(|side| advection.elapsed / side),
-            kept: advection.kept,
+            step_time: frame.viewport.metres.map(|side| advected.elapsed / side),
+            kept: advected.kept,
         }
     }
 }

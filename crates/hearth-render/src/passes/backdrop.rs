@@ -26,7 +26,7 @@ impl Pass for Backdrop {
     fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Backdrop {
         let viewport = &frame.viewport;
         let tiles = WAVES_PER_HEIGHT * viewport.zoom / noise::CELLS as f32;
-        let risen = frame.motion.rise.distance / f64::from(viewport.metres[1]);
+        let risen = frame.risen / f64::from(viewport.metres[1]);
         let [weight, heat, ..] = frame.field_range();
         uniforms::Backdrop {
             field_used: frame.field_used(),

@@ -20,6 +20,8 @@ impl Pass for BloomDownsample {
 
     fn uniforms(frame: &FrameUniforms, level: usize) -> uniforms::BloomDownsample {
         uniforms::BloomDownsample {
+            // The copies are roots in every format.
+            rooted: f32::from(level > 0 || frame.format.is_rooted()),
             texel: frame.layout.blurs()[level].map(|side| 1.0 / side as f32),
         }
     }

@@ -32,7 +32,7 @@ impl Pass for Disc {
         uniforms::Disc {
             clip_scale,
             clip_offset,
-            count: frame.particles as f32,
+            count: frame.particles.count as f32,
             radius: pixels * pixel,
             reach: 1.0 + 1.0 / pixels,
             // A constant weight instead of a kernel.

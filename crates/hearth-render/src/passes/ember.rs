@@ -2,6 +2,7 @@
 
 use hearth_core::params::{Layers, Model};
 
+use super::solid::SOLID_LUMINANCE_EXPONENT;
 use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::pass::{Blend, Draw, Pass};
@@ -34,8 +35,8 @@ impl Pass for Ember {
             count: frame.embers as f32,
             smallest: MIN_RADIUS_TEXELS * texel,
             gain: RELATIVE_BRIGHTNESS * frame.gain(),
-            luminance_exponent: frame.parameters.luminance_exponent,
-            light_scale: 1.0 / frame.format.light_range(),
+            luminance_exponent: SOLID_LUMINANCE_EXPONENT,
+            light_scale: frame.format.light_scale(),
         }
     }
 }

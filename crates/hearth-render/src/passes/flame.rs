@@ -5,7 +5,7 @@ use hearth_core::params::Model;
 use crate::frame_uniforms::{FrameUniforms, wrapped};
 use crate::image::Image;
 use crate::noise;
-use crate::pass::{Draw, Load, Pass};
+use crate::pass::{Blend, Draw, Load, Pass, Per};
 use crate::shaders::uniforms;
 
 /// Brightness relative to the classic model, whose gas is cooler.
@@ -17,13 +17,15 @@ const TILES_OF_TONGUES: [f32; 2] = [1.15, 0.75];
 /// Maximum height above a visible floor over which gas fades, in heights of the domain.
 const FLOOR_FADE_HEIGHT: f32 = 0.04;
 
-/// Light and coverage of the gas.
+/// Light and coverage of the gas of a slice, in front of the slices behind it.
 pub struct Flame;
 
 impl Pass for Flame {
     const TARGET: Image = Image::Light;
     const LOAD: Load = Load::Clear;
+    const BLEND: Blend = Blend::Over;
     const DRAW: Draw = Draw::Reach;
+    const PER: Per = Per::Slice;
     type Uniforms = uniforms::Flame;
 
     fn applies(frame: &FrameUniforms) -> bool {
@@ -31,12 +33,12 @@ impl Pass for Flame {
     }
 
     fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Flame {
-        let (source, kernel, motion) = (frame.source, frame.kernel, &frame.motion);
+        let (source, kernel, slice) = (frame.source, frame.kernel, &frame.slice);
         let tiles = TILES_OF_TONGUES.map(|share| share / (noise::CELLS as f32 * kernel.noise_tile));
         let risen = if frame.advects_noise() {
             0.0
         } else {
-            wrapped(motion.rise.distance * f64::from(tiles[1]))
+            wrapped(frame.risen * f64::from(tiles[1]))
         };
         // At a visible floor, gas below the source fades.
         let [_, below] = frame.viewport.shows_beyond();
@@ -57,15 +59,16 @@ impl Pass for Flame {
             picture_bottom: frame.viewport.whole[1],
             tiles,
             risen,
-            pattern_starts: motion.advection.starts(),
-            pattern_shares: motion.advection.shares(),
+            pattern_starts: frame.phase.offsets(slice.index),
+            pattern_shares: frame.phase.shares(),
             warp: kernel.warp,
             detail: frame.parameters.detail,
             air: frame.parameters.ambient_temperature * 1e-3,
-            smoke: SMOKE_DEPTH * frame.smoke_opacity(),
+            depth: slice.depth,
+            smoke: SMOKE_DEPTH * frame.smoke_opacity() * slice.smoke,
             luminance_exponent: frame.parameters.luminance_exponent,
             gain: RELATIVE_BRIGHTNESS * frame.gain(),
-            light_scale: 1.0 / frame.format.light_range(),
+            light_scale: frame.format.light_scale(),
             fire_share: frame.fire_share(),
             // A fade of no visible height where the floor is not visible.
             per_soft_floor: if below { 1.0 / soft } else { 1e6 },

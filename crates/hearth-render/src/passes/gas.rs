@@ -5,7 +5,7 @@ use hearth_core::params::Model;
 use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::kernel::peak;
-use crate::pass::{Blend, Draw, Load, Pass};
+use crate::pass::{Blend, Draw, Load, Pass, Per};
 use crate::shaders::uniforms;
 
 /// Sums the gas's kernels.
@@ -16,6 +16,7 @@ impl Pass for Gas {
     const LOAD: Load = Load::Clear;
     const BLEND: Blend = Blend::Add;
     const DRAW: Draw = Draw::Particles;
+    const PER: Per = Per::Slice;
     type Uniforms = uniforms::Gas;
 
     fn applies(frame: &FrameUniforms) -> bool {
@@ -23,7 +24,8 @@ impl Pass for Gas {
     }
 
     fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Gas {
-        let scale = frame.field_range().map(|range| 1.0 / range);
+        let share = frame.particles.share;
+        let scale = frame.field_range().map(|range| share / range);
         of_gas(frame, frame.kernel.radius, 0.0, scale)
     }
 }
@@ -35,13 +37,18 @@ pub fn of_gas(
     velocities: f32,
     field_scale: [f32; 4],
 ) -> uniforms::Gas {
-    let [clip_scale, clip_offset] = frame.viewport.to_clip();
+    let (slice, batch) = (&frame.slice, &frame.particles);
+    let [to_clip, floor] = frame.viewport.to_clip();
     uniforms::Gas {
-        clip_scale,
-        clip_offset,
-        count: frame.particles as f32,
+        row: batch.row.unwrap_or(0) as f32,
+        ahead: batch.ahead,
+        slice_scale: slice.scale,
+        clip_scale: [0, 1].map(|axis| to_clip[axis] * slice.scale[axis]),
+        clip_offset: [0, 1].map(|axis| to_clip[axis] * slice.offset[axis] + floor[axis]),
+        count: batch.count as f32,
         radius,
-        peak: peak(radius),
+        stride: batch.stride as f32,
+        peak: peak(radius) * batch.unit * batch.stride as f32,
         velocities,
         field_scale,
     }

@@ -39,7 +39,7 @@ impl Pass for Paper {
         uniforms::Paper {
             clip_scale,
             clip_offset,
-            count: frame.particles as f32,
+            count: frame.particles.count as f32,
             radius,
             pixels: radius / frame.pixel(),
             hottest,

@@ -25,10 +25,8 @@ impl Pass for Shade {
     }
 
     fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Shade {
-        let (source, kernel, rise) = (frame.source, frame.kernel, &frame.motion.rise);
-        let flame = rise
-            .flame_height(source.base.y)
-            .max(2.0 * kernel.noise_tile);
+        let (source, kernel) = (frame.source, frame.kernel);
+        let flame = frame.flame_height.max(2.0 * kernel.noise_tile);
         let tiles = 1.0 / (noise::CELLS as f32 * kernel.noise_tile);
         // Gas leaves the domain at its top and fades there if the top is visible.
         let [above, _] = frame.viewport.shows_beyond();
@@ -44,14 +42,14 @@ impl Pass for Shade {
             per_flame_height: 1.0 / flame,
             per_half_source: 2.0 / source.width,
             tiles,
-            risen: wrapped(rise.distance * f64::from(tiles)),
+            risen: wrapped(frame.risen * f64::from(tiles)),
             warp: kernel.warp,
             detail: frame.parameters.detail,
             air: frame.parameters.ambient_temperature * 1e-3,
             smoke: SMOKE_DEPTH * frame.smoke_opacity(),
             luminance_exponent: frame.parameters.luminance_exponent,
             gain: frame.gain(),
-            light_scale: 1.0 / frame.format.light_range(),
+            light_scale: frame.format.light_scale(),
             fire_share: frame.fire_share(),
             soft_top: f32::from(above),
         }

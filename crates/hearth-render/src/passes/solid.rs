@@ -11,6 +11,10 @@ const RELATIVE_BRIGHTNESS: f32 = 1.0;
 /// Speed at which the noise of embers moves [tiles/s].
 const EMBER_NOISE_SPEED: f64 = 0.015;
 
+/// Luminance exponent of glowing solids and embers. The flame's is a parameter and larger; with it, coal
+/// would be dark.
+pub const SOLID_LUMINANCE_EXPONENT: f32 = 0.35;
+
 /// The solids behind the displayed fire: the pass puts the fire on them again.
 pub struct Solid;
 
@@ -39,7 +43,7 @@ impl Pass for Solid {
             picture_size: viewport.metres,
             per_height: viewport.heights().map(|side| 1.0 / side),
             light_range: frame.format.light_range(),
-            luminance_exponent: frame.parameters.luminance_exponent,
+            luminance_exponent: SOLID_LUMINANCE_EXPONENT,
             gain: RELATIVE_BRIGHTNESS * frame.gain(),
             sky: frame.sky(),
             breath: wrapped(frame.time * EMBER_NOISE_SPEED),

@@ -31,7 +31,7 @@ impl Pass for Splat {
         uniforms::Splat {
             clip_scale,
             clip_offset,
-            count: frame.particles as f32,
+            count: frame.particles.count as f32,
             radius,
             weight: kernel_weight(radius, frame.parameters),
             field_scale: frame.field_range().map(|range| 1.0 / range),

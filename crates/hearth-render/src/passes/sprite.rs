@@ -43,7 +43,7 @@ impl Pass for Sprite {
         uniforms::Sprite {
             clip_scale,
             clip_offset,
-            count: frame.particles as f32,
+            count: frame.particles.count as f32,
             radius: frame.kernel.radius,
             turns: 2.0 * (turns - turns.floor()) as f32,
             opacity,

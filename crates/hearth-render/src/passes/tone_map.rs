@@ -37,6 +37,7 @@ impl Pass for ToneMap {
         let (pale, yellow) = Tint::of(parameters).pale();
         uniforms::ToneMap {
             light_range,
+            rooted: f32::from(frame.format.is_rooted()),
             bloom: light_range * parameters.bloom,
             soot,
             scattered: match parameters.model() {

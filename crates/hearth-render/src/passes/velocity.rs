@@ -3,7 +3,7 @@
 use super::gas::of_gas;
 use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
-use crate::pass::{Blend, Draw, Load, Pass};
+use crate::pass::{Blend, Draw, Load, Pass, Per};
 use crate::shaders::uniforms;
 
 /// Sums the gas's velocities.
@@ -14,6 +14,7 @@ impl Pass for Velocity {
     const LOAD: Load = Load::Clear;
     const BLEND: Blend = Blend::Add;
     const DRAW: Draw = Draw::Particles;
+    const PER: Per = Per::Sample;
     type Uniforms = uniforms::Gas;
 
     fn applies(frame: &FrameUniforms) -> bool {

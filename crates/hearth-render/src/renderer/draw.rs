@@ -1,13 +1,18 @@
 //! Draws the passes of a frame.
 
 use super::Renderer;
+use super::slices::SliceFrame;
 use crate::frame_uniforms::{FrameUniforms, background};
 use crate::gl::Graphics;
-use crate::image::Image;
-use crate::pass::{Draw, Load, Row};
+use crate::image::{Image, Which};
+use crate::particles::draw_quads;
+use crate::pass::{Draw, Load, Per, Row};
 use crate::passes::PASSES;
 use crate::shaders::{FLOATS, SOURCES};
 use crate::target::{Target, bind};
+
+/// Name of the passes of all slices in `stats.passes`.
+const SLICES: &str = "slices";
 
 /// Content of a cleared target.
 const TRANSPARENT: [f32; 4] = [0.0; 4];
@@ -18,21 +23,55 @@ impl<G: Graphics> Renderer<G> {
         &self,
         gl: &G,
         frame: &FrameUniforms,
-        draws: &dyn Fn(Image) -> bool,
+        slices: &[SliceFrame],
         on_pass: &mut dyn FnMut(&'static str),
     ) {
-        for row in PASSES
-            .iter()
-            .filter(|row| (row.applies)(frame) && draws(row.target))
-        {
-            for level in row.levels.of(frame.widest_blur()) {
-                self.draw_pass(gl, frame, row, level);
+        let mut slices = slices;
+        for row in PASSES.iter().filter(|row| (row.applies)(frame)) {
+            if row.per == Per::Frame {
+                for level in row.levels.of(frame.widest_blur()) {
+                    self.draw_pass(gl, frame, row, level, row.load);
+                }
+                on_pass(row.name);
+            } else if !slices.is_empty() {
+                self.draw_slices(gl, std::mem::take(&mut slices));
+                on_pass(SLICES);
             }
-            on_pass(row.name);
         }
     }
 
-    fn draw_pass(&self, gl: &G, frame: &FrameUniforms, row: &Row, level: usize) {
+    /// Draws the light of the slices, from the back, each over those behind it.
+    fn draw_slices(&self, gl: &G, slices: &[SliceFrame]) {
+        let mut loads = [Load::Clear; 2];
+        for slice in slices.iter().rev() {
+            let applies = |row: &&Row| (row.applies)(&slice.frame);
+            let rows = |per| {
+                PASSES
+                    .iter()
+                    .filter(applies)
+                    .filter(move |row| row.per == per)
+            };
+            for sample in &slice.samples {
+                rows(Per::Sample).for_each(|row| self.draw_pass(gl, sample, row, 0, row.load));
+            }
+            for row in rows(Per::Slice) {
+                // The slices behind share a target, and the front one is over them.
+                let load = match row.target {
+                    Image::Light => {
+                        let target = usize::from(slice.frame.slice.index > 0);
+                        std::mem::replace(&mut loads[target], Load::Keep)
+                    }
+                    _ => row.load,
+                };
+                self.draw_pass(gl, &slice.frame, row, 0, load);
+                if let (Draw::Particles, Some(later)) = (row.draw, &slice.later) {
+                    self.draw_pass(gl, later, row, 0, Load::Keep);
+                }
+            }
+        }
+    }
+
+    fn draw_pass(&self, gl: &G, frame: &FrameUniforms, row: &Row, level: usize, load: Load) {
         let size = match self.target(frame, row.target, level) {
             Some(target) => {
                 let part = if row.target == Image::Field {
@@ -50,7 +89,7 @@ impl<G: Graphics> Renderer<G> {
                 [width, height]
             }
         };
-        if row.load == Load::Clear {
+        if load == Load::Clear {
             gl.clear(match row.target {
                 Image::Picture => background(frame.parameters.background),
                 _ => TRANSPARENT,
@@ -74,10 +113,13 @@ impl<G: Graphics> Renderer<G> {
         match row.draw {
             Draw::All => gl.draw_triangle(),
             Draw::Reach => draw_part(gl, frame, frame.reach, size),
+            Draw::Behind => draw_part(gl, frame, frame.behind.unwrap_or_default(), size),
             Draw::Halo => draw_part(gl, frame, frame.halo(), size),
-            Draw::Particles => self.particles.draw(gl),
-            Draw::Embers => self.embers.draw(gl),
-            Draw::Solids => self.solids.texture.draw(gl),
+            Draw::Particles => {
+                draw_quads(gl, frame.particles.count.div_ceil(frame.particles.stride))
+            }
+            Draw::Embers => draw_quads(gl, self.embers.count()),
+            Draw::Solids => draw_quads(gl, self.solids.texture.count()),
         }
         if blends.is_some() {
             gl.disable(glow::BLEND);
@@ -86,7 +128,12 @@ impl<G: Graphics> Renderer<G> {
 
     /// The target of an image; `None` for the picture and for images that no pass draws.
     fn target(&self, frame: &FrameUniforms, image: Image, level: usize) -> Option<&Target<G>> {
-        let target = image.target(level, frame.widest_blur(), self.newest)?;
+        let target = image.target(Which {
+            level,
+            widest: frame.widest_blur(),
+            slice: frame.slice.index,
+            newest: frame.advected.newest,
+        })?;
         self.targets.get(target).map(|(_, target)| target)
     }
 
@@ -101,6 +148,7 @@ impl<G: Graphics> Renderer<G> {
         match image {
             Image::Particles if draw == Draw::Embers => Some(self.embers.texture()),
             Image::Particles if draw == Draw::Solids => Some(self.solids.texture.texture()),
+            Image::Particles if frame.particles.row.is_some() => self.ring.texture(),
             Image::Particles => Some(self.particles.texture()),
             Image::Noise => Some(&self.shared.noise),
             Image::Palette => Some(match &self.tinted {

@@ -1,13 +1,16 @@
 //! Creates the resources that a frame needs and frees others.
 
-use super::{NOISE_OFFSETS, Renderer, SCENERY};
+use super::Renderer;
+use super::slices::Noise;
 use crate::error::RenderError;
 use crate::frame_uniforms::{FrameUniforms, has_backdrop};
 use crate::gl::Graphics;
+use crate::image::{Image, SCENERY, Which};
 use crate::palette::Tint;
 use crate::passes::PASSES;
 use crate::shaders::SOURCES;
 use crate::shared::colour_table;
+use crate::slices::Slice;
 
 impl<G: Graphics> Renderer<G> {
     /// Creates the colour table of a tint.
@@ -29,10 +32,20 @@ impl<G: Graphics> Renderer<G> {
     }
 
     /// Creates every program and target that a pass of the frame needs.
-    pub(super) fn fit_targets(&mut self, gl: &G, frame: &FrameUniforms) -> Result<(), RenderError> {
+    pub(super) fn fit_targets(
+        &mut self,
+        gl: &G,
+        frame: &FrameUniforms,
+        slices: &[Slice],
+    ) -> Result<(), RenderError> {
         self.targets.fit(gl, frame.layout);
         if !has_backdrop(frame.parameters) {
             self.targets.free(gl, SCENERY);
+        }
+        if frame.advects_noise() {
+            for slice in slices {
+                self.fit_noise(gl, frame, slice.index)?;
+            }
         }
         let widest = frame.widest_blur();
         for row in PASSES.iter().filter(|row| (row.applies)(frame)) {
@@ -43,35 +56,46 @@ impl<G: Graphics> Renderer<G> {
             for (image, level) in
                 images.flat_map(|image| row.levels.of(widest).map(move |level| (image, level)))
             {
-                // The two targets of the noise advection are created together.
-                let Some(target) = image.target(level, widest, 0) else {
+                let Some(target) = image.target(Which {
+                    level,
+                    widest,
+                    ..Which::default()
+                }) else {
                     continue;
                 };
                 let is_new = self.targets.need(gl, source.name, frame.format, target)?;
                 if is_new && target == SCENERY {
                     self.scenery = None;
                 }
-                if is_new && target == NOISE_OFFSETS {
-                    self.fit_noise_offsets(gl, frame)?;
-                }
             }
         }
         Ok(())
     }
 
-    /// Creates the targets of the noise advection, with the offsets of a paused fire or empty.
-    fn fit_noise_offsets(&mut self, gl: &G, frame: &FrameUniforms) -> Result<(), RenderError> {
-        self.targets
-            .need(gl, "advect_noise", frame.format, NOISE_OFFSETS + 1)?;
-        match self.carried.take() {
-            Some(carried) if carried.layout == frame.layout => {
-                for target in [NOISE_OFFSETS, NOISE_OFFSETS + 1] {
-                    if let Some((_, target)) = self.targets.get(target) {
-                        target.write(gl, &carried.texels);
-                    }
-                }
+    /// Creates the targets of the advected noise of a slice.
+    fn fit_noise(
+        &mut self,
+        gl: &G,
+        frame: &FrameUniforms,
+        slice: usize,
+    ) -> Result<(), RenderError> {
+        for image in [
+            Image::Flow,
+            Image::NoiseOffsets,
+            Image::AdvectedNoise,
+            Image::AdvectedNoiseBefore,
+        ] {
+            let which = Which {
+                slice,
+                ..Which::default()
+            };
+            if let Some(target) = image.target(which)
+                && self
+                    .targets
+                    .need(gl, "advect_noise", frame.format, target)?
+            {
+                self.noise[slice] = Noise::default();
             }
-            _ => self.motion.advection.forget(),
         }
         Ok(())
     }

@@ -10,6 +10,7 @@
 //! [`not_reached`], with what was measured and why.
 
 mod boxes;
+pub mod detached;
 pub mod diffusion;
 pub mod disc;
 pub mod flame;
@@ -89,6 +90,7 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
         solids::CASES,
         disc::CASES,
         flame::CASES,
+        detached::CASES,
         plume::CASES,
         open_air::CASES,
         soot::CASES,

@@ -2,12 +2,13 @@
 //!
 //! Fuel flows in, mixes and burns, and the hot gas rises. Nothing is scripted: the taper, flicker
 //! and puffing of the flame follow from the equations. One step is: births and deaths of open air
-//! → neighbour grid → number density and pressure → pair interactions → vorticity confinement →
-//! body forces → time step → embers → velocity → combustion → burners → seam of a closed domain →
-//! position → water.
+//! → neighbour grid → number density and pressure → rolls → pair interactions → vorticity
+//! confinement → body forces → time step → embers → velocity → combustion → burners → seam of a closed
+//! domain → position → water.
 
 mod charred;
 mod domain;
+mod fires;
 mod fuels;
 mod gas;
 mod obstacles;
@@ -32,6 +33,7 @@ use crate::solver::Solver;
 pub use charred::{Charred, CharredSolid};
 use domain::Domain;
 pub(crate) use domain::bounds;
+use fires::Fires;
 use fuels::Fuels;
 pub use fuels::{BurningSolid, BurningState, FuelTotal, IgniteError, IgnitionTarget};
 pub(crate) use gas::Gas;
@@ -72,6 +74,7 @@ pub(crate) struct Combustion {
     gas: Gas,
     domain: Domain,
     pairs: Pairs,
+    fires: Fires,
     obstacles: Obstacles,
     reaction: Reaction,
     motion: Motion,
@@ -92,6 +95,7 @@ impl Combustion {
             gas: domain.air(scene, &solids, random),
             domain,
             pairs: Pairs::default(),
+            fires: Fires::default(),
             obstacles: Obstacles {
                 solids,
                 ..Obstacles::default()
@@ -226,6 +230,7 @@ impl Solver for Combustion {
         self.displace_gas(values);
         self.reserve(values);
         self.motion = Motion::default();
+        self.pairs.rolls.restart();
         self.reaction.extinguish();
     }
 

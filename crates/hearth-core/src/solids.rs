@@ -69,6 +69,12 @@ impl Body {
         self.id
     }
 
+    /// Lower left and upper right corner of the upright rectangle around it \[m\].
+    pub fn around(&self) -> [Vec2; 2] {
+        let (centre, half) = (self.surface.frame.centre, self.surface.frame.extent());
+        [centre - half, centre + half]
+    }
+
     /// Notes that gas of a temperature \[K\] exchanges heat with it at that conductance [kW/K].
     #[inline]
     pub fn exchange(&mut self, conductance: f32, temperature: f32) {

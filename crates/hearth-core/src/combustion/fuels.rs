@@ -145,6 +145,12 @@ impl Fuels {
         self.film
     }
 
+    /// The solids that burn, and the power of each [kW/m].
+    pub fn powers(&self) -> impl Iterator<Item = (u32, f32)> {
+        let all = self.all.iter();
+        all.map(|burning| (burning.id, burning.account.power))
+    }
+
     /// Power of the gas that is given off and of the char that burns [kW/m].
     pub fn power(&self) -> f32 {
         self.power

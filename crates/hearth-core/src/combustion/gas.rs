@@ -12,6 +12,7 @@ pub(super) mod pairs;
 mod picture;
 pub(super) mod removed;
 pub(super) mod resample;
+mod rolls;
 pub(super) mod seam;
 mod speed_limit;
 pub(super) mod time_step;
@@ -66,6 +67,8 @@ pub(crate) struct Gas {
     pub pressure: Vec<f32>,
     /// Gradient of the particle concentration, ΣV∇W [1/m].
     pub concentration_gradient: Vec<Vec2>,
+    /// Diffusivity of the eddies into which rolls break up [m²/s]. It moves with its particle.
+    pub roll_diffusivity: Vec<f32>,
     /// Fuel burnt in a second [1/s].
     pub burn: Vec<f32>,
     scratch: Scratch,
@@ -77,7 +80,7 @@ macro_rules! for_each_array {
         let gas = &mut *$gas;
         for_each_array!(@each gas, $array, $body;
             position velocity state id acceleration change expansion number_density volume
-            pressure concentration_gradient burn);
+            pressure concentration_gradient roll_diffusivity burn);
     }};
     (@each $gas:ident, $array:ident, $body:expr; $($name:ident)+) => {
         $({
@@ -91,6 +94,7 @@ macro_rules! for_each_array {
 struct Scratch {
     vector: Vec<Vec2>,
     state: Vec<State>,
+    number: Vec<f32>,
     id: Vec<u64>,
 }
 
@@ -121,6 +125,7 @@ impl Gas {
         for_each_array!(self, array => make_room(array, capacity));
         make_room(&mut self.scratch.vector, capacity);
         make_room(&mut self.scratch.state, capacity);
+        make_room(&mut self.scratch.number, capacity);
         make_room(&mut self.scratch.id, capacity);
     }
 
@@ -151,6 +156,7 @@ impl Gas {
         self.number_density.push(0.0);
         self.pressure.push(0.0);
         self.concentration_gradient.push(Vec2::ZERO);
+        self.roll_diffusivity.push(0.0);
         self.burn.push(0.0);
     }
 
@@ -170,6 +176,7 @@ impl Gas {
                 self.position[kept] = self.position[i];
                 self.velocity[kept] = self.velocity[i];
                 self.state[kept] = self.state[i];
+                self.roll_diffusivity[kept] = self.roll_diffusivity[i];
                 self.id[kept] = self.id[i];
                 kept += 1;
             }
@@ -243,6 +250,8 @@ impl Gas {
         scatter(&mut self.position, &mut scratch.vector, new_indices);
         scatter(&mut self.velocity, &mut scratch.vector, new_indices);
         scatter(&mut self.state, &mut scratch.state, new_indices);
+        let diffusivity = &mut self.roll_diffusivity;
+        scatter(diffusivity, &mut scratch.number, new_indices);
         scatter(&mut self.id, &mut scratch.id, new_indices);
     }
 

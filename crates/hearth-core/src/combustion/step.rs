@@ -40,6 +40,7 @@ impl Combustion {
         self.set_pressure(mean, &context);
         on_stage(Stage::Density);
 
+        self.find_rolls(scene, &context);
         self.sum_interactions(&context);
         self.pairs.confine_vorticity(&mut self.gas, &context);
         forces::add_all(&mut self.gas, values, time, user);
@@ -85,6 +86,15 @@ impl Combustion {
             .add_number_density(&mut self.gas, reference);
         number_density::set_pressure(&mut self.gas, reference, context.sound);
         self.domain.taper_pressure(&mut self.gas);
+    }
+
+    /// Finds how the rolls of the fires mix, in some of the steps.
+    fn find_rolls(&mut self, scene: &Scene, context: &Context) {
+        if self.pairs.rolls.is_due() {
+            let solids = &self.obstacles.solids;
+            self.fires.find(scene, solids, self.fuels.as_deref());
+            self.pairs.find_rolls(&mut self.gas, &self.fires, context);
+        }
     }
 
     fn sum_interactions(&mut self, context: &Context) {

@@ -131,7 +131,12 @@ impl Interactions {
                 let (at, v) = (gas.position[i] * inverse_h, gas.velocity[i]);
                 *particle = PackedParticle {
                     motion: Lanes::new([at.x, at.y, v.x, v.y]),
-                    volume_pressure: Lanes::new([gas.volume[i], gas.pressure[i], 0.0, 0.0]),
+                    volume_pressure: Lanes::new([
+                        gas.volume[i],
+                        gas.pressure[i],
+                        gas.roll_diffusivity[i],
+                        0.0,
+                    ]),
                     state: Lanes::new(gas.state[i].to_array()),
                 };
             }

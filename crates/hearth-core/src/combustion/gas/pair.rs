@@ -15,7 +15,7 @@ use crate::params::Physics;
 pub(crate) struct PackedParticle {
     /// Position, in smoothing lengths, and velocity [m/s].
     pub motion: Lanes,
-    /// Volume \[m²\], pressure \[Pa\] and two unused lanes.
+    /// Volume \[m²\], pressure \[Pa\], the diffusivity of its roll [m²/s] and an unused lane.
     pub volume_pressure: Lanes,
     /// Temperature \[K\], fuel, oxygen, soot.
     pub state: Lanes,
@@ -35,6 +35,7 @@ pub(crate) struct Broadcast {
     motion: [Lanes; 4],
     pub volume: Lanes,
     pressure: Lanes,
+    roll_diffusivity: Lanes,
 }
 
 impl Broadcast {
@@ -46,6 +47,7 @@ impl Broadcast {
             motion: [x - shift.x, y - shift.y, vx, vy],
             volume: particle.volume_pressure.broadcast(0),
             pressure: particle.volume_pressure.broadcast(1),
+            roll_diffusivity: particle.volume_pressure.broadcast(2),
         }
     }
 }
@@ -97,6 +99,8 @@ pub(crate) struct Pair {
     pub laplacian: Lanes,
     /// Eddy viscosity ν_t = C_s² h |vᵢⱼ| [m²/s].
     pub eddy_viscosity: Lanes,
+    /// Dᵢ + Dⱼ of their rolls [m²/s].
+    pub roll_diffusivities: Lanes,
 }
 
 impl Pair {
@@ -109,7 +113,8 @@ impl Pair {
     #[inline(always)]
     pub fn new(particle: &Broadcast, others: [PackedParticle; LANES], eddy_scale: Lanes) -> Pair {
         let [x, y, vx, vy] = transposed(others.map(|other| other.motion));
-        let [volume, pressure, ..] = transposed(others.map(|other| other.volume_pressure));
+        let [volume, pressure, diffusivity, _] =
+            transposed(others.map(|other| other.volume_pressure));
         let [own_x, own_y, own_vx, own_vy] = particle.motion;
         let offset = Separation::between([own_x, own_y], [x, y]);
         let (vx, vy) = (own_vx - vx, own_vy - vy);
@@ -130,6 +135,7 @@ impl Pair {
             pressures: particle.pressure + pressure,
             laplacian: mean_volume * softened_gradient * offset.square,
             eddy_viscosity: (vx * vx + vy * vy).sqrt() * eddy_scale,
+            roll_diffusivities: particle.roll_diffusivity + diffusivity,
         }
     }
 

@@ -1,13 +1,15 @@
-//! The passes over the pairs of the gas: the neighbour search with the number density, the
-//! interactions and the vorticity confinement.
+//! The passes over the pairs of the gas: the neighbour search with the number density, the mixing in
+//! rolls, the interactions and the vorticity confinement.
 
 use super::Gas;
 use super::interactions::Interactions;
 use super::number_density::NumberDensity;
 use super::pair::Context;
+use super::rolls::Rolls;
 use super::vorticity_confinement::VorticityConfinement;
 use super::walls::Walls;
 use crate::bounds::Bounds;
+use crate::combustion::fires::Fires;
 use crate::grid::Grid;
 use crate::kernel::Kernel;
 use crate::neighbours::Neighbours;
@@ -21,6 +23,7 @@ pub(crate) struct Pairs {
     number_density: NumberDensity,
     interactions: Interactions,
     vorticity_confinement: VorticityConfinement,
+    pub rolls: Rolls,
 }
 
 impl Pairs {
@@ -31,6 +34,7 @@ impl Pairs {
         self.number_density.reserve(blocks);
         self.interactions.reserve(blocks);
         self.vorticity_confinement.reserve(blocks);
+        self.rolls.reserve(blocks);
     }
 
     /// Sorts the gas into the cells of the grid.
@@ -56,6 +60,12 @@ impl Pairs {
         let (grid, neighbours) = (&self.grid, &mut self.neighbours);
         self.number_density
             .find_and_sum(gas, grid, neighbours, context, (walls, solids))
+    }
+
+    /// Finds the diffusivity of the rolls of these fires.
+    pub fn find_rolls(&mut self, gas: &mut Gas, fires: &Fires, context: &Context) {
+        let (grid, neighbours) = (&self.grid, &self.neighbours);
+        self.rolls.find(gas, grid, neighbours, fires, context);
     }
 
     /// Sums acceleration, diffusion and concentration gradient over the pairs.

@@ -81,7 +81,7 @@ impl Oracle {
     fn take_over(&mut self, particles: &[Particle]) {
         match self {
             Oracle::Classic(classic) => classic.take_over(particles),
-            Oracle::Combustion(gas) => *gas = Combustion::new(particles),
+            Oracle::Combustion(gas) => gas.take_over(particles),
         }
     }
 }
@@ -332,6 +332,7 @@ fn combustion_gas_follows_the_equations() {
     let low = [("domain_width", 6.0), ("domain_height", 0.2), ("wind", 1.0)];
     let vortices = [("vorticity_confinement", 0.7), ("wind", -0.3)];
     let closed = [("seam", 0.0), ("vorticity_confinement", 1.0)];
+    let rolls = [("roll_mixing", 0.2), ("fuel_power", 400.0)];
     let narrow = [&narrow[..], &two[1..]].concat();
     let scenes = [
         (&[][..], 1500, Spread::Even),
@@ -344,6 +345,8 @@ fn combustion_gas_follows_the_equations() {
         (&low, 600, Spread::Clumped),
         (&vortices, 1203, Spread::Even),
         (&closed, 801, Spread::Clumped),
+        (&rolls, 1001, Spread::Even),
+        (&rolls, 704, Spread::Clumped),
     ];
     for (seed, (values, count, spread)) in (1..).zip(scenes) {
         agree(&scene(combustion(values), count, spread, seed), 10);

@@ -12,6 +12,8 @@ use super::{Crowd, Domain, Kernel, Mixture, Neighbour, Plain, Sum};
 const PRANDTL: f64 = 0.7;
 /// Heat capacity of the gas [kJ/(kg·K)].
 const HEAT_CAPACITY: f64 = 1.0;
+/// Steps from one search for rolls to the next.
+const ROLL_STEPS: u32 = 8;
 /// Longest step \[s\].
 const LONGEST: f64 = 1.0 / 60.0;
 /// What drives the strongest fire for which the parameter is the speed of sound.
@@ -24,6 +26,9 @@ pub struct Combustion {
     pub particles: Vec<Plain>,
     /// The neighbours that each particle had.
     pub crowd: Crowd,
+    /// Viscosity of the roll around each particle [m²/s], found in each eighth step.
+    rolls: Vec<Sum<f64>>,
+    steps: u32,
     /// Length of the last step \[s\].
     pub length: f64,
     /// Power of the burning [kW/m].
@@ -60,10 +65,17 @@ impl Combustion {
         Combustion {
             particles: particles.iter().map(Plain::new).collect(),
             crowd: Crowd::new(),
+            rolls: Vec::new(),
+            steps: 0,
             length: 0.0,
             power: Sum::default(),
             preheat: Sum::default(),
         }
+    }
+
+    /// Puts the particles where others are; their rolls stay.
+    pub fn take_over(&mut self, particles: &[Particle]) {
+        self.particles = particles.iter().map(Plain::new).collect();
     }
 
     /// Burns on by one step.
@@ -74,6 +86,12 @@ impl Combustion {
         let near = common.domain.neighbours(&self.particles, reach);
         self.crowd = Domain::crowd(&near, reach);
         self.fill(&common, &near);
+        if self.steps.is_multiple_of(ROLL_STEPS) {
+            self.rolls = (0..near.len())
+                .map(|i| self.roll(i, &common, &near[i]))
+                .collect();
+        }
+        self.steps += 1;
         let mut rates: Vec<Rates> = near
             .iter()
             .enumerate()
@@ -130,7 +148,9 @@ impl Combustion {
             let gradient = common.kernel.gradient(offset);
             let apart = here.velocity.value - there.velocity.value;
             let mean_density = 2.0 * mass / (v_i + v_j);
-            let eddies = f64::from(p.eddy_viscosity).powi(2) * h * apart.length();
+            let mut eddies = Sum::new(f64::from(p.eddy_viscosity).powi(2) * h * apart.length());
+            eddies.add_sum(self.rolls[i].times(0.5));
+            eddies.add_sum(self.rolls[j].times(0.5));
 
             // m a = − Vᵢ Vⱼ (pᵢ + pⱼ) ∇W
             let mut pressures = here.pressure;
@@ -141,8 +161,11 @@ impl Combustion {
             });
             // m a = 2 Vᵢ Vⱼ ρ̄ (ν + ν_t) vᵢⱼ (r·∇W)/(r² + 0.01 h²)
             let spread = 2.0 * v_i * v_j * mean_density * common.kernel.brookshaw(offset) / mass;
-            let viscosity = f64::from(p.kinematic_viscosity) + eddies;
-            rates.acceleration.add(apart * (spread * viscosity));
+            let viscosity = f64::from(p.kinematic_viscosity);
+            rates.acceleration.add_sum(Sum {
+                value: apart * (spread * (viscosity + eddies.value)),
+                size: (apart * (spread * (viscosity + eddies.size))).length(),
+            });
             // m a = Vᵢ Vⱼ ρ̄ α c₀ μ ∇W, μ = h vᵢⱼ·r/(r² + 0.01 h²), where they approach
             let approach = apart.dot(offset).min(0.0);
             let mu = h * approach / (offset.length_squared() + 0.01 * h * h);
@@ -151,14 +174,55 @@ impl Combustion {
             rates.acceleration.add(gradient * damped);
 
             // m φ̇ = 2 Vᵢ Vⱼ ρ̄ (D₀ + ν_t/Pr) φᵢⱼ (r·∇W)/(r² + 0.01 h²)
-            let diffusivity = f64::from(p.diffusion) + eddies / PRANDTL;
+            let mut diffusivity = Sum::new(f64::from(p.diffusion));
+            diffusivity.add_sum(eddies.times(1.0 / PRANDTL));
             for (k, change) in rates.change.iter_mut().enumerate() {
                 let difference = here.mixture[k].value - there.mixture[k].value;
-                change.add(spread * diffusivity * difference);
+                let mixed = diffusivity.times(spread * difference);
+                change.add_sum(mixed);
             }
             rates.concentration_gradient.add(gradient * v_j);
         }
         rates
+    }
+
+    /// max(l² (|ω| − ½ √(b g/D*)) (ω² − s²)/(ω² + s²) − ν, 0), l² = (C D*)² − (2.5 C_s h)².
+    fn roll(&self, i: usize, common: &Common, near: &[Neighbour]) -> Sum<f64> {
+        let (p, h) = (common.p, common.kernel.h);
+        let lift = (f64::from(p.buoyancy) * f64::from(p.gravity)).max(0.1);
+        let heat = f64::from(p.ambient_density) * HEAT_CAPACITY * f64::from(p.ambient_temperature);
+        let length = (f64::from(p.fuel_power) / heat).powi(2) / lift;
+        let length = length.cbrt();
+        let own = 2.5 * f64::from(p.eddy_viscosity) * h;
+        let square = (f64::from(p.roll_mixing) * length).powi(2) - own * own;
+        if square <= 0.0 {
+            return Sum::default();
+        }
+        // ∂ₓ and ∂ᵧ of the velocity.
+        let (mut x, mut y, mut size) = (DVec2::ZERO, DVec2::ZERO, 0.0);
+        for other in near {
+            let gradient = common.kernel.gradient(other.offset);
+            let volume = common.mass / self.particles[other.j].density.value;
+            let apart = self.particles[other.j].velocity.value - self.particles[i].velocity.value;
+            x += apart * (gradient.x * volume);
+            y += apart * (gradient.y * volume);
+            size += apart.length() * gradient.length() * volume;
+        }
+        let turn = x.y - y.x;
+        let strain = (x.x - y.y).hypot(x.y + y.x);
+        if turn.abs() <= strain {
+            return Sum {
+                value: 0.0,
+                size: square * size,
+            };
+        }
+        let rate = turn.abs() - 0.5 * (lift / length).sqrt();
+        let share = (turn * turn - strain * strain) / (turn * turn + strain * strain);
+        let viscosity = square * rate * share - f64::from(p.kinematic_viscosity);
+        Sum {
+            value: viscosity.clamp(0.0, 0.1 * h * common.sound),
+            size: square * size,
+        }
     }
 
     /// a = ε h (∇|ω|/|∇|ω|| × ω).

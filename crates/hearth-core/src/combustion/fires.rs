@@ -133,3 +133,59 @@ impl FirePart {
         self.gap(other.low, other.high).length_squared() < reach * reach
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::combustion::gas::tests::with;
+
+    /// The fires of sources 0.4 m wide of 100 kW/m, with their left ends at these x.
+    fn fires(lefts: &[f32]) -> Fires {
+        let mut fires = Fires::default();
+        for &left in lefts {
+            fires.add([Vec2::new(left, 0.0), Vec2::new(left + 0.4, 0.1)], 100.0);
+        }
+        fires.measure(&with(&[]));
+        fires
+    }
+
+    fn length(fires: &Fires, x: f32) -> f32 {
+        fires
+            .nearest(Vec2::new(x, 1.0))
+            .map_or(0.0, |part| part.length)
+    }
+
+    #[test]
+    fn sources_nearer_than_their_width_are_one_fire() {
+        let alone = length(&fires(&[0.0]), 0.2);
+        // (100 kW/m / (1.2 kg/m³ · 1 kJ/(kg·K) · 293 K · √(9.81 m/s²)))^⅔
+        assert!((alone - 0.199).abs() < 0.01, "{alone}");
+        let both = libm::cbrtf(4.0) * alone;
+        for order in [[0.0, 0.7], [0.7, 0.0]] {
+            let near = fires(&order);
+            for x in [-1.0, 0.3, 2.0] {
+                assert!((length(&near, x) / both - 1.0).abs() < 1e-5);
+            }
+        }
+        // The one between joins the outer two, which are not near each other.
+        let row = fires(&[0.0, 1.2, 0.6]);
+        assert!((length(&row, 0.2) / libm::cbrtf(9.0) / alone - 1.0).abs() < 1e-5);
+    }
+
+    #[test]
+    fn fires_far_apart_keep_their_own_length() {
+        let far = fires(&[0.0, 0.6, 2.0]);
+        let alone = length(&fires(&[0.0]), 0.2);
+        assert_eq!(length(&far, 1.9), alone);
+        assert!((length(&far, 1.2) / libm::cbrtf(4.0) / alone - 1.0).abs() < 1e-5);
+        assert!((far.greatest_length() - length(&far, 0.0)).abs() < 1e-6);
+    }
+
+    #[test]
+    fn nothing_that_burns_is_no_fire() {
+        let mut none = fires(&[]);
+        none.add([Vec2::ZERO, Vec2::ONE], 0.0);
+        assert!(none.nearest(Vec2::ZERO).is_none());
+        assert_eq!(none.greatest_length(), 0.0);
+    }
+}

@@ -67,8 +67,8 @@ pub(crate) struct Gas {
     pub pressure: Vec<f32>,
     /// Gradient of the particle concentration, ΣV∇W [1/m].
     pub concentration_gradient: Vec<Vec2>,
-    /// Diffusivity of the eddies into which rolls break up [m²/s]. It moves with its particle.
-    pub roll_diffusivity: Vec<f32>,
+    /// Viscosity of the eddies into which rolls break up [m²/s]. It moves with its particle.
+    pub roll_viscosity: Vec<f32>,
     /// Fuel burnt in a second [1/s].
     pub burn: Vec<f32>,
     scratch: Scratch,
@@ -80,7 +80,7 @@ macro_rules! for_each_array {
         let gas = &mut *$gas;
         for_each_array!(@each gas, $array, $body;
             position velocity state id acceleration change expansion number_density volume
-            pressure concentration_gradient roll_diffusivity burn);
+            pressure concentration_gradient roll_viscosity burn);
     }};
     (@each $gas:ident, $array:ident, $body:expr; $($name:ident)+) => {
         $({
@@ -156,7 +156,7 @@ impl Gas {
         self.number_density.push(0.0);
         self.pressure.push(0.0);
         self.concentration_gradient.push(Vec2::ZERO);
-        self.roll_diffusivity.push(0.0);
+        self.roll_viscosity.push(0.0);
         self.burn.push(0.0);
     }
 
@@ -176,7 +176,7 @@ impl Gas {
                 self.position[kept] = self.position[i];
                 self.velocity[kept] = self.velocity[i];
                 self.state[kept] = self.state[i];
-                self.roll_diffusivity[kept] = self.roll_diffusivity[i];
+                self.roll_viscosity[kept] = self.roll_viscosity[i];
                 self.id[kept] = self.id[i];
                 kept += 1;
             }
@@ -250,8 +250,8 @@ impl Gas {
         scatter(&mut self.position, &mut scratch.vector, new_indices);
         scatter(&mut self.velocity, &mut scratch.vector, new_indices);
         scatter(&mut self.state, &mut scratch.state, new_indices);
-        let diffusivity = &mut self.roll_diffusivity;
-        scatter(diffusivity, &mut scratch.number, new_indices);
+        let viscosity = &mut self.roll_viscosity;
+        scatter(viscosity, &mut scratch.number, new_indices);
         scatter(&mut self.id, &mut scratch.id, new_indices);
     }
 

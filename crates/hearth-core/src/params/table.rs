@@ -295,7 +295,7 @@ parameters! {
         eddy_viscosity: number "Eddy viscosity" [""] Linear { Combustion(0.2, 0.0..=0.4) }
         /// A compact flame that no hot rolls leave. Size C of the eddies into which rolls break
         /// up, in the length D* of the fire: how strongly rolls mix momentum, heat and gases.
-        roll_mixing: number "Roll mixing" [""] Linear { Combustion(0.1, 0.0..=0.2) }
+        roll_mixing: number "Roll mixing" [""] Linear { Combustion(0.085, 0.0..=0.2) }
         /// A softer, blurred flame. Diffusivity of heat, fuel, oxygen and soot.
         diffusion: number "Diffusion" ["m²/s"] Linear { Combustion(1e-4, 0.0..=0.01) }
         /// A wider, fuller flame. Exponent of the thermal expansion: 1 is the ideal gas, 0 the

@@ -134,7 +134,7 @@ impl Interactions {
                     volume_pressure: Lanes::new([
                         gas.volume[i],
                         gas.pressure[i],
-                        gas.roll_diffusivity[i],
+                        0.5 * gas.roll_viscosity[i],
                         0.0,
                     ]),
                     state: Lanes::new(gas.state[i].to_array()),
@@ -159,11 +159,16 @@ mod tests {
     use crate::combustion::gas::walls::Walls;
     use crate::kernel::Kernel;
     use crate::params::Parameters;
+    use crate::random::Random;
     use crate::solids::Solids;
 
-    /// Gas in random motion with its interactions summed.
-    fn summed(parameters: &Parameters, seed: u32) -> Gas {
+    /// Gas in random motion with its interactions summed; `rolls` is the strength of its rolls.
+    fn summed(parameters: &Parameters, rolls: f32, seed: u32) -> Gas {
         let mut gas = random_gas(parameters, seed);
+        let mut random = Random::new(seed);
+        for viscosity in &mut gas.roll_viscosity {
+            *viscosity = rolls * random.between(0.0, 0.02);
+        }
         let kernel = Kernel::new(parameters.smoothing_length());
         let context = Context::new(&gas, parameters, &kernel, 6.0);
         let mut pairs = Pairs::default();
@@ -179,7 +184,7 @@ mod tests {
     fn exchange_is_conservative() {
         for seed in 0..3 {
             let parameters = with(&[("max_particles", 1500.0), ("gas_expansion", 1.0)]);
-            let gas = summed(&parameters, seed);
+            let gas = summed(&parameters, 1.0, seed);
             let net: Vec2 = gas.acceleration.iter().sum();
             let all: f32 = gas.acceleration.iter().map(|a| a.length()).sum();
             assert!(net.length() < 1e-5 * all, "{net} of {all}");
@@ -204,7 +209,7 @@ mod tests {
                     ("artificial_viscosity", 0.02),
                     (id, value),
                 ]);
-                let gas = summed(&parameters, 5);
+                let gas = summed(&parameters, 0.0, 5);
                 let pairs = gas.velocity.iter().zip(&gas.acceleration);
                 pairs.map(|(v, a)| f64::from(v.dot(*a))).sum::<f64>()
             };
@@ -213,9 +218,25 @@ mod tests {
     }
 
     #[test]
+    fn rolls_dissipate_energy_and_even_out_what_they_mix() {
+        let parameters = with(&[("max_particles", 1500.0)]);
+        // The changes of v²/2 and φ²/2 [1/s].
+        let changes = |rolls| {
+            let gas = summed(&parameters, rolls, 4);
+            let work = gas.velocity.iter().zip(&gas.acceleration);
+            let work = work.map(|(v, a)| f64::from(v.dot(*a))).sum::<f64>();
+            let states = gas.state.iter().zip(&gas.change);
+            (work, states.map(|(state, change)| *state * *change).sum())
+        };
+        let (still, turning): ((f64, Vec4), (f64, Vec4)) = (changes(0.0), changes(1.0));
+        assert!(turning.0 < still.0 - 1.0);
+        assert!(turning.1.cmplt(1.1 * still.1).all());
+    }
+
+    #[test]
     fn the_volumes_of_any_mixture_fill_the_domain() {
         let parameters = with(&[("max_particles", 1500.0)]);
-        let gas = summed(&parameters, 7);
+        let gas = summed(&parameters, 0.0, 7);
         let filled: f32 = gas.volume.iter().sum();
         let domain = parameters.domain_width * parameters.domain_height;
         assert!((filled / domain - 1.0).abs() < 0.03, "{filled} of {domain}");

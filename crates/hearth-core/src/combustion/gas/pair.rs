@@ -15,7 +15,7 @@ use crate::params::Physics;
 pub(crate) struct PackedParticle {
     /// Position, in smoothing lengths, and velocity [m/s].
     pub motion: Lanes,
-    /// Volume \[m²\], pressure \[Pa\], the diffusivity of its roll [m²/s] and an unused lane.
+    /// Volume \[m²\], pressure \[Pa\], half of the viscosity of its roll [m²/s] and an unused lane.
     pub volume_pressure: Lanes,
     /// Temperature \[K\], fuel, oxygen, soot.
     pub state: Lanes,
@@ -35,7 +35,7 @@ pub(crate) struct Broadcast {
     motion: [Lanes; 4],
     pub volume: Lanes,
     pressure: Lanes,
-    roll_diffusivity: Lanes,
+    half_roll_viscosity: Lanes,
 }
 
 impl Broadcast {
@@ -47,7 +47,7 @@ impl Broadcast {
             motion: [x - shift.x, y - shift.y, vx, vy],
             volume: particle.volume_pressure.broadcast(0),
             pressure: particle.volume_pressure.broadcast(1),
-            roll_diffusivity: particle.volume_pressure.broadcast(2),
+            half_roll_viscosity: particle.volume_pressure.broadcast(2),
         }
     }
 }
@@ -97,10 +97,8 @@ pub(crate) struct Pair {
     pub pressures: Lanes,
     /// −r·∇W/(r² + 0.01 h²) · Vᵢ Vⱼ ρ̄/m.
     pub laplacian: Lanes,
-    /// Eddy viscosity ν_t = C_s² h |vᵢⱼ| [m²/s].
+    /// Eddy viscosity ν_t = C_s² h |vᵢⱼ| + (νᵢ + νⱼ)/2, of unresolved eddies and of the rolls [m²/s].
     pub eddy_viscosity: Lanes,
-    /// Dᵢ + Dⱼ of their rolls [m²/s].
-    pub roll_diffusivities: Lanes,
 }
 
 impl Pair {
@@ -113,8 +111,9 @@ impl Pair {
     #[inline(always)]
     pub fn new(particle: &Broadcast, others: [PackedParticle; LANES], eddy_scale: Lanes) -> Pair {
         let [x, y, vx, vy] = transposed(others.map(|other| other.motion));
-        let [volume, pressure, diffusivity, _] =
+        let [volume, pressure, half_roll_viscosity, _] =
             transposed(others.map(|other| other.volume_pressure));
+        let of_rolls = particle.half_roll_viscosity + half_roll_viscosity;
         let [own_x, own_y, own_vx, own_vy] = particle.motion;
         let offset = Separation::between([own_x, own_y], [x, y]);
         let (vx, vy) = (own_vx - vx, own_vy - vy);
@@ -134,8 +133,7 @@ impl Pair {
             mean_volume,
             pressures: particle.pressure + pressure,
             laplacian: mean_volume * softened_gradient * offset.square,
-            eddy_viscosity: (vx * vx + vy * vy).sqrt() * eddy_scale,
-            roll_diffusivities: particle.roll_diffusivity + diffusivity,
+            eddy_viscosity: (vx * vx + vy * vy).sqrt() * eddy_scale + of_rolls,
         }
     }
 

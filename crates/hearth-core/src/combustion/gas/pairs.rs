@@ -62,7 +62,7 @@ impl Pairs {
             .find_and_sum(gas, grid, neighbours, context, (walls, solids))
     }
 
-    /// Finds the diffusivity of the rolls of these fires.
+    /// Finds the viscosity of the rolls of these fires.
     pub fn find_rolls(&mut self, gas: &mut Gas, fires: &Fires, context: &Context) {
         let (grid, neighbours) = (&self.grid, &self.neighbours);
         self.rolls.find(gas, grid, neighbours, fires, context);

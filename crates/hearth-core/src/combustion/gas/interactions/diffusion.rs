@@ -1,6 +1,5 @@
-//! Molecular and turbulent diffusion of heat, fuel, oxygen and soot (Cleary & Monaghan 1999):
-//! m φ̇ᵢ = Σ 2 Vᵢ Vⱼ ρ̄ (D₀ + ν_t/Pr + (Dᵢ + Dⱼ)/2) φᵢⱼ (r·∇W)/(r² + 0.01 h²), with the
-//! diffusivities Dᵢ, Dⱼ of their rolls.
+//! Molecular and turbulent diffusion of heat, fuel, oxygen and soot
+//! (Cleary & Monaghan 1999): m φ̇ᵢ = Σ 2 Vᵢ Vⱼ ρ̄ (D₀ + ν_t/Pr) φᵢⱼ (r·∇W)/(r² + 0.01 h²).
 
 use crate::combustion::gas::pair::{Context, Pair};
 use crate::interaction::{PairInteraction, Rates};
@@ -14,8 +13,6 @@ pub(super) struct Diffusion {
     molecular: Lanes,
     /// −2/Pr, times the factor of W'.
     eddy: Lanes,
-    /// −1, times the factor of W'.
-    roll: Lanes,
 }
 
 impl Diffusion {
@@ -24,7 +21,6 @@ impl Diffusion {
         Diffusion {
             molecular: Lanes::splat(-2.0 * norm * context.values.diffusion),
             eddy: Lanes::splat(-2.0 * norm / PRANDTL),
-            roll: Lanes::splat(-norm),
         }
     }
 }
@@ -32,7 +28,6 @@ impl Diffusion {
 impl PairInteraction<Pair> for Diffusion {
     #[inline(always)]
     fn add(&self, pair: &Pair, rates: &mut Rates) {
-        let eddies = pair.eddy_viscosity * self.eddy + pair.roll_diffusivities * self.roll;
-        rates.mixing += pair.laplacian * (self.molecular + eddies);
+        rates.mixing += pair.laplacian * (self.molecular + pair.eddy_viscosity * self.eddy);
     }
 }

@@ -167,6 +167,8 @@ export interface HearthParameters {
   artificial_viscosity: number;
   /** A softer flame without small curls. How strongly unresolved eddies mix momentum, heat and gases: Smagorinsky's constant. Default in combustion: 0.2, from 0 to 0.4. */
   eddy_viscosity: number;
+  /** A compact flame that no hot rolls leave. Size C of the eddies into which rolls break up, in the length D* of the fire: how strongly rolls mix momentum, heat and gases. Default in combustion: 0.085, from 0 to 0.2. */
+  roll_mixing: number;
   /** A softer, blurred flame. Diffusivity of heat, fuel, oxygen and soot. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
   diffusion: number;
   /** A wider, fuller flame. Exponent of the thermal expansion: 1 is the ideal gas, 0 the paper's equation of state, in which pressure depends on density only. Default in combustion: 0.5, from 0 to 1. */
@@ -347,6 +349,8 @@ export interface HearthProperties {
   artificialViscosity: number;
   /** A softer flame without small curls. How strongly unresolved eddies mix momentum, heat and gases: Smagorinsky's constant. Default in combustion: 0.2, from 0 to 0.4. */
   eddyViscosity: number;
+  /** A compact flame that no hot rolls leave. Size C of the eddies into which rolls break up, in the length D* of the fire: how strongly rolls mix momentum, heat and gases. Default in combustion: 0.085, from 0 to 0.2. */
+  rollMixing: number;
   /** A softer, blurred flame. Diffusivity of heat, fuel, oxygen and soot. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
   diffusion: number;
   /** A wider, fuller flame. Exponent of the thermal expansion: 1 is the ideal gas, 0 the paper's equation of state, in which pressure depends on density only. Default in combustion: 0.5, from 0 to 1. */

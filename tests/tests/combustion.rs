@@ -1,6 +1,7 @@
 //! Hot gas, fire and smoke in the combustion model.
 
 use hearth_core::{Particle, Simulation, Vec2};
+use hearth_tests::fingerprint;
 use hearth_tests::fires::{burn, burn_on, closed_box, combustion, filled, mean, watch};
 
 const SIDE: u32 = 32;
@@ -285,4 +286,13 @@ fn the_seam_lets_no_smoke_in_from_below() {
         }
     });
     assert!(sootiest < 0.02, "{sootiest}");
+}
+
+#[test]
+fn rolls_of_the_size_of_a_kernel_change_no_bit() {
+    // C D* is 0.034 m with 0.1, and 2.5 C_s h is 0.035 m.
+    let print = |mixing| fingerprint(combustion(&[("roll_mixing", mixing)]));
+    let off = print(0.0);
+    assert_eq!(print(0.1), off);
+    assert_ne!(print(0.2), off);
 }

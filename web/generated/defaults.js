@@ -82,6 +82,7 @@ export const DEFAULTS = {
   kinematic_viscosity: 0.0001,
   artificial_viscosity: 0.1,
   eddy_viscosity: 0.2,
+  roll_mixing: 0.085,
   diffusion: 0.0001,
   gas_expansion: 0.5,
   shifting: 1,

@@ -295,6 +295,18 @@ mod tests {
     }
 
     #[test]
+    fn rolls_are_due_in_the_first_step_and_where_a_fire_is_taken_up() {
+        let mut rolls = Rolls::default();
+        let mut due = |steps: u32| (0..steps).filter(|_| rolls.is_due()).count();
+        assert_eq!(
+            [due(1), due(STEPS - 1), due(1), due(STEPS - 2)],
+            [1, 0, 1, 0]
+        );
+        rolls.restart();
+        assert!(rolls.is_due());
+    }
+
+    #[test]
     fn no_roll_shortens_the_step() {
         let found = viscosities(&square(&[("roll_mixing", 0.2)]), vortices(2000.0));
         let most = found.iter().map(|found| found.1).fold(0.0, fast_max);

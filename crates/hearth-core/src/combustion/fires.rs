@@ -38,6 +38,8 @@ pub(crate) fn lift(values: &Physics) -> f32 {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Fires {
     parts: Vec<FirePart>,
+    /// Whether there are several fires.
+    are_several: bool,
 }
 
 impl Fires {
@@ -77,7 +79,7 @@ impl Fires {
         self.parts.push(new);
         for i in 0..fire {
             let other = self.parts[i];
-            if other.is_near(&new) {
+            if other.fire != fire && other.is_near(&new) {
                 for part in &mut self.parts {
                     if part.fire == other.fire {
                         part.fire = fire;
@@ -89,6 +91,8 @@ impl Fires {
 
     /// Gives each part the length of its fire.
     pub(super) fn measure(&mut self, values: &Physics) {
+        let mut pairs = self.parts.windows(2);
+        self.are_several = pairs.any(|pair| pair[0].fire != pair[1].fire);
         let heat = values.ambient_density * HEAT_CAPACITY * values.ambient_temperature;
         for i in 0..self.parts.len() {
             let fire = self.parts[i].fire;
@@ -101,7 +105,7 @@ impl Fires {
     /// The part that is nearest to a place.
     pub fn nearest(&self, place: Vec2) -> Option<&FirePart> {
         let mut nearest = self.parts.first()?;
-        if self.parts.len() > 1 {
+        if self.are_several {
             let mut least = f32::MAX;
             for part in &self.parts {
                 let distance = part.gap(place, place).length_squared();

@@ -9,6 +9,11 @@ pub fn position(&instance: &Instance) -> [f32; 2] {
     Measured::from(instance).position.to_array()
 }
 
+/// Velocity [m/s], which every view has.
+pub fn velocity(&instance: &Instance) -> [f32; 2] {
+    Measured::from(instance).velocity.to_array()
+}
+
 /// Upward speed [m/s], which every view has.
 pub fn upward_speed(&instance: &Instance) -> f32 {
     Measured::from(instance).velocity.y

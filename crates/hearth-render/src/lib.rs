@@ -15,6 +15,7 @@ mod bounds;
 mod camera;
 mod cie;
 mod constants;
+mod embers;
 mod error;
 mod format;
 mod frame_uniforms;

@@ -13,6 +13,7 @@ use hearth_core::{Charred, Instance, Parameters, Scene, Source};
 use crate::advection::Phase;
 use crate::bounds::ParticleBounds;
 use crate::camera::Camera;
+use crate::embers::Paths;
 use crate::error::RenderError;
 use crate::format::TargetFormat;
 use crate::frame_uniforms::{Advected, Batch, FrameUniforms};
@@ -51,6 +52,7 @@ pub struct Renderer<G: Graphics = glow::Context> {
     limits: ResolutionLimits,
     particles: Particles<G>,
     embers: Particles<G>,
+    paths: Paths,
     solids: Solids<G>,
     targets: Targets<G>,
     /// Colour table of another palette than the black body, whose table all fires share.
@@ -100,6 +102,7 @@ impl<G: Graphics> Renderer<G> {
             limits: ResolutionLimits::MEDIUM,
             particles: Particles::new(gl, max_rows)?,
             embers: Particles::new(gl, max_rows)?,
+            paths: Paths::default(),
             solids: Solids::new(Particles::new(gl, max_rows)?),
             targets: Targets::new(),
             tinted: None,
@@ -162,7 +165,7 @@ impl<G: Graphics> Renderer<G> {
         self.bounds = ParticleBounds::of(instances, embers);
         self.measured = mode.quantity().and_then(|_| extremes(instances));
         self.particles.upload(gl, instances);
-        self.embers.upload(gl, embers);
+        self.embers.upload(gl, self.paths.records(embers));
     }
 
     /// Uploads the solids of a scene where they are. Until the next call they stay in the pictures. Those that

@@ -4,7 +4,7 @@
 
 use hearth_core::Instance;
 use hearth_core::params::{Input, Model, Parameters};
-use hearth_render::Renderer;
+use hearth_render::{Renderer, ResolutionLimits};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -288,6 +288,41 @@ fn an_ember_shines_and_glows_around() -> Result<(), JsValue> {
     let beyond = (0.2, 1.27);
     assert!(light(glowing.at(beyond.0, beyond.1)) > 3);
     assert_eq!(canvas.gl_error(), 0);
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn a_spark_has_no_hard_straight_edge_at_low_quality() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    let parameters = with(&[
+        ("bloom", Input::Number(0.0)),
+        ("exposure", Input::Number(2.0)),
+    ])?;
+    let pixel = parameters.domain_height / HEIGHT as f32;
+    for turn in 0..8 {
+        let (sin, cos) = (0.4 * turn as f32).sin_cos();
+        let [x, y, _, _, _, size, age, life] = ember(0.1, 1.0, 0.003);
+        let spark = [x, y, 1.5 * cos, 1.5 * sin, 1700.0, size, age, life];
+        let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
+        renderer.set_limits(ResolutionLimits::LOW);
+        let pixels = canvas.paint_at(&mut renderer, 1.0, [&[], &[spark]], &parameters)?;
+        renderer.destroy(&canvas.gl);
+        assert!(all_light(&pixels) > 1.0);
+        let at = |x: f32, y: f32| light(pixels.at(x, y));
+        for (x, y, _) in pixels
+            .all()
+            .filter(|&(x, y, _)| (x - 0.1).hypot(y - 1.0) < 0.15)
+        {
+            for (along, across) in [((pixel, 0.0), (0.0, pixel)), ((0.0, pixel), (pixel, 0.0))] {
+                let steps = [0.0, 1.0, 2.0].map(|number| {
+                    let (x, y) = (x + number * along.0, y + number * along.1);
+                    at(x, y).abs_diff(at(x + across.0, y + across.1))
+                });
+                let least = steps.into_iter().min();
+                assert!(least < Some(128), "{steps:?} at {x}, {y}");
+            }
+        }
+    }
     Ok(())
 }
 

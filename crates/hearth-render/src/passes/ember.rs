@@ -3,7 +3,7 @@
 use hearth_core::params::{Layers, Model};
 
 use super::solid::SOLID_LUMINANCE_EXPONENT;
-use crate::frame_uniforms::FrameUniforms;
+use crate::frame_uniforms::{FrameUniforms, wrapped};
 use crate::image::Image;
 use crate::pass::{Blend, Draw, Pass};
 use crate::shaders::uniforms;
@@ -11,7 +11,7 @@ use crate::shaders::uniforms;
 /// Brightness of an ember relative to gas of the same temperature: an ember is solid.
 const RELATIVE_BRIGHTNESS: f32 = 12.0;
 /// Minimum radius of a spark in texels of the light.
-const MIN_RADIUS_TEXELS: f32 = 1.2;
+const MIN_RADIUS_TEXELS: f32 = 2.0;
 
 /// Sparks behind the flame. In front of it they would look like dots.
 pub struct Ember;
@@ -33,6 +33,8 @@ impl Pass for Ember {
             clip_scale,
             clip_offset,
             count: frame.embers as f32,
+            largest: frame.parameters.ember_size,
+            time: wrapped(frame.time),
             smallest: MIN_RADIUS_TEXELS * texel,
             gain: RELATIVE_BRIGHTNESS * frame.gain(),
             luminance_exponent: SOLID_LUMINANCE_EXPONENT,

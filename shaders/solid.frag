@@ -7,6 +7,11 @@ in vec2 uv;
 flat in vec3 turn;
 flat in vec3 grid;
 in vec2 spot;
+in vec2 world;
+flat in vec4 frame_a;
+flat in vec4 frame_b;
+flat in vec3 box_a;
+flat in vec3 box_b;
 
 uniform sampler2D shown;
 uniform sampler2D glow;       // square root of light / range
@@ -23,20 +28,20 @@ uniform float breath;      // tiles by which the noise of embers has moved
 out vec4 pixel;
 
 const float NEAR_LIT = 0.7; // brightness of the light nearby
-const float FAR_LIT = 85.0 / 16.0; // and of the irradiance
-const float PALE = 0.15;    // share of the irradiance that loses its hue, so that materials keep theirs
+const float FAR_LIT = 300.0 / 16.0; // and of the irradiance
+const float PALE = 0.3;    // share of the irradiance that loses its hue, so that materials keep theirs
 const float AROUND = 0.1;   // distance of the irradiance that gives its direction, in heights of the domain
 const float TOUCH = 0.025;  // distance of the light that touches a surface
-const vec3 NIGHT = vec3(0.07, 0.075, 0.09); // bluish light without the fire
+const vec3 NIGHT = vec3(0.03, 0.033, 0.045); // bluish light without the fire
 const float BEVEL = 0.3;    // rounded share of a thickness
 const float GREY = 0.333;   // share of each colour in light without its hue
 const float RAISED = 0.05;  // added to the height of a normal, so that one at a rim is defined
 const float DARKEST = 1e-6; // light below which there is no direction
 // The direction to the fire: its height over the slope of the irradiance, and the brightness of a
 // surface that faces it, of one across it, and of one that light enters.
-const float TOWARDS = 0.45;
-const float FACING = 0.8;
-const float ACROSS = 0.2;
+const float TOWARDS = 0.3;
+const float FACING = 0.9;
+const float ACROSS = 0.12;
 const float INSIDE = 0.7;
 const float SHARPNESS = 40.0; // exponent of the highlight
 const float SKY_FROM_ABOVE = 1.2; // light of the sky on a vertical surface; an upward one gets 1 more
@@ -44,6 +49,12 @@ const float SKY_FROM_ABOVE = 1.2; // light of the sky on a vertical surface; an 
 const float LOST_AT_RIM = 0.4;
 const float AT_FLOOR = 0.3;
 const float ABOVE_FLOOR = 0.5;
+// The solid before another takes this share of its light. The share falls between two distances from a place that
+// is a step nearer to the fire, all in half thicknesses.
+const float CONTACT = 0.85;
+const float CONTACT_FULL = -0.3;
+const float CONTACT_END = 1.3;
+const float CONTACT_STEP = 0.35;
 const float GLINT = 0.9; // maximum coverage by a highlight
 
 // Coordinates of the noise are in sizes of the solid. Factors on them decorrelate reads.
@@ -57,6 +68,10 @@ const float GRAIN = 0.5;
 const float CRACK = 0.5;
 const float CRACK_WIDTH = 0.07;
 const float RAGGED = 0.2;
+// Relief: the surface is lit by how much lower it is a step nearer to the fire. The step is in sizes.
+const float RELIEF_STEP = 0.05;
+const float RELIEF = 0.5;
+const float BARK_RELIEF = 1.2;
 // Slope of the surface by broad and fine noise.
 const float BUMPS = 0.22;
 const float FINE_BUMPS = 0.16;
@@ -71,7 +86,6 @@ const vec3 FURROW = vec3(0.05, 0.03, 0.018);
 const vec3 BARK = vec3(0.3, 0.18, 0.1);
 const float BARK_STAINS = 0.4;
 const float FURROW_WIDTH = 0.4;
-const vec2 BARK_BUMPS = vec2(0.1, 0.5); // bark slopes across the trunk
 // The sawn end of a trunk in view: place and size in half thicknesses; that of a disc is its face.
 const float END_PLACE = 0.42;
 const vec2 END_SIZE = vec2(0.52, 0.8);
@@ -81,10 +95,17 @@ const float END_EDGE = 0.95;
 const float RINGS = 22.0; // [rad] for each radius
 const float MEANDER = 4.0; // of a ring [rad]
 const float RING_PLACE = 0.08;
+// Checks, the radial cracks of dry wood: their darkness, width, and where they end inside.
+const float CHECK = 0.3;
+const float CHECK_WIDTH = 0.1;
+const float CHECK_PLACE = 0.13;
+const float CHECK_INNER = 0.15;
+const float CHECK_OUTER = 0.6;
 const vec3 SAWN = vec3(0.46, 0.3, 0.165);
 const float RING_CONTRAST = 0.2;
 const float DARKER_OUTSIDE = 0.3;
 const float END_SLOPE = 0.45; // of its normal, to the side that is in view
+const float END_DOME = 0.4; // of the normal of a cross section, at its rim
 // Burning bark glows in furrows of this width, where fine noise is above zero.
 const float GLOWING_FURROW = 0.2;
 const float GLOWING_SPOTS = 0.5;
@@ -111,9 +132,9 @@ const vec3 DARK_CLAY = vec3(0.33, 0.13, 0.08);
 const vec3 PALE_CLAY = vec3(0.48, 0.23, 0.145);
 const vec2 CELL_PLACE = vec2(0.173, 0.291); // decorrelates the clay of bricks
 const float CLAY_GRAIN = 0.3;
-const float BRICK_BUMPS = 0.6;
+const float BRICK_BUMPS = 0.3;
 
-const vec3 COAL_COLOUR = vec3(0.035);
+const vec3 COAL_COLOUR = vec3(0.013);
 const float COAL_BUMPS = 3.0; // broken faces
 // Coal glows in cracks of this width, where broad noise is between these values.
 const float COAL_CRACK = 0.35;
@@ -156,10 +177,31 @@ vec3 light_at(vec2 side) {
     return mix(light, vec3(dot(light, vec3(GREY))), PALE);
 }
 
+// A place in the noise of bark, which is stretched along a trunk and crowds towards its sides, or of a plank. Around
+// a cross section it runs inwards.
+vec2 bark_place(vec2 place) {
+    if (max(body.x, body.y) <= 0.0) return ACROSS_TRUNK * place / (length(place) + DARKEST);
+    return vec2(ALONG * place.x, body.y > 0.0 ? ACROSS_PLANK * place.y : place.y * (ACROSS_TRUNK + CROWDED * place.y * place.y));
+}
+
+// Height of bark; furrows are at zero.
+float ridge_of(vec4 worn) {
+    return abs(worn.x + FURROWS * worn.w);
+}
+
 // Temperature [kK] and char of a cell.
 vec2 cell_at(vec2 at) {
     float number = listed(grid.xy, ivec2(clamp(at, vec2(0.0), grid.yz - 1.0)));
     return vec2(floor(number) * 1e-3, fract(number));
+}
+
+// Share of the light that the solid before this one leaves at a place [m].
+float beside_solid(vec2 place, vec2 towards, vec4 frame, vec3 box) {
+    float thick = min(box.x, box.y) + box.z;
+    vec2 from = place + CONTACT_STEP * thick * towards - frame.xy;
+    vec2 beyond = abs(vec2(dot(from, frame.zw), frame.z * from.y - frame.w * from.x)) - box.xy;
+    float away = length(max(beyond, 0.0)) + min(max(beyond.x, beyond.y), 0.0) - box.z;
+    return 1.0 - CONTACT * (1.0 - smoothstep(CONTACT_FULL * thick, CONTACT_END * thick, away)) * step(DARKEST, thick);
 }
 
 void main() {
@@ -173,30 +215,41 @@ void main() {
     float rim = clamp(1.0 + at.z / (body.z + BEVEL * inner), 0.0, 1.0);
     vec2 place = local / size;
     vec2 normal = at.xy * rim;
+    // A round stone is an ellipsoid.
+    if (material < WOOD && field.y == 0.0) normal = mix(normal, local / (body.xy + body.z), body.z / size);
     mat2 turned = mat2(turn.xy, -turn.y, turn.x);
-    vec4 worn = rough(place * WORN_PLACE);
+    // The irradiance, and the direction of the fire from its slope.
+    vec3 left = light_at(vec2(-1.0, 0.0));
+    vec3 right = light_at(vec2(1.0, 0.0));
+    vec3 below = light_at(vec2(0.0, -1.0));
+    vec3 above = light_at(vec2(0.0, 1.0));
+    vec3 fire_light = left + right + below + above;
+    vec2 slope = vec2(dot(right - left, vec3(1.0)), dot(above - below, vec3(1.0))) / (0.25 * dot(fire_light, vec3(1.0)) + DARKEST);
+    vec3 towards = normalize(vec3(slope, TOWARDS));
+    vec2 nearer = place + RELIEF_STEP * (towards.xy * turned);
+    vec4 worn = rough(material == WOOD ? bark_place(place) : place * WORN_PLACE);
     vec4 fine = rough(place * FINE_PLACE);
+    vec4 beside = rough(material == WOOD ? bark_place(nearer) : nearer * FINE_PLACE);
     vec3 colour = STONE * (1.0 + STAINS * worn.x + GRAIN * fine.w) * mix(CRACK, 1.0, smoothstep(0.0, CRACK_WIDTH, abs(worn.y + RAGGED * fine.w)));
-    vec2 bump = BUMPS * worn.yz + FINE_BUMPS * fine.yz;
+    vec3 bump = vec3(BUMPS * worn.yz + FINE_BUMPS * fine.yz, RELIEF * (fine.x - beside.x)); // slope and relief
     float shine = 0.0; // brightness of the highlight
     float cover = 1.0;
     float ember = 0.0; // share of the surface that glows
     float soft = 0.0;  // share of the light that spreads inside
     if (material == WOOD) {
         // Bark around a trunk, or a plank. One end of a trunk shows its rings.
-        worn = rough(vec2(ALONG * place.x, body.y > 0.0 ? ACROSS_PLANK * place.y : place.y * (ACROSS_TRUNK + CROWDED * place.y * place.y)));
-        float ridge = abs(worn.x + FURROWS * worn.w);
+        float ridge = ridge_of(worn);
         colour = mix(FURROW, BARK * (1.0 + BARK_STAINS * worn.y), smoothstep(0.0, FURROW_WIDTH, ridge));
-        bump = BARK_BUMPS * worn.zw;
         float side = turn.y > 0.0 ? -1.0 : 1.0;
         vec2 end = body.x > 0.0 ? vec2(place.x * side - body.x / size - END_PLACE, place.y) / END_SIZE : place / DISC_SIZE;
         float radius = length(end) + (body.y > 0.0 ? NO_END : 0.0);
         float face = 1.0 - smoothstep(END_EDGE, 1.0, radius);
         float ring = sin(RINGS * radius + MEANDER * rough(end * RING_PLACE).x);
-        colour = mix(colour, SAWN * (1.0 + RING_CONTRAST * ring - DARKER_OUTSIDE * radius), face);
+        float check = (1.0 - smoothstep(0.0, CHECK_WIDTH, abs(rough(end / (radius + DARKEST) * CHECK_PLACE).x))) * smoothstep(CHECK_INNER, CHECK_OUTER, radius);
+        colour = mix(colour, SAWN * (1.0 + RING_CONTRAST * ring - DARKER_OUTSIDE * radius) * mix(1.0, CHECK, check), face);
+        bump = vec3(0.0, 0.0, BARK_RELIEF * (1.0 - face) * (min(ridge, FURROW_WIDTH) - min(ridge_of(beside), FURROW_WIDTH)));
         ember = (1.0 - smoothstep(0.0, GLOWING_FURROW, ridge)) * smoothstep(0.0, GLOWING_SPOTS, fine.x) * (1.0 - face);
-        normal = mix(normal, vec2(body.x > 0.0 ? END_SLOPE * side : 0.0, 0.0), face);
-        bump *= 1.0 - face;
+        normal = mix(normal, body.x > 0.0 ? vec2(END_SLOPE * side, 0.0) : END_DOME * place, face);
     } else if (material == IRON) {
         colour = IRON_COLOUR * (1.0 + IRON_GRAIN * fine.w);
         bump *= IRON_BUMPS;
@@ -234,23 +287,16 @@ void main() {
         kilokelvin = state.x;
         colour *= 1.0 - CHAR_DARK * smoothstep(0.0, FULL_CHAR, state.y + CHAR_SPOTS * fine.w);
     }
-    vec2 tilt = turned * (normal + bump);
+    vec2 tilt = turned * (normal + bump.xy);
     vec3 facing = normalize(vec3(tilt, sqrt(max(1.0 - dot(normal, normal), 0.0)) + RAISED));
-    // The irradiance, and the direction of the fire from its slope.
-    vec3 left = light_at(vec2(-1.0, 0.0));
-    vec3 right = light_at(vec2(1.0, 0.0));
-    vec3 below = light_at(vec2(0.0, -1.0));
-    vec3 above = light_at(vec2(0.0, 1.0));
-    vec3 fire_light = left + right + below + above;
-    vec2 slope = vec2(dot(right - left, vec3(1.0)), dot(above - below, vec3(1.0))) / (0.25 * dot(fire_light, vec3(1.0)) + DARKEST);
-    vec3 towards = normalize(vec3(slope, TOWARDS));
     vec3 touch = texture(glow, uv + tilt * TOUCH * per_height).rgb;
     fire_light *= 0.25 * FAR_LIT * light_range;
     vec3 nearby = touch * touch * NEAR_LIT * light_range;
-    float lit = mix(max(FACING * dot(facing, towards) + ACROSS, 0.0), INSIDE, soft);
+    float lit = mix(max(FACING * (dot(facing, towards) + bump.z) + ACROSS, 0.0), INSIDE, soft);
     float gloss = pow(max(dot(facing, normalize(towards + vec3(0.0, 0.0, 1.0))), 0.0), SHARPNESS) * shine;
     // The floor, and what lies before a rim, take light away.
     float open = (1.0 - LOST_AT_RIM * rim * rim * rim) * mix(AT_FLOOR, 1.0, smoothstep(0.0, ABOVE_FLOOR, (uv.y - floor_middle.y) * picture_size.y / size));
+    open *= beside_solid(world, towards.xy, frame_a, box_a) * beside_solid(world, towards.xy, frame_b, box_b);
     if (material == WOOD) {
         // Wood in the flame is black, and its cracks glow.
         float burnt = grid.y > 0.0 ? 0.0 : smoothstep(SINGED, CHARRED, max(nearby.r, FAR_CHARS * fire_light.r));

@@ -10,6 +10,12 @@ vec3 encode(vec3 linear) {
     return mix(12.92 * linear, power, step(0.0031308, linear));
 }
 
+// A displayed light, whose peak is given, as an eye sees it that has adapted to its hue: less red. A white page would
+// show the complement of dim light, which is redder than bright light.
+vec3 adapted(vec3 hue, float peak, float share) {
+    return mix(hue, sqrt(hue * peak), share);
+}
+
 // Adds half a step of eight bits of interleaved gradient noise (J. Jimenez 2014) against banding.
 // All channels get the same noise, so no colour exceeds its alpha.
 vec4 dither(vec4 colour) {

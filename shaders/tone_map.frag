@@ -17,6 +17,7 @@ out vec4 shown;
 // Coverage, the root of the glow, and light below one step of eight bits.
 const float INVISIBLE = 0.004;
 const float DARK = 0.0003;
+const float ADAPTED = 0.7; // share of the adapted hue in the faintest glow
 const vec3 SOOT = vec3(0.36, 0.33, 0.31); // displayed colour of lit soot, a warm grey
 
 void main() {
@@ -31,6 +32,8 @@ void main() {
     // Glow covers nothing, but no colour may exceed its alpha. Coverage without emission is soot,
     // which is not quite black.
     float peak = max(colour.r, max(colour.g, colour.b));
+    float bare = (1.0 - sharp.a) * (1.0 - peak);
+    colour = adapted(colour, peak, ADAPTED * bare * bare);
     float alpha = clamp(sharp.a, peak, 1.0);
     float dark = alpha - peak;
     colour += SOOT * (soot * dark * dark / max(alpha, 1e-4));

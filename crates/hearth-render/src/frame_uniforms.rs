@@ -178,6 +178,12 @@ impl<'a> FrameUniforms<'a> {
         f32::from(self.parameters.backdrop == Backdrop::Bricks)
     }
 
+    /// Share of the page that is seen through the ground.
+    pub fn page(&self) -> f32 {
+        let [.., cover] = background(self.parameters.background);
+        (1.0 - self.wall()) * (1.0 - cover)
+    }
+
     /// Light of the background, which is a sky where no wall hides it.
     pub fn sky(&self) -> [f32; 3] {
         let share = SKY_BRIGHTNESS * (1.0 - self.wall());
@@ -282,8 +288,27 @@ impl<'a> FrameUniforms<'a> {
     /// Height of the foot of the backdrop's wall, in heights of the domain. The
     /// fire stands on the floor in front of the wall.
     pub fn wall_foot(&self) -> f32 {
+        self.foot_height() + WALL_OFFSET
+    }
+
+    /// Foot of the fire on the floor, 0–1 over the picture.
+    pub fn foot(&self) -> [f32; 2] {
+        let Viewport {
+            floor,
+            metres,
+            zoom,
+            ..
+        } = self.viewport;
+        [
+            floor[0] + self.source.base.x / metres[0],
+            floor[1] + self.foot_height() / zoom,
+        ]
+    }
+
+    /// Its height, in heights of the domain.
+    fn foot_height(&self) -> f32 {
         let foot = self.source.base.y / self.parameters.domain_height;
-        foot.clamp(0.0, MAX_FOOT) + WALL_OFFSET
+        foot.clamp(0.0, MAX_FOOT)
     }
 }
 

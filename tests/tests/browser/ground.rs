@@ -20,6 +20,9 @@ fn settings(ground: &str, background: &str) -> Result<Parameters, JsValue> {
     ])
 }
 
+/// Excess of red over green in a pixel that an eye calls reddish.
+const REDDISH: u8 = 24;
+
 /// The picture of a ground without solids.
 fn ground(
     canvas: &Canvas,
@@ -83,6 +86,26 @@ fn a_transparent_page_gets_only_the_light_on_the_ground() -> Result<(), JsValue>
         for (x, y, pixel) in lit.all() {
             assert!(light(pixel) <= pixel[3], "{name}: {pixel:?} at {x}, {y}");
         }
+    }
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn the_light_on_a_ground_does_not_redden_a_white_page() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    let gas = puff((0.0, 0.4), 1900.0);
+    for name in Ground::NAMES.iter().filter(|name| **name != "none") {
+        let pixels = ground(&canvas, name, "transparent", &gas)?;
+        let [mut reddish, mut count] = [0.0; 2];
+        for (x, y, [red, green, ..]) in pixels.all() {
+            if x.hypot(y - 0.4) > 0.25 {
+                count += 1.0;
+                // A white page shows 1 − alpha more of each colour.
+                reddish += f32::from(u8::from(red.saturating_sub(green) > REDDISH));
+            }
+        }
+        let share = reddish / count;
+        assert!(share <= 0.005, "{name}: {share} of the page");
     }
     Ok(())
 }

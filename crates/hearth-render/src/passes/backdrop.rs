@@ -11,6 +11,15 @@ const BEND_HEIGHT: f32 = 0.035;
 /// Waves of the haze per height of the domain.
 const WAVES_PER_HEIGHT: f32 = 3.5;
 
+/// Coverage of the wall by soot of opaque smoke, after a long time, and the time in which most of it settles \[s\].
+const MAX_STAIN: f32 = 0.7;
+const STAIN_SECONDS: f64 = 300.0;
+
+/// Coverage of the wall by soot of opaque smoke at an age of the fire \[s\].
+fn stain(time: f64) -> f32 {
+    MAX_STAIN * (1.0 - libm::expf(-(time / STAIN_SECONDS) as f32))
+}
+
 /// The last pass of a fire with a backdrop, which the fire illuminates and makes shimmer.
 pub struct Backdrop;
 
@@ -38,6 +47,10 @@ impl Pass for Backdrop {
             light_range: frame.format.light_range(),
             wall: frame.wall(),
             sky: frame.sky(),
+            page: frame.page(),
+            foot: frame.foot(),
+            size: viewport.heights(),
+            soot: frame.smoke_opacity() * stain(frame.time),
             background: background(frame.parameters.background),
         }
     }

@@ -5,6 +5,12 @@ use crate::image::Image;
 use crate::pass::{Blend, Draw, Pass};
 use crate::shaders::uniforms;
 
+/// Darkness of the middle of a shadow: on a ground, and on a page that other light falls on.
+const DARKNESS: f32 = 0.8;
+const PAGE_DARKNESS: f32 = 0.35;
+/// Height above the lower edge of a picture over which a page's shadow ends, as a share of the picture.
+const EDGE: f32 = 0.05;
+
 /// The ground is dark where the outline of a solid, laid down from its foot, covers it.
 pub struct Shadow;
 
@@ -19,7 +25,7 @@ impl Pass for Shadow {
     }
 
     fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Shadow {
-        let viewport = &frame.viewport;
+        let (viewport, page) = (&frame.viewport, frame.page());
         let [clip_scale, clip_offset] = viewport.to_clip();
         uniforms::Shadow {
             clip_scale,
@@ -28,7 +34,8 @@ impl Pass for Shadow {
             margin: 0.0,
             horizon: frame.wall_foot() * frame.parameters.domain_height,
             picture: [viewport.metres[1], viewport.floor[1]],
-            per_height: viewport.heights().map(|side| 1.0 / side),
+            darkness: DARKNESS + (PAGE_DARKNESS - DARKNESS) * page,
+            edge: (EDGE * page).max(f32::MIN_POSITIVE),
         }
     }
 }

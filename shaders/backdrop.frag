@@ -35,8 +35,8 @@ const float FLOOR_DEPTH = 0.14;
 // On a page: share of the ground's own colours besides a mean one; share of the adapted hue; displayed light of which
 // a half is drawn, since dim light reddens a white page; and where it ends at the edges of the picture.
 const float OWN = 0.4;
-const vec3 MEAN_GROUND = vec3(0.3);
-const float ADAPTED = 0.35;
+const vec3 MEAN_GROUND = vec3(0.33, 0.28, 0.24);
+const float ADAPTED = 0.15;
 const float PAGE_DIM = 0.25;
 const float EDGE = 0.1;
 // Soot on the wall: a plume from the foot, whose width grows upwards and which begins above it.

@@ -145,11 +145,11 @@ export const BARS = [
   },
   {
     id: 'jerk',
-    words: 'second by first difference of the mean luminance of pictures',
+    words: 'second difference of the mean luminance of pictures, of the mean',
     bar: '',
     figure: (found) => found.jerk,
     holds: () => true,
-    show: (jerk) => jerk.toFixed(2),
+    show: percent,
     brief: false,
     needs: ['fire'],
   },

@@ -277,12 +277,11 @@ export class Film {
   }
 }
 
-/** The mean of the second difference of a series by that of the first. @param {number[]} series */
+/** The mean second difference of a series by its mean. @param {number[]} series */
 function jerk(series) {
   const differences = (/** @type {number[]} */ of) => of.slice(1).map((value, at) => value - of[at]);
   const size = (/** @type {number[]} */ of) => of.reduce((sum, value) => sum + Math.abs(value), 0) / of.length;
-  const first = differences(series);
-  return size(differences(first)) / size(first);
+  return size(differences(differences(series))) / size(series);
 }
 
 /**

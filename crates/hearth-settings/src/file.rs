@@ -12,7 +12,8 @@
 //! `values` without `spacing` state the resolution of open air as the number of particles that would
 //! fill the domain: `max_particles` or, without it, that of the preset.
 
-use super::{COUNT, OBJECTS, Requested, SPACING, objects, with_settings};
+use crate::apply::{OBJECTS, objects, with_settings};
+use crate::requested::{COUNT, Requested, SPACING};
 use crate::untrusted::{Argument, Check, Form, Untrusted, ValidationError, Values};
 use hearth_core::params::{Input, Model, PARAMETERS};
 use hearth_core::preset::Preset;

@@ -1,6 +1,7 @@
 //! The settings that a page requests, and the scene that follows from them at a level of
 //! quality.
 
+use crate::apply;
 use crate::untrusted::{ValidationError, Values};
 use hearth_core::params::{Input, Model};
 use hearth_core::preset::Preset;
@@ -44,7 +45,7 @@ impl Requested {
     /// # Errors
     /// No preset has that name.
     pub fn of_preset(name: &str) -> Result<Requested, Vec<ValidationError>> {
-        let preset = super::preset(name).map_err(|error| vec![error])?;
+        let preset = apply::preset(name).map_err(|error| vec![error])?;
         Ok(Requested {
             scene: preset.scene(),
             preset: preset.name,
@@ -58,7 +59,7 @@ impl Requested {
     /// Every invalid value.
     pub fn with_values(&self, values: Values<'_>) -> Result<Requested, Vec<ValidationError>> {
         let names = |name: &str| values.iter().any(|(id, _)| id == name);
-        let scene = super::with_values(&self.scene, values)?;
+        let scene = apply::with_values(&self.scene, values)?;
         Ok(self.with_scene(scene, [COUNT, SPACING].map(|id| names(id).then_some(true))))
     }
 

@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 
 use khronos_egl::{self as egl, Boolean, Int};
 
-use super::OffscreenError;
+use super::error::OffscreenError;
 
 /// The functions of EGL 1.5.
 pub type Egl = egl::DynamicInstance<egl::EGL1_5>;

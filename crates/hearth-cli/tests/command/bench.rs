@@ -80,7 +80,7 @@ fn every_drawn_pass_has_a_time() {
         .iter()
         .filter_map(|pass| pass["pass"].as_str())
         .collect();
-    for name in ["gas", "flame", "tone_map"] {
+    for name in ["slices", "ember", "tone_map"] {
         assert!(names.contains(&name), "{names:?}");
     }
     for pass in passes {

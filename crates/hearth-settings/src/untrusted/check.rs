@@ -3,7 +3,8 @@
 //! One function checks every argument against its [`Check`]. The types that implement
 //! [`Argument`] read checked values.
 
-use super::{Ids, Untrusted, ValidationError, Values};
+use super::error::ValidationError;
+use super::value::{Ids, Untrusted, Values};
 use hearth_core::params::Input;
 
 /// The required form of an argument.

@@ -1,6 +1,6 @@
 //! Errors about untrusted values.
 
-use super::Untrusted;
+use super::value::Untrusted;
 use hearth_core::params::ParamError;
 
 /// An error of an invalid value.

@@ -1,9 +1,10 @@
 //! Warm-up: a fire burns before it is shown.
 //!
 //! A fire that was just lit looks like a mushroom cloud. A warm fire first burns for some
-//! seconds, or resumes a saved fire, which burns on until it has a past to show. The cost of a step grows as the particle count to the
-//! power of 1.5, so most of the warm-up uses few particles. The full number replaces them
-//! for the last part ([`ParticleCount`](crate::resolution::ParticleCount)).
+//! seconds, or resumes a saved fire, which burns on until its second slice has a past. The
+//! cost of a step grows as the particle count to the power of 1.5, so most of the warm-up uses few
+//! particles. The full number replaces them for the last part
+//! ([`ParticleCount`](crate::resolution::ParticleCount)).
 
 use crate::burning::BurningError;
 use crate::{Scene, Simulation};
@@ -11,8 +12,9 @@ use crate::{Scene, Simulation};
 /// Duration of the last part, with all particles [s of fire].
 const FINE_SECONDS: f64 = 0.9;
 
-/// Time that a saved fire burns on [s of fire]: the largest lag of a slice of a picture.
-const PAST_SECONDS: f64 = 1.7;
+/// Time that a saved fire burns on [s of fire]: more than the lag of the second slice of a picture. The first picture
+/// comes early, and the other slices fade into it.
+const PAST_SECONDS: f64 = 0.5;
 
 /// The warm-up of a fire.
 #[derive(Debug, Default)]

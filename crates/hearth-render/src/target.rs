@@ -48,8 +48,10 @@ impl<G: Graphics> Target<G> {
         };
         gl.bind_framebuffer(Some(&framebuffer));
         let status = gl.attach_texture(&texture);
-        // Native drivers do not clear it.
-        gl.clear([0.0; 4]);
+        if status == glow::FRAMEBUFFER_COMPLETE {
+            // Native drivers do not clear it.
+            gl.clear([0.0; 4]);
+        }
         gl.bind_framebuffer(None);
         let target = Target {
             texture,

@@ -98,10 +98,22 @@ impl Canvas {
         self.paint_at(renderer, self.view.time, [instances, &[]], parameters)
     }
 
-    /// Paints particles and embers as they are at `time` \[s\] and reads the
+    /// Paints particles and embers as they are at `time` \[s\], without a past, and reads the
     /// picture.
     pub fn paint_at(
         &self,
+        renderer: &mut Renderer,
+        time: f64,
+        gas: [&[Instance]; 2],
+        parameters: &Parameters,
+    ) -> Result<Pixels, JsValue> {
+        self.paint_after(&mut History::default(), renderer, time, gas, parameters)
+    }
+
+    /// As [`paint_at`](Canvas::paint_at), after a past that it continues.
+    pub fn paint_after(
+        &self,
+        history: &mut History,
         renderer: &mut Renderer,
         time: f64,
         [particles, embers]: [&[Instance]; 2],
@@ -109,7 +121,6 @@ impl Canvas {
     ) -> Result<Pixels, JsValue> {
         renderer.upload(&self.gl, parameters.display_mode, particles, embers);
         let view = View { time, ..self.view };
-        let mut history = History::default();
         if parameters.display_mode == DisplayMode::Fire {
             history.record(&Moment {
                 time,
@@ -118,7 +129,7 @@ impl Canvas {
                 particles,
             });
         }
-        let painted = renderer.paint(&self.gl, &view, parameters, &history);
+        let painted = renderer.paint(&self.gl, &view, parameters, history);
         painted.map_err(words)?;
         let View { width, height, .. } = self.view;
         let mut rgba = vec![0; (width * height * 4) as usize];

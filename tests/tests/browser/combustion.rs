@@ -4,7 +4,7 @@
 
 use hearth_core::Instance;
 use hearth_core::params::{Input, Model, Parameters};
-use hearth_render::{Renderer, ResolutionLimits};
+use hearth_render::{History, Renderer, ResolutionLimits};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -246,10 +246,13 @@ fn fine_structure_moves_with_the_gas() -> Result<(), JsValue> {
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
     let speed = 1.0;
     let gas = block([1400.0, 0.4, speed], &parameters);
+    let mut history = History::default();
     let mut pictures = Vec::new();
     for frame in 0..=5 {
         let time = 1.0 + f64::from(frame) / 60.0;
-        pictures.push(canvas.paint_at(&mut renderer, time, [&gas, &[]], &parameters)?);
+        let gas = [&gas[..], &[]];
+        let renderer = &mut renderer;
+        pictures.push(canvas.paint_after(&mut history, renderer, time, gas, &parameters)?);
     }
     renderer.destroy(&canvas.gl);
     let (before, after) = (&pictures[1], &pictures[5]);

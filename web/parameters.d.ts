@@ -590,7 +590,7 @@ export interface HearthStats {
   stages: Record<'sort' | 'density' | 'forces' | 'integrate' | 'upload', number>;
   /** Time of each render pass [ms], by name, in drawing order. */
   passes: Record<string, number>;
-  /** What `passes` measures: `gpu`, time on the graphics card, of one pass per picture in turn; `submit`, time of submitting the pass, if the browser offers no timer query. */
+  /** What `passes` measures: `gpu`, time on the graphics card, of all passes of a picture after the results of the one before; `submit`, time of submitting the pass, if the browser offers no timer query. */
   passTimer: 'gpu' | 'submit' | '';
   /** Number of slices of the last picture: fewer than `depth` at low quality, while slices fade in, and where many fires share their memory. */
   slices: number;

@@ -1,8 +1,8 @@
 //! Times of the passes of a picture.
 //!
-//! A timer query measures them on the graphics card if the browser offers one: one pass per
-//! picture, in turn, with a result that may arrive some pictures later. Otherwise only the
-//! time of submitting a pass is known.
+//! Timer queries measure them on the graphics card if the browser offers them: a query for each
+//! pass of a picture, and none for the pictures until the results have arrived. A busy graphics
+//! card answers many pictures later. Otherwise only the time of submitting a pass is known.
 
 use web_sys::{WebGl2RenderingContext as Context, WebGlQuery};
 
@@ -25,32 +25,34 @@ pub struct PassTimes {
     last: f64,
 }
 
-/// A timer query. A context allows one at a time.
+/// Timer queries, one after another. A context allows one at a time.
 struct Timer {
-    query: WebGlQuery,
-    /// Index of the measured pass.
-    pass: usize,
+    /// A query for each pass, and one that ends after the last.
+    queries: Vec<WebGlQuery>,
+    /// The passes of the measured picture.
+    passes: Vec<&'static str>,
     state: State,
 }
 
 #[derive(PartialEq)]
 enum State {
+    /// The first picture is not measured, because it advects noise through the whole history.
+    First,
     Idle,
-    Begun,
-    Ended,
+    Measuring,
+    Awaiting,
 }
 
 impl PassTimes {
     /// No times yet.
     pub fn new(context: &Context) -> PassTimes {
         let offered = matches!(context.get_extension(TIMER_EXTENSION), Ok(Some(_)));
-        let query = offered.then(|| context.create_query()).flatten();
         PassTimes {
             times: Vec::new(),
-            timer: query.map(|query| Timer {
-                query,
-                pass: 0,
-                state: State::Idle,
+            timer: offered.then_some(Timer {
+                queries: Vec::new(),
+                passes: Vec::new(),
+                state: State::First,
             }),
             submitted: 0,
             last: 0.0,
@@ -73,10 +75,10 @@ impl PassTimes {
         }
     }
 
-    /// Frees the query.
+    /// Frees the queries.
     pub fn free(&self, context: &Context) {
-        if let Some(timer) = &self.timer {
-            context.delete_query(Some(&timer.query));
+        for query in self.timer.iter().flat_map(|timer| &timer.queries) {
+            context.delete_query(Some(query));
         }
     }
 
@@ -86,7 +88,7 @@ impl PassTimes {
         self.last = clock.now();
         if let Some(timer) = &mut self.timer {
             timer.read(context, &mut self.times);
-            timer.begin(context, 0);
+            timer.begin(context);
         }
     }
 
@@ -94,16 +96,18 @@ impl PassTimes {
     pub fn end(&mut self, context: &Context, clock: &WallClock, name: &'static str) {
         let at = self.submitted;
         self.submitted += 1;
-        if self.times.get(at).is_none_or(|(known, _)| *known != name) {
-            // Another model or look has other passes from here on.
-            self.times.truncate(at);
-            self.times.push((name, 0.0));
+        // Another model or look has other passes between those that stay.
+        match self
+            .times
+            .iter()
+            .skip(at)
+            .position(|(known, _)| *known == name)
+        {
+            Some(gone) => drop(self.times.drain(at..at + gone)),
+            None => self.times.insert(at, (name, 0.0)),
         }
         match &mut self.timer {
-            Some(timer) => {
-                timer.end(context);
-                timer.begin(context, at + 1);
-            }
+            Some(timer) => timer.follow(context, name),
             None => {
                 let now = clock.now();
                 smooth(&mut self.times[at].1, now - self.last);
@@ -116,46 +120,77 @@ impl PassTimes {
     pub fn finish(&mut self, context: &Context) {
         self.times.truncate(self.submitted);
         if let Some(timer) = &mut self.timer {
-            // This picture may have fewer passes than the last one.
-            timer.end(context);
-            if timer.pass >= self.submitted {
-                timer.pass = 0;
-            }
+            timer.finish(context);
         }
     }
 }
 
 impl Timer {
-    fn begin(&mut self, context: &Context, pass: usize) {
-        if self.state == State::Idle && pass == self.pass {
-            context.begin_query(TIME_ELAPSED, &self.query);
-            self.state = State::Begun;
+    /// Begins to measure a picture if no results are awaited.
+    fn begin(&mut self, context: &Context) {
+        if self.state == State::Idle {
+            self.state = State::Measuring;
+            self.passes.clear();
+            self.query(context);
         }
     }
 
-    fn end(&mut self, context: &Context) {
-        if self.state == State::Begun {
+    /// Begins the query of the next pass.
+    fn query(&mut self, context: &Context) {
+        let at = self.passes.len();
+        if self.queries.len() <= at {
+            self.queries.extend(context.create_query());
+        }
+        // A lost context creates none.
+        if let Some(query) = self.queries.get(at) {
+            context.begin_query(TIME_ELAPSED, query);
+        }
+    }
+
+    /// Ends the query of a pass and begins the next.
+    fn follow(&mut self, context: &Context, pass: &'static str) {
+        if self.state == State::Measuring {
             context.end_query(TIME_ELAPSED);
-            self.state = State::Ended;
+            self.passes.push(pass);
+            self.query(context);
         }
     }
 
-    /// Reads the result if it has arrived.
+    /// Ends the query after the last pass.
+    fn finish(&mut self, context: &Context) {
+        self.state = match self.state {
+            State::Measuring => {
+                context.end_query(TIME_ELAPSED);
+                State::Awaiting
+            }
+            State::First => State::Idle,
+            State::Idle | State::Awaiting => return,
+        };
+    }
+
+    /// Reads the results if the last has arrived.
     fn read(&mut self, context: &Context, times: &mut [(&'static str, f64)]) {
-        let query = |what| context.get_query_parameter(&self.query, what);
-        if self.state != State::Ended || !query(Context::QUERY_RESULT_AVAILABLE).is_truthy() {
+        let get = |query, what| context.get_query_parameter(query, what);
+        let measured = || self.queries.iter().zip(&self.passes);
+        let Some((last, _)) = measured().next_back() else {
+            return;
+        };
+        if self.state != State::Awaiting || !get(last, Context::QUERY_RESULT_AVAILABLE).is_truthy()
+        {
             return;
         }
         self.state = State::Idle;
-        // A disjoint operation makes the result meaningless.
-        let disjoint = Calls::of(context).parameter(GPU_DISJOINT);
-        if let (Some(time), Some((_, average))) = (
-            query(Context::QUERY_RESULT).as_f64(),
-            times.get_mut(self.pass),
-        ) && disjoint.is_falsy()
-        {
-            smooth(average, time * 1e-6);
+        // A disjoint operation makes the results meaningless.
+        if Calls::of(context).parameter(GPU_DISJOINT).is_truthy() {
+            return;
         }
-        self.pass = (self.pass + 1) % times.len().max(1);
+        for (query, pass) in measured() {
+            let known = times.iter_mut().find(|(name, _)| name == pass);
+            if let (Some(time), Some((_, average))) =
+                (get(query, Context::QUERY_RESULT).as_f64(), known)
+            {
+                smooth(average, time * 1e-6);
+            }
+        }
     }
 }

@@ -206,6 +206,11 @@ test('the stages of a step add up, and every pass is reported', async () => {
   ]) {
     const tab = await browser.show(`<hearth-fire quality="low" model="${model}"></hearth-fire>`, small);
     await tab.plays(0.5);
+    const areTimed = () => {
+      const { passes } = /** @type {any} */ (document.querySelector('hearth-fire')).stats;
+      return Object.values(passes).every((time) => time > 0);
+    };
+    await tab.until('every pass has a time', areTimed);
     const stats = await tab.fire((fire) => fire.stats);
     const { upload, ...stages } = stats.stages;
     assert.deepEqual(Object.keys(stages), ['sort', 'density', 'forces', 'integrate']);
@@ -215,7 +220,6 @@ test('the stages of a step add up, and every pass is reported', async () => {
     assert.ok(upload >= 0 && upload <= stats.drawMs + 0.1, `${upload} ms of ${stats.drawMs}`);
     assert.deepEqual(Object.keys(stats.passes), passes);
     assert.ok(['gpu', 'submit'].includes(stats.passTimer));
-    assert.ok(Object.values(stats.passes).every((time) => time >= 0));
     assert.deepEqual(tab.problems, []);
   }
 });

@@ -27,6 +27,8 @@ uniform float depth;            // optical depth of the slice, that of a single 
 uniform float smoke;            // optical depth of cold gas with a soot of 1
 uniform float gain; // brightness of gas of 1500 K
 uniform float fire_share;       // 1: fire is visible; 0: only its smoke
+uniform float roundness;        // 0: a plane flame; 1: a flame that is round about its axis
+uniform float soot_per_fuel;    // soot that a share of fuel leaves
 uniform float per_soft_floor;   // 1 / height over which gas fades above a visible floor, in heights of the domain
 
 out vec4 light; // encoded; coverage
@@ -75,6 +77,27 @@ const float EROSION_FINE = 0.5;
 const float SHEET_CONTRAST = 1.8; // exponent of the soot in sheets
 const float SHEET_COOLING = 0.14; // [kK]
 
+// The gas whose moments are the axis and radius of a round flame: samples, half their width, and their height,
+// which averages the noise of single particles, in source widths.
+const int SAMPLES = 40;
+const float HALF_WIDTH = 1.6;
+const float AVERAGED = 0.5;
+const float EDGE = 1.15;         // temperature at its edge [kK]
+const float SOFT_EDGE = 0.25;    // softness of that edge, in squared radii
+const float CORE = 0.85;         // radius of the fuel in its middle, in radii
+const float THIN = 0.55;         // optical depth relative to that of a plane flame: a small flame is thin
+// Mean time since the soot's fuel burnt in which soot forms at the sheet, and in which the fuel in the middle burns [s].
+const float FORMATION = 0.14;
+const float BURNOUT = 0.4;
+const float ROOT = 0.2;          // height over which the flame begins, in source widths
+// Light of CH* (431 nm) and C2* (473, 516 nm) of gas that burns at 1/s.
+const vec3 BLUE = vec3(0.04, 0.2, 1.0) * 0.28;
+
+// Half the chord of a ball of radius 1 whose square is `squared` from the line of sight.
+float half_chord(float squared) {
+    return sqrt(max(squared, 0.0)) * smoothstep(0.0, SOFT_EDGE, squared);
+}
+
 // Reads both patterns, `finer` times as fine.
 vec4 pattern(vec4 places, vec2 level, float finer) {
     level += log2(finer);
@@ -99,7 +122,9 @@ void main() {
 
     float growth = smoothstep(0.0, GROWN, above);
     vec2 moved = (broad.xy + FINE_SHARE * fine.yx) * warp * (FOOT + growth);
-    vec4 gas = field_at(uv + moved / picture_size) * field_range;
+    moved *= 1.0 - roundness;
+    vec2 at = uv + moved / picture_size;
+    vec4 gas = field_at(at) * field_range;
     float weight = max(gas.x, 1e-4);
     float share = min(FULL * weight, 1.0);
     float kilokelvin = mix(air, gas.y / weight, share);
@@ -118,9 +143,45 @@ void main() {
     left *= base * exp(-SHEET_CONTRAST * detail * sheet);
     kilokelvin -= SHEET_COOLING * detail * sheet;
 
+    vec3 blue = vec3(0.0);
+    if (roundness > 0.0) {
+        vec3 moments = vec3(0.0);
+        vec4 sums = vec4(0.0);
+        vec2 burning = vec2(0.0);
+        for (int i = 0; i < SAMPLES; i++) {
+            float across = HALF_WIDTH * ((float(i) + 0.5) * (2.0 / float(SAMPLES)) - 1.0);
+            float higher = AVERAGED * (fract(float(i) * 0.618) - 0.5);
+            vec2 there = vec2(source.x + across * source_width, place.y + higher * source_width);
+            vec4 gas_there = field_at(there / picture_size + floor_middle) * field_range;
+            float squared = gas_there.z * gas_there.z;
+            moments += squared * vec3(1.0, across, across * across);
+            sums += squared * squared * vec4(gas_there.yxz, 1.0);
+            burning += gas_there.w * gas_there.zw;
+        }
+        float axis = moments.y / max(moments.x, 1e-6);
+        float variance = max(moments.z / max(moments.x, 1e-6) - axis * axis, 1e-4);
+        float hottest = sums.x / max(sums.y, 1e-4);
+        float soot_inside = sums.z / max(sums.w, 1e-6);
+        float burns = burning.y / max(burning.x, 1e-6) * soot_inside;
+        // Soot and heat are normally distributed about the axis.
+        float edge = 4.0 * variance * log(max((hottest - air) / (EDGE - air), 1.00001));
+        float away = (place.x + moved.x - source.x) / source_width - axis;
+        float squared = away * away / edge;
+        float age = (burning.x + 1e-3) / (soot_per_fuel * burning.y + 1e-4);
+        float formed = age / FORMATION;
+        formed *= formed * formed;
+        formed = 1.0 - exp(-formed * formed);
+        float core = exp(-age * age / (BURNOUT * BURNOUT));
+        float begun = max(smoothstep(-0.5 * ROOT, 0.5 * ROOT, above - ROOT * squared), on_solid) * step(EDGE, hottest);
+        float chord = (half_chord(1.0 - squared) - core * half_chord(CORE * CORE - squared)) * begun;
+        left = mix(left, THIN * soot_inside * chord * formed, roundness);
+        kilokelvin = mix(kilokelvin, hottest, roundness);
+        blue = BLUE * (roundness * burns * chord * (1.0 - formed));
+    }
+
     float glowing = smoothstep(DARK, GLOWING, kilokelvin) * fire_share;
     float covered = 1.0 - exp(-OPTICAL_DEPTH * depth * left);
-    vec3 emitted = radiance(kilokelvin) * (gain * covered * glowing);
+    vec3 emitted = radiance(kilokelvin) * (gain * covered * glowing) + blue * (gain * fire_share);
     float aloft = smoothstep(ALOFT, HIGH, above);
     float hidden = 1.0 - exp(-smoke * soot * aloft * (1.0 - smoothstep(COLD, COOLING, kilokelvin)));
     // The brightness of a single slice decides what hides the background.

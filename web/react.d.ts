@@ -158,6 +158,8 @@ export interface HearthFireAttributes {
   layers?: "both" | "fire" | "smoke" | undefined;
   /** A deeper fire with more tongues. Number of slices: moments of the fire's past that are drawn behind the present one. Low quality shows three. Default in combustion: 5, from 1 to 5. */
   depth?: number | `${number}` | undefined;
+  /** A bright rim around a darker middle, as of a candle. Share of the light that is seen through a flame that is round about its axis; 0 is a plane flame. Default in combustion: 0, from 0 to 1. */
+  roundness?: number | `${number}` | undefined;
   /** Finer tongues and wisps. Strength of the fine structure that moves with the gas. Default 1, from 0 to 2. */
   detail?: number | `${number}` | undefined;
   /** More contrast between bright and dim parts of the fire. Exponent that compresses the brightness of a black body. Default in combustion: 0.6, from 0.15 to 1. Default in classic: 0.35, from 0.15 to 1. */

@@ -42,6 +42,7 @@ export const DEFAULTS = {
   display_mode: "fire",
   layers: "both",
   depth: 5,
+  roundness: 0,
   detail: 1,
   luminance_exponent: 0.6,
   particle_size: 0.04,

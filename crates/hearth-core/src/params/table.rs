@@ -173,6 +173,9 @@ parameters! {
         /// A deeper fire with more tongues. Number of slices: moments of the fire's past that are drawn
         /// behind the present one. Low quality shows three.
         [Look] depth: integer "Depth" [""] Linear { Combustion(5, 1.0..=5.0) } when { display_mode: FIRE }
+        /// A bright rim around a darker middle, as of a candle. Share of the light that is seen through a flame
+        /// that is round about its axis; 0 is a plane flame.
+        [Look] roundness: number "Roundness" [""] Linear { Combustion(0.0, 0.0..=1.0) } when { display_mode: FIRE }
         /// Finer tongues and wisps. Strength of the fine structure that moves with the gas.
         [Look] detail: number "Detail" [""] Linear { Every(1.0, 0.0..=2.0) } when { display_mode: FIRE }
         /// More contrast between bright and dim parts of the fire. Exponent that compresses the

@@ -70,6 +70,8 @@ impl Pass for Flame {
             gain: RELATIVE_BRIGHTNESS * frame.gain(),
             light_scale: frame.format.light_scale(),
             fire_share: frame.fire_share(),
+            roundness: frame.parameters.roundness,
+            soot_per_fuel: 1.0 + frame.parameters.air_demand,
             // A fade of no visible height where the floor is not visible.
             per_soft_floor: if below { 1.0 / soft } else { 1e6 },
         }

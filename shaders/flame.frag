@@ -91,7 +91,7 @@ const float FORMATION = 0.14;
 const float BURNOUT = 0.4;
 const float ROOT = 0.2;          // height over which the flame begins, in source widths
 // Light of CH* (431 nm) and C2* (473, 516 nm) of gas that burns at 1/s.
-const vec3 BLUE = vec3(0.04, 0.2, 1.0) * 0.28;
+const vec3 BLUE = vec3(0.04, 0.2, 1.0) * 0.1;
 
 // Half the chord of a ball of radius 1 whose square is `squared` from the line of sight.
 float half_chord(float squared) {

@@ -39,9 +39,9 @@ const float RAISED = 0.05;  // added to the height of a normal, so that one at a
 const float DARKEST = 1e-6; // light below which there is no direction
 // The direction to the fire: its height over the slope of the irradiance, and the brightness of a
 // surface that faces it, of one across it, and of one that light enters.
-const float TOWARDS = 0.3;
-const float FACING = 0.9;
-const float ACROSS = 0.12;
+const float TOWARDS = 0.55;
+const float FACING = 0.6;
+const float ACROSS = 0.2;
 const float INSIDE = 0.7;
 const float SHARPNESS = 40.0; // exponent of the highlight
 const float SKY_FROM_ABOVE = 1.2; // light of the sky on a vertical surface; an upward one gets 1 more

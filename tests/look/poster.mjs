@@ -17,7 +17,7 @@ const LARGEST = 60_000;
 const QUALITIES = [88, 84, 80, 75, 70];
 
 const BLACK = [0, 0, 0];
-const OPTIONS = '--at 5 --size 1200x630 --quality high'.split(' ');
+const OPTIONS = '--at 3.5 --size 1200x630 --quality high'.split(' ');
 
 const scene = await landingScene();
 const picture = rendered(scene, BLACK, OPTIONS);

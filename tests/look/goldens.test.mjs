@@ -34,8 +34,8 @@ const WRONG = {
   'no glow': { bloom: 0 },
   'no fine structure': { detail: 0 },
   'no smoke': { smoke_opacity: 0 },
-  'a quarter of a stop more light': { exposure: 0.25 },
-  'a quarter of a stop less light': { exposure: -0.25 },
+  'a third of a stop more light': { exposure: 1 / 3 },
+  'a third of a stop less light': { exposure: -1 / 3 },
   'another spectrum': { luminance_exponent: 0.45 },
   'the paper instead': { display_mode: 'paper' },
 };

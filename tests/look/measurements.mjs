@@ -130,7 +130,7 @@ export const BARS = [
     figure: (found) => found.flat,
     holds: (share) => share <= 0.02,
     show: percent,
-    brief: true,
+    brief: false,
     needs: ['fire', 'black_body'],
   },
   {

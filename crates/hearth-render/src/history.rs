@@ -124,12 +124,10 @@ impl History {
         };
     }
 
-    /// Follows a simulation: keeps a sample if one is due. Call it after each step.
+    /// Follows a simulation: keeps a sample if one is due and the display mode is `fire`. Call it after each step.
     #[inline(never)]
     pub fn follow(&mut self, fire: &Simulation) {
-        if fire.parameters().display_mode != DisplayMode::Fire {
-            self.clear();
-        } else if self.is_due(fire.time()) {
+        if fire.parameters().display_mode == DisplayMode::Fire && self.is_due(fire.time()) {
             let mut particles = std::mem::take(&mut self.particles);
             fire.write_instances(&mut particles);
             self.record(&Moment {
@@ -183,7 +181,7 @@ impl History {
         self.samples.push(Sample {
             number: self.next,
             time,
-            count: texels.len() / size_of::<Instance>() * size_of::<f32>(),
+            count: texels.len() / (size_of::<Instance>() / size_of::<f32>()),
             texels,
             length,
             bounds,

@@ -47,14 +47,14 @@ test('the export of a fire holds its changes alone', async () => {
   const tab = await browser.show('<hearth-fire paused></hearth-fire>');
   await tab.ready();
   assert.deepEqual((await state(tab)).config, { hearth: 2, values: {} });
-  await tab.fire((fire) => fire.set({ exposure: 0.5, background: '#102030' }));
+  await tab.fire((fire) => fire.set({ detail: 0.5, background: '#102030' }));
   const { config } = await state(tab);
-  assert.deepEqual(config, { hearth: 2, values: { exposure: 0.5, background: '#102030' } });
+  assert.deepEqual(config, { hearth: 2, values: { detail: 0.5, background: '#102030' } });
   await tab.fire((fire) => fire.set({ model: 'classic', viscosity: 0.02 }));
   assert.deepEqual((await state(tab)).config.values, {
     model: 'classic',
     viscosity: 0.02,
-    exposure: 0.5,
+    detail: 0.5,
     background: '#102030',
   });
 });

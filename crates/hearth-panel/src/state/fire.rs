@@ -326,7 +326,7 @@ mod tests {
         let mut fire = Fire::default();
         let campfire = [
             ("fuel_power", Input::Number(90.0)),
-            ("exposure", Input::Number(0.5)),
+            ("detail", Input::Number(0.5)),
         ];
         fire.start_from(campfire, None);
         assert!(fire.is_changed());
@@ -337,7 +337,7 @@ mod tests {
         // Shared parameters keep the scene's values, all others have the table's.
         fire.receive(MODEL, Input::Text("classic"));
         let default = |id: &str| Param::find(id).map(|param| fire.default_of(param));
-        assert_eq!(default("exposure"), Some(Value::Number(0.5)));
+        assert_eq!(default("detail"), Some(Value::Number(0.5)));
         assert_eq!(default("source_width"), Some(Value::Number(0.36)));
     }
 

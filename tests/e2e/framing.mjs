@@ -23,7 +23,7 @@ export const SIZES = [
 ];
 
 /** The measures that hold, in shares of the stage's height. */
-export const BARS = { height: [0.42, 0.7], base: [0.06, 0.1] };
+export const BARS = { height: [0.42, 0.7], base: [0.02, 0.1] };
 
 /** What is brighter than this counts as the flame, from 0 to 1. */
 const BRIGHT = 0.5;

@@ -34,14 +34,16 @@ const WRONG = {
   'no glow': { bloom: 0 },
   'no fine structure': { detail: 0 },
   'no smoke': { smoke_opacity: 0 },
-  'a third of a stop more light': { exposure: 1 / 3 },
-  'a third of a stop less light': { exposure: -1 / 3 },
   'another spectrum': { luminance_exponent: 0.45 },
   'the paper instead': { display_mode: 'paper' },
 };
 
-for (const lit of ['default', 'classic']) {
-  for (const [mistake, values] of Object.entries(WRONG)) {
+for (const [lit, exposure] of Object.entries({ default: 0.4, classic: 0 })) {
+  const light = {
+    'a quarter of a stop more light': { exposure: exposure + 0.25 },
+    'a quarter of a stop less light': { exposure: exposure - 0.25 },
+  };
+  for (const [mistake, values] of Object.entries({ ...WRONG, ...light })) {
     test(`${mistake} is reported of ${lit}`, async () => {
       assertReported(await drawn(painter, { lit, values }), golden(lit));
     });

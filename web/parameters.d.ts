@@ -25,7 +25,7 @@ export interface HearthParameters {
   wind: number;
   /** Other colours of the fire: those of glowing soot, of gas, of copper or lithium salts, of a ghost, or your own from a cool colour to a hot one. Default "blackbody". */
   palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
-  /** A brighter picture. Exposure in stops, each of which doubles the light. [EV] Default in combustion: 0.4, from -4 to 4. Default in classic: 0, from -4 to 4. */
+  /** A brighter picture. Exposure in stops, each of which doubles the light. [EV] Default 0, from -4 to 4. */
   exposure: number;
   /** A wider shine around bright places. Share of the light that a lens scatters. Default 0.15, from 0 to 0.6. */
   bloom: number;
@@ -209,7 +209,7 @@ export interface HearthProperties {
   wind: number;
   /** Other colours of the fire: those of glowing soot, of gas, of copper or lithium salts, of a ghost, or your own from a cool colour to a hot one. Default "blackbody". */
   palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
-  /** A brighter picture. Exposure in stops, each of which doubles the light. [EV] Default in combustion: 0.4, from -4 to 4. Default in classic: 0, from -4 to 4. */
+  /** A brighter picture. Exposure in stops, each of which doubles the light. [EV] Default 0, from -4 to 4. */
   exposure: number;
   /** A wider shine around bright places. Share of the light that a lens scatters. Default 0.15, from 0 to 0.6. */
   bloom: number;

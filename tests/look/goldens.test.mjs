@@ -34,16 +34,14 @@ const WRONG = {
   'no glow': { bloom: 0 },
   'no fine structure': { detail: 0 },
   'no smoke': { smoke_opacity: 0 },
+  'a quarter of a stop more light': { exposure: 0.25 },
+  'a quarter of a stop less light': { exposure: -0.25 },
   'another spectrum': { luminance_exponent: 0.45 },
   'the paper instead': { display_mode: 'paper' },
 };
 
-for (const [lit, exposure] of Object.entries({ default: 0.4, classic: 0 })) {
-  const light = {
-    'a quarter of a stop more light': { exposure: exposure + 0.25 },
-    'a quarter of a stop less light': { exposure: exposure - 0.25 },
-  };
-  for (const [mistake, values] of Object.entries({ ...WRONG, ...light })) {
+for (const lit of ['default', 'classic']) {
+  for (const [mistake, values] of Object.entries(WRONG)) {
     test(`${mistake} is reported of ${lit}`, async () => {
       assertReported(await drawn(painter, { lit, values }), golden(lit));
     });

@@ -11,7 +11,7 @@ export const DEFAULTS = {
   turbulence: 0,
   wind: 0,
   palette: "blackbody",
-  exposure: 0.4,
+  exposure: 0,
   bloom: 0.15,
   smoke_opacity: 0.3,
   ember_rate: 40,

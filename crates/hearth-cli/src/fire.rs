@@ -71,6 +71,8 @@ impl Fire {
 
     /// Burns until an age \[s\]. Calls `on_step` with the age after each step.
     pub fn burn(&mut self, until: f64, on_step: &mut dyn FnMut(f64)) {
+        // The first moment is a sample too.
+        self.history.follow(&self.simulation);
         while self.simulation.time() < until {
             let before = self.simulation.time();
             self.simulation.step();

@@ -12,8 +12,9 @@ use crate::scale::Scale;
 use crate::slices::Slice;
 use crate::viewport::Viewport;
 
-/// Brightness of gas of 1500 K at an exposure of 0.
-const BASE_GAIN: f32 = 2.0;
+/// Brightness of gas of 1500 K at an exposure of 0, in the classic and the combustion model, whose slices share the light.
+const CLASSIC_GAIN: f32 = 2.0;
+const COMBUSTION_GAIN: f32 = 2.64;
 /// Reach of the glow in texels of its widest copy.
 const HALO_TEXELS: f32 = 3.5;
 /// Minimum radius of a kernel in texels. Narrower kernels flicker as they move.
@@ -257,7 +258,11 @@ impl<'a> FrameUniforms<'a> {
 
     /// Brightness of gas of 1500 K.
     pub fn gain(&self) -> f32 {
-        BASE_GAIN * exp2(self.parameters.exposure)
+        let base = match self.parameters.model() {
+            Model::Classic => CLASSIC_GAIN,
+            Model::Combustion => COMBUSTION_GAIN,
+        };
+        base * exp2(self.parameters.exposure)
     }
 
     /// 1 if the fire is visible, or 0.

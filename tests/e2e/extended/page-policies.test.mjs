@@ -278,7 +278,9 @@ test('`toBlob` draws another width and background for the file, and the element 
   assert.equal(before.corner[3], 255, 'the wall is opaque');
   assert.deepEqual([cut.size, cut.corner], [before.size, [0, 0, 0, 0]]);
   assert.ok(cut.glow > 0.01, 'a transparent picture shows the fire');
-  assert.deepEqual([black.size[0], black.corner], [64, [0, 0, 0, 255]]);
+  assert.deepEqual([black.size[0], black.corner[3]], [64, 255]);
+  // The fire's glow may reach the corner.
+  assert.ok(Math.max(...black.corner.slice(0, 3)) < 8, `${black.corner}`);
   assert.match(seen.refused, /RangeError: width 9000: .*8192/);
   assert.deepEqual(seen.after, before, 'the paused fire is shown as before');
   assert.deepEqual(seen.canvas, before.size);

@@ -60,14 +60,14 @@ describe('the defaults', () => {
     await panel.restore('fuel_power');
     await panel.value('fuel_power', 'the scene’s', (value) => value === CAMPFIRE.fuel_power);
     assert.equal(await scene(panel), 'Scene: Campfire');
-    await tab.fire((fire) => fire.set({ exposure: 3, source_width: 0.1, bloom: 0.6 }));
+    await tab.fire((fire) => fire.set({ detail: 0.3, source_width: 0.1, bloom: 0.6 }));
     await panel.press('reset-all');
-    for (const id of ['exposure', 'source_width', 'bloom']) {
+    for (const id of ['detail', 'source_width', 'bloom']) {
       await panel.value(id, 'the scene’s', (value) => value === CAMPFIRE[id]);
     }
     assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), { hearth: 2, preset: 'campfire', values: {} });
     await panel.press('undo');
-    await panel.value('exposure', 'as it was', (value) => value === 3);
+    await panel.value('detail', 'as it was', (value) => value === 0.3);
     assert.deepEqual(tab.problems, []);
   });
 });

@@ -89,14 +89,16 @@ test('a prewarmed scene burns on until it has a past to show, in every quality',
     await tab.ready();
     const { time, particles, limit } = await tab.fire((fire) => fire.stats);
     const burnt = time - (await keptTime(tab));
-    assert.ok(burnt >= 1.7 && burnt < 1.8, `${burnt} s`);
-    assert.ok((await tab.fire((fire) => fire.stats.slices)) > 1);
+    assert.ok(burnt >= 0.5 && burnt < 0.6, `${burnt} s`);
     // A scene may have a number of its own: its cap is twice what fills the frame. Open air fills somewhat less or
     // more.
     const own = await tab.fire((fire) => fire.params.max_particles / 2);
     const number = limit ? { low: 1200, high: 6700 }[quality] : own;
     assert.ok(Math.abs(particles / number - 1) < 0.45, `${particles} of ${number}`);
     assert.ok((await flame(tab)) > 0.2);
+    // The slices behind follow as the fire becomes as old as their moments.
+    await tab.fire((fire) => fire.step(1000));
+    await tab.until('slices', () => /** @type {any} */ (document.querySelector('hearth-fire')).stats.slices > 1);
     assert.deepEqual(tab.problems, []);
   }
 });

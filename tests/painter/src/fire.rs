@@ -68,6 +68,7 @@ impl Fire {
 
     /// Burns until it has burnt for so long \[s\].
     pub fn burn(&mut self, until: f64) {
+        self.history.follow(&self.simulation);
         while self.simulation.time() < until {
             self.simulation.step();
             self.history.follow(&self.simulation);

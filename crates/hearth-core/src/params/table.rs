@@ -86,7 +86,7 @@ parameters! {
         /// salts, of a ghost, or your own from a cool colour to a hot one.
         [Look] palette: (choice Palette) "Palette" { Every(Blackbody) } when { display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// A brighter picture. Exposure in stops, each of which doubles the light.
-        [Look] exposure: number "Brightness" ["EV"] Linear { Classic(0.0, -4.0..=4.0) Combustion(0.4, -4.0..=4.0) } when { display_mode: LIGHT }
+        [Look] exposure: number "Brightness" ["EV"] Linear { Every(0.0, -4.0..=4.0) } when { display_mode: LIGHT }
         /// A wider shine around bright places. Share of the light that a lens scatters.
         [Look] bloom: number "Glow" [""] Linear { Every(0.15, 0.0..=0.6) } when { display_mode: FIRE, layers: LIT }
         /// Thicker smoke. Opacity of the smoke.

@@ -151,6 +151,8 @@ impl Fire {
         deadline: f64,
         clock: &WallClock,
     ) -> StepsMade {
+        // The first moment of a fire is a sample, drawn or not.
+        self.history.follow(&self.simulation);
         let mut made = StepsMade::default();
         let last = Cell::new(clock.now());
         let steps = make_steps(

@@ -40,6 +40,10 @@ fn generate(checkout: &Path) -> Result<Vec<Generated>> {
             rust::table(&scenes),
         ),
         (
+            "crates/hearth-core/src/preset/texts.txt",
+            rust::texts(&scenes),
+        ),
+        (
             "crates/hearth-fire/src/picture.md",
             gallery::picture(checkout)?,
         ),

@@ -1,4 +1,4 @@
-//! `crates/hearth-core/src/preset/scenes.txt`: the scenes as a part of the physics, which is
+//! `crates/hearth-core/src/preset/scenes.txt` and `texts.txt`: the scenes as a part of the physics, which is
 //! published by itself and reads no JSON.
 
 use std::fmt::Write as _;
@@ -7,36 +7,23 @@ use serde_json::Value;
 
 use super::scene::Scene;
 
-const HEADER: &str = "\
-# Every preset: the default one, then those of each model by their names. `cargo xtask codegen`
-# writes this file from the files of scenes/; edit those instead.
-#
-# A line is a name, a blank and a value, which extends to the end of the line. `preset` begins a
-# preset; its label, its description and the values that differ from the defaults follow. `kind`
-# begins an object besides the first source; the fields that differ from the defaults follow.
-";
-
-/// The whole file.
+/// Values and objects of every scene.
 pub(super) fn table(scenes: &[Scene]) -> String {
-    let mut text = HEADER.to_owned();
+    let mut text = String::new();
     for scene in scenes {
-        let Scene {
-            name,
-            label,
-            description,
-            ..
-        } = scene;
-        let _ = write!(
-            text,
-            "\npreset {name}\nlabel {label}\ndescription {description}\n"
-        );
+        let _ = writeln!(text, "preset {}", scene.name);
         write_fields(&mut text, &scene.values);
         for object in &scene.objects {
-            text.push('\n');
             write_fields(&mut text, object);
         }
     }
     text
+}
+
+/// Name, label and description of every scene.
+pub(super) fn texts(scenes: &[Scene]) -> String {
+    let line = |scene: &Scene| format!("{}\t{}\t{}\n", scene.name, scene.label, scene.description);
+    scenes.iter().map(line).collect()
 }
 
 /// A line for each field: its name and its value.

@@ -1,7 +1,7 @@
 //! Named sets of values: the scenes.
 //!
 //! Each is a file of `scenes/` in Hearth's repository. `cargo xtask codegen` writes a table of all
-//! of them, `preset/scenes.txt`, which this crate contains.
+//! of them, `preset/scenes.txt` and `preset/texts.txt`, which this crate contains.
 
 mod definition;
 mod resolution;
@@ -41,11 +41,11 @@ mod tests {
         assert_eq!(Preset::all()[0].name, "default");
         assert_eq!(Preset::all()[0].parameters(), Parameters::default());
         for (at, preset) in Preset::all().iter().enumerate() {
-            assert!(!preset.label.is_empty() && preset.description.ends_with('.'));
+            assert!(!preset.label().is_empty() && preset.description().ends_with('.'));
             for other in &Preset::all()[..at] {
                 assert_ne!(other.name, preset.name);
-                assert_ne!(other.label, preset.label);
-                assert_ne!(other.description, preset.description);
+                assert_ne!(other.label(), preset.label());
+                assert_ne!(other.description(), preset.description());
                 assert_ne!(other.parameters(), preset.parameters());
             }
         }

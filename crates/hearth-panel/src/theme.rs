@@ -158,7 +158,8 @@ mod tests {
             }
         }
         let presets = Preset::all().iter();
-        texts.extend(presets.flat_map(|preset| [preset.name, preset.label, preset.description]));
+        texts
+            .extend(presets.flat_map(|preset| [preset.name, preset.label(), preset.description()]));
 
         let ctx = egui::Context::default();
         apply(&ctx);

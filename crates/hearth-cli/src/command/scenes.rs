@@ -28,8 +28,8 @@ impl Scenes {
                 .map(|preset| {
                     json!({
                         "name": preset.name,
-                        "label": preset.label,
-                        "description": preset.description,
+                        "label": preset.label(),
+                        "description": preset.description(),
                         "model": preset.parameters().model().name(),
                     })
                 })
@@ -38,10 +38,10 @@ impl Scenes {
         }
         let widest = |of: fn(&Preset) -> usize| presets.iter().map(of).max().unwrap_or(0);
         let name = widest(|preset| preset.name.len());
-        let label = widest(|preset| preset.label.chars().count());
+        let label = widest(|preset| preset.label().chars().count());
         let lines = presets.iter().map(|preset| {
-            let text = preset.description;
-            format!("{:name$}  {:label$}  {text}\n", preset.name, preset.label)
+            let text = preset.description();
+            format!("{:name$}  {:label$}  {text}\n", preset.name, preset.label())
         });
         output::print(lines.collect::<String>().as_bytes())
     }

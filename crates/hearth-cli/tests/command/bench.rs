@@ -22,7 +22,7 @@ fn the_scenes_are_the_presets_with_their_descriptions() {
     let text = folder.run(&["scenes"]);
     for (line, preset) in text.text().lines().zip(Preset::all()) {
         assert!(
-            line.starts_with(preset.name) && line.ends_with(preset.description),
+            line.starts_with(preset.name) && line.ends_with(preset.description()),
             "{line}"
         );
     }

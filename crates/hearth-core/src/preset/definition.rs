@@ -5,8 +5,16 @@ use std::sync::LazyLock;
 use crate::params::{IN_DOMAIN, Input, Parameters};
 use crate::scene::{KIND, Scene};
 
-/// The table of presets. Its head describes the format.
+/// The table of presets. `cargo xtask codegen` writes it from the files of `scenes/`.
+///
+/// A line is a name, a blank and a value, which extends to the end of the line. `preset` begins a preset; the values
+/// that differ from the defaults follow. `kind` begins an object besides the first source; the fields that differ
+/// from the defaults follow.
 const TABLE: &str = include_str!("scenes.txt");
+
+/// A line for each preset: its name, its label and its description, divided by tabulators. A program that shows none
+/// of them does not contain this table.
+const TEXTS: &str = include_str!("texts.txt");
 
 /// Names and their values.
 type Fields = Vec<(&'static str, Input<'static>)>;
@@ -16,10 +24,6 @@ type Fields = Vec<(&'static str, Input<'static>)>;
 pub struct Preset {
     /// Its name in attributes and URLs.
     pub name: &'static str,
-    /// Its name for people.
-    pub label: &'static str,
-    /// The appearance of the fire, in a sentence.
-    pub description: &'static str,
     /// The values that differ from the defaults.
     values: Fields,
     /// The fields of each object besides the first source.
@@ -36,6 +40,26 @@ impl Preset {
     /// The preset with this name.
     pub fn find(name: &str) -> Option<&'static Preset> {
         Preset::all().iter().find(|preset| preset.name == name)
+    }
+
+    /// Its name for people.
+    pub fn label(&self) -> &'static str {
+        self.texts().0
+    }
+
+    /// The appearance of the fire, in a sentence.
+    pub fn description(&self) -> &'static str {
+        self.texts().1
+    }
+
+    /// Label and description.
+    fn texts(&self) -> (&'static str, &'static str) {
+        let texts = |line: &'static str| {
+            line.strip_prefix(self.name)?
+                .strip_prefix('\t')?
+                .split_once('\t')
+        };
+        TEXTS.lines().find_map(texts).unwrap_or_default()
     }
 
     /// The values that differ from the defaults.
@@ -72,7 +96,6 @@ impl Preset {
 /// The presets of a table.
 fn read(table: &'static str) -> Vec<Preset> {
     let mut presets: Vec<Preset> = Vec::new();
-    // An empty line has no blank, a comment has the name `#`.
     for (name, text) in table.lines().filter_map(|line| line.split_once(' ')) {
         if name == "preset" {
             presets.push(Preset {
@@ -85,8 +108,6 @@ fn read(table: &'static str) -> Vec<Preset> {
         };
         match name {
             "preset" => {}
-            "label" => preset.label = text,
-            "description" => preset.description = text,
             _ => {
                 if name == KIND {
                     preset.objects.push(Fields::new());

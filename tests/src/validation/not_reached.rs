@@ -13,7 +13,11 @@ pub struct NotReached {
 }
 
 /// All of them. What was measured stands in the table beside the reason.
-pub const NOT_REACHED: &[NotReached] = &[];
+pub const NOT_REACHED: &[NotReached] = &[NotReached {
+    row: "soot-enters-tall",
+    reason: "Rolls that mix widen the column of soot above the flame, so that it reaches the sides of a tall view, \
+             where it shifts over an edge by less than twice its kernel; without them 1.7 % enters.",
+}];
 
 /// What is known of the row of that id.
 pub fn find(row: &str) -> Option<&'static NotReached> {

@@ -366,7 +366,10 @@ fn asymmetry(record: &Record) -> f64 {
     let (mut left, mut right) = (0.0, 0.0);
     for row in 0..record.sampler.rows {
         for (x, share) in record.across(&record.luminous, row) {
-            *(if x < 0.0 { &mut left } else { &mut right }) += share;
+            // A cell on the middle has a part on each side.
+            let part = (0.5 + x / record.sampler.cell).clamp(0.0, 1.0);
+            left += share * (1.0 - part);
+            right += share * part;
         }
     }
     (left - right).abs() / (left + right)

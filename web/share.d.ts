@@ -9,6 +9,9 @@ export interface HearthSharedConfig {
   hearth?: 2;
   preset?: string;
   values?: Record<string, unknown>;
+  /** Values of a model that does not burn; neither a URL nor HTML contains them. */
+  classic?: Record<string, unknown>;
+  combustion?: Record<string, unknown>;
   objects?: object[];
   /** For people; neither a URL nor HTML contains them. */
   label?: string;

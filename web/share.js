@@ -2,19 +2,20 @@
  * A fire's settings as URL parameters, as a link and as HTML.
  *
  * Pure functions for pages and servers. They take the settings of `exportConfig()`. They validate no
- * values: the fire that receives a URL's values does.
+ * values: the fire that receives a URL's values does. The values of the model that does not burn are left out.
  *
  * @typedef {object} Config
  * @property {number} [hearth]  The version of the format, 2.
  * @property {string} [preset]  The preset, unless it is the default one.
  * @property {{[id: string]: unknown}} [values]  The values that differ from the preset.
+ * @property {{[id: string]: unknown}} [classic]  Those that the classic model has for itself while it does not burn.
+ * @property {{[id: string]: unknown}} [combustion]  The same of the combustion model.
  * @property {object[]} [objects]  The objects, unless they are the preset's.
  * @property {string} [label]  A title for people.
  * @property {string} [description]  A description for people.
  */
 
 import { DEFAULTS, OWN_ATTRIBUTES } from './generated/defaults.js';
-import { WITH_OBJECTS, SOURCE } from './generated/objects.js';
 
 /** The URL of this file, or of the bundle that contains it. */
 export const FILE = import.meta.url;
@@ -120,32 +121,12 @@ export function iframeCode(config, embedUrl) {
 }
 
 /**
- * The objects as parameters if a single source is the only object, else as JSON.
- * @param {Config} config
- * @returns {{[id: string]: unknown}}
- */
-function valuesOf({ objects, preset = '' }) {
-  if (!objects) return {};
-  const [first = {}, ...others] = objects;
-  const { kind, ...properties } = /** @type {{[name: string]: unknown}} */ (first);
-  const isPlain =
-    kind === 'source' &&
-    others.length === 0 &&
-    !(preset in WITH_OBJECTS) &&
-    Object.keys(properties).every((name) => name in SOURCE);
-  if (!isPlain) return { objects: JSON.stringify(objects) };
-  return Object.fromEntries(
-    Object.entries(properties).map(([name, value]) => [SOURCE[/** @type {keyof typeof SOURCE} */ (name)], value]),
-  );
-}
-
-/**
  * The values as attributes, the model first.
  * @param {Config} config
  * @returns {[string, string][]}
  */
-function attributes(config) {
-  const named = Object.entries({ ...config.values, ...valuesOf(config) }).map(
+function attributes({ values, objects }) {
+  const named = Object.entries({ ...values, ...(objects && { objects: JSON.stringify(objects) }) }).map(
     ([id, value]) => /** @type {[string, string]} */ ([id.replaceAll('_', '-'), String(value)]),
   );
   return named.sort(([a], [b]) => Number(b === 'model') - Number(a === 'model'));

@@ -262,7 +262,7 @@ class Toolbar {
 
   /** Opens settings. @param {string} text */
   #open(text) {
-    return this.#editing.history.all(() => this.#fire.importConfig(text), { replaces: true });
+    return this.#editing.history.all(() => this.#fire.importConfig(text));
   }
 
   /** @param {MouseEvent | KeyboardEvent} event @returns {How} */

@@ -12,7 +12,8 @@ use hearth_core::preset::Preset;
 use hearth_core::random::Random;
 use hearth_core::scene::{KINDS, MAX_OBJECTS};
 use hearth_core::{Scene, Simulation};
-use hearth_settings::untrusted::{Check, Form, Untrusted};
+use hearth_settings::untrusted::{Check, Form, Untrusted, ValidationError};
+use hearth_settings::{Change, Settings};
 use hearth_tests::sweep;
 use serde_json::Value as Json;
 
@@ -238,11 +239,11 @@ fn is_valid(scene: &Scene) {
     }
 }
 
-fn decided(done: Result<Scene, Vec<hearth_settings::untrusted::ValidationError>>) -> Option<Scene> {
+fn decided(done: Result<Settings, Vec<ValidationError>>) -> Option<Settings> {
     match done {
-        Ok(scene) => {
-            is_valid(&scene);
-            Some(scene)
+        Ok(settings) => {
+            is_valid(settings.scene());
+            Some(settings)
         }
         Err(errors) => {
             assert!(!errors.is_empty());
@@ -268,16 +269,22 @@ fn random_settings_give_a_valid_scene_or_reasons() -> io::Result<()> {
             damage(random, &mut config);
         }
         let fields = config.fields();
-        let read = hearth_settings::with_settings(&Scene::default(), fields);
-        let scene = decided(read).unwrap_or_default();
-        decided(hearth_settings::with_values(&scene, fields));
-        decided(hearth_settings::with_defaults(&scene, fields));
-        let id = [None, Some(1), Some(random.bits() % 70)][below(random, 3)];
-        let sent = (random.bits() & 1 == 0).then_some(fields);
-        decided(hearth_settings::with_object(&scene, id, sent));
-        let mut mixed = scene;
-        hearth_settings::set_valid(&mut mixed, fields, &mut Vec::new());
-        is_valid(&mixed);
+        let names: Vec<_> = fields
+            .iter()
+            .map(|(name, _)| Untrusted::Text(name.clone()))
+            .collect();
+        let settings = decided(Settings::of_file(&config)).unwrap_or_default();
+        let id = [1, random.bits() % 70][below(random, 2)];
+        for change in [
+            Change::Set(fields),
+            Change::Restore(&names),
+            Change::AddObject(fields),
+            Change::ChangeObject(id, fields),
+            Change::RemoveObject(id),
+        ] {
+            decided(settings.after(&change));
+        }
+        is_valid(settings.after_valid(fields, &mut Vec::new()).scene());
     });
     Ok(())
 }

@@ -8,6 +8,7 @@ use hearth_core::random::Random;
 use hearth_core::scene::{KINDS, MAX_OBJECTS};
 use hearth_core::{Scene, Simulation};
 use hearth_settings::untrusted::Untrusted;
+use hearth_settings::{Change, Settings, objects};
 use hearth_tests::sweep::crowd::gas_inside;
 
 /// Longest refusal in bytes.
@@ -54,7 +55,15 @@ fn assert_refused(scene: &Scene, id: Option<u32>, fields: &[Named<'_>]) {
     let words: Vec<String> = refused.iter().flatten().map(ToString::to_string).collect();
     assert!(!words.is_empty(), "{fields:?} are accepted");
     let sent = sent(fields);
-    let refused = hearth_settings::with_object(scene, id, Some(&sent)).err();
+    let list = [("objects".to_owned(), objects(scene, None))];
+    let settings = Settings::default()
+        .after(&Change::Set(&list))
+        .expect("the scene");
+    let change = match id {
+        None => Change::AddObject(&sent),
+        Some(id) => Change::ChangeObject(id, &sent),
+    };
+    let refused = settings.after(&change).err();
     let more = refused.iter().flatten().map(|error| error.message.clone());
     let more: Vec<String> = more.collect();
     assert!(!more.is_empty(), "{fields:?} are accepted by the bindings");

@@ -7,7 +7,8 @@ use std::path::Path;
 
 use hearth_core::params::{Input, Model};
 use hearth_core::preset::Preset;
-use hearth_core::{Parameters, Particle, Scene, Simulation};
+use hearth_core::{Parameters, Particle, Simulation};
+use hearth_settings::Settings;
 use hearth_settings::untrusted::Untrusted;
 use hearth_tests::sweep;
 use serde_json::Value;
@@ -131,11 +132,9 @@ fn untrusted(value: &Value) -> Untrusted {
     }
 }
 
-/// The scene of a settings file.
-fn read(file: &Value) -> Scene {
-    let file = untrusted(file);
-    let scene = hearth_settings::with_settings(&Scene::default(), file.fields());
-    scene.unwrap_or_else(|errors| panic!("{errors:?}"))
+/// The settings of a file.
+fn read(file: &Value) -> Settings {
+    Settings::of_file(&untrusted(file)).unwrap_or_else(|errors| panic!("{errors:?}"))
 }
 
 #[test]
@@ -145,6 +144,11 @@ fn every_scene_file_is_its_preset() {
         let text = fs::read_to_string(folder.join(format!("{}.json", preset.name)));
         let file: Value = serde_json::from_str(&text.expect("a file")).expect("JSON");
         assert_eq!(file["hearth"], 2, "{}", preset.name);
-        assert_eq!(read(&file), preset.scene(), "{}", preset.name);
+        assert_eq!(
+            read(&file).scene(),
+            Settings::starting_from(preset).scene(),
+            "{}",
+            preset.name
+        );
     }
 }

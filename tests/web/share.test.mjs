@@ -158,11 +158,7 @@ describe('code to paste', () => {
   });
 });
 
-test('one source is parameters in an address and in HTML, several objects are JSON', () => {
-  const config = { hearth: 2, values: { wind: 1 }, objects: [{ kind: 'source', x: 0.2, power: 100 }] };
-  assert.equal(toQuery(config), 'wind=1&source-x=0.2&fuel-power=100');
-  assert.match(elementCode(config), /^<hearth-fire wind="1" source-x="0.2" fuel-power="100" /);
-
+test('objects are JSON in an address and in HTML', () => {
   const objects = [{ kind: 'source' }, { kind: 'source', id: 7, x: 0.3 }];
   const query = toQuery({ hearth: 2, values: {}, objects });
   assert.deepEqual(JSON.parse(new URLSearchParams(query).get('objects')), objects);

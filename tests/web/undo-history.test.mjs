@@ -14,7 +14,6 @@ const DEFAULTS = {
 const OWN = ['width', 'max_particles'];
 const PRESETS = { default: {}, windy: { wind: 7 }, old: { model: 'classic', viscosity: 9 } };
 const LARGEST = 5000;
-const REPLACES = { replaces: true };
 /** The first numbers of the random gestures. */
 const SEEDS = Array.from({ length: 100 }, (_, index) => index + 1);
 
@@ -118,18 +117,25 @@ class Fire {
 
   exportConfig() {
     return this.#ask(({ preset, model, named, values, objects }) => {
-      const base = this.#fresh(preset).values[model];
-      const changed = Object.entries(values[model]).filter(
-        ([id, value]) => value !== base[id] || (id === 'max_particles' && named && model === 'combustion'),
-      );
-      if (model !== this.#fresh(preset).model) changed.push(['model', model]);
-      return { hearth: 2, preset, values: Object.fromEntries(changed), objects: structuredClone(objects) };
+      const changed = Object.keys(DEFAULTS).map((of) => {
+        const base = this.#fresh(preset).values[of];
+        const differing = Object.entries(values[of]).filter(
+          ([id, value]) => value !== base[id] || (id === 'max_particles' && named && of === 'combustion'),
+        );
+        return [of, Object.fromEntries(differing)];
+      });
+      const { [model]: present, ...other } = Object.fromEntries(changed);
+      if (model !== this.#fresh(preset).model) present.model = model;
+      return { hearth: 2, preset, values: present, ...other, objects: structuredClone(objects) };
     });
   }
 
-  importConfig({ preset = 'default', values = {}, objects = undefined }) {
+  importConfig({ preset = 'default', values = {}, objects = undefined, ...other }) {
     return this.#ask(() => {
       const state = this.#fresh(preset);
+      const { model } = state;
+      for (const [of, own] of Object.entries(other)) if (of in DEFAULTS) this.#write(state, { ...own, model: of });
+      state.model = model;
       this.#write(state, objects ? { ...values, objects } : values);
       return state;
     });
@@ -162,9 +168,9 @@ function deed(steps, fire, random) {
     () => steps.set(id, Math.round(random.next().value * 20)),
     () => steps.set('model', pick(['classic', 'combustion'])),
     () => steps.restore(id),
-    () => steps.all(() => fire.restore('width', 'viscosity', 'wind', 'max_particles'), { replaces: false }),
-    () => steps.all(() => fire.importConfig({ preset: pick(Object.keys(PRESETS)) }), REPLACES),
-    () => steps.all(() => fire.importConfig({ values: { max_particles: 3000, wind: 3 } }), REPLACES),
+    () => steps.all(() => fire.restore('width', 'viscosity', 'wind', 'max_particles')),
+    () => steps.all(() => fire.importConfig({ preset: pick(Object.keys(PRESETS)) })),
+    () => steps.all(() => fire.importConfig({ values: { max_particles: 3000, wind: 3 } })),
   ])();
 }
 
@@ -186,7 +192,7 @@ function deedWithObjects(steps, fire, random) {
     () => steps.objects(() => fire.addObject({ kind: 'solid', width: 1 })),
     () => steps.objects(() => fire.objects.length > 0 && fire.removeObject(pick(fire.objects).id)),
     () => steps.objects(() => fire.set({ objects: [...fire.objects.slice(1), ...fire.objects.slice(0, 1)] })),
-    () => steps.all(() => fire.importConfig({ preset: 'windy' }), REPLACES),
+    () => steps.all(() => fire.importConfig({ preset: 'windy' })),
   ])();
 }
 
@@ -275,10 +281,10 @@ describe('a step', () => {
     await steps.set('viscosity', 5);
     await assert.rejects(steps.set('viscosity', LARGEST + 1), RangeError);
     await assert.rejects(
-      steps.all(() => fire.importConfig({ values: { nothing: 1 } }), REPLACES),
+      steps.all(() => fire.importConfig({ values: { nothing: 1 } })),
       /nothing/,
     );
-    await steps.all(() => fire.importConfig({}), REPLACES);
+    await steps.all(() => fire.importConfig({}));
     assert.equal(steps.canUndo, false);
     // And what comes next goes on as if nothing had been.
     await steps.set('wind', 1);

@@ -18,6 +18,10 @@ export interface HearthConfig {
   /** The preset, unless it is the default one. */
   preset?: PresetName;
   values: Partial<HearthParameters>;
+  /** The values that the classic model has for itself while the combustion model burns. */
+  classic?: Partial<HearthParameters>;
+  /** The values that the combustion model has for itself while the classic model burns. */
+  combustion?: Partial<HearthParameters>;
   /** The objects, unless they are the preset's; the first source has only the properties that differ. */
   objects?: HearthObject[];
   /** A title and a description for people; the fire ignores both. */

@@ -221,20 +221,16 @@ export class PanelController extends EventTarget {
     );
     const defaults = ids.filter((id) => this.defaultOf(id) === modelDefault(id, now.model));
     const others = ids.filter((id) => !defaults.includes(id) && this.defaultOf(id) !== now[id]);
-    return this.#history.all(
-      async () => {
-        if (!this.only && !hasSceneObjects(fire))
-          await fire.set({ objects: /** @type {any[]} */ (sceneObjects(fire)) });
-        if (defaults.length > 0) await fire.restore(...defaults);
-        if (others.length > 0) await fire.set(Object.fromEntries(others.map((id) => [id, this.defaultOf(id)])));
-      },
-      { replaces: false },
-    );
+    return this.#history.all(async () => {
+      if (!this.only && !hasSceneObjects(fire)) await fire.set({ objects: /** @type {any[]} */ (sceneObjects(fire)) });
+      if (defaults.length > 0) await fire.restore(...defaults);
+      if (others.length > 0) await fire.set(Object.fromEntries(others.map((id) => [id, this.defaultOf(id)])));
+    });
   }
 
   /** Shows the fire of settings: one step. @param {HearthConfig | string} config */
   async #replace(config) {
-    await this.#history.all(() => this.#fire.importConfig(config), { replaces: true });
+    await this.#history.all(() => this.#fire.importConfig(config));
     this.#update();
   }
 

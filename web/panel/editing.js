@@ -182,21 +182,18 @@ export class Editing extends EventTarget {
 
   /** Shows the other of two states, which begins as a copy of the first one: one step. @param {Letter} letter */
   compare(letter) {
-    return this.history.all(
-      async () => {
-        const { compared } = this.#variants;
-        if (letter === compared.letter) return;
-        const shown = await this.#fire.exportConfig();
-        await this.#fire.importConfig(compared.other ?? shown);
-        this.#variants.compared = { letter, other: shown };
-      },
-      { replaces: true },
-    );
+    return this.history.all(async () => {
+      const { compared } = this.#variants;
+      if (letter === compared.letter) return;
+      const shown = await this.#fire.exportConfig();
+      await this.#fire.importConfig(compared.other ?? shown);
+      this.#variants.compared = { letter, other: shown };
+    });
   }
 
   /** Sets random values near those of the scene: one step. */
   randomise() {
-    return this.history.all(() => this.#fire.set(randomValues(this.#fire)), { replaces: false });
+    return this.history.all(() => this.#fire.set(randomValues(this.#fire)));
   }
 
   #changed() {

@@ -11,13 +11,20 @@
  * changes all values waits for the steps before it, and later steps wait for it.
  */
 
-import { KeptValues, RESOLUTION, SPACING, entries, ofResolution } from './kept-values.js';
 import { objectsOf } from './objects.js';
 
 /** The maximum number of steps. */
 const MAX_STEPS = 200;
 
 const MODEL = 'model';
+
+/** The number of particles and their spacing: the resolution follows the quality until one is set. */
+const RESOLUTION = /** @type {const} */ (['max_particles', 'spacing']);
+
+/** Whether the resolution follows the quality until this parameter is set. @type {(id: Id) => boolean} */
+function ofResolution(id) {
+  return RESOLUTION.some((known) => known === id);
+}
 
 /** The key of steps of a pointer on the fire. */
 const POINTER = 'pointer';
@@ -45,14 +52,12 @@ const POINTER = 'pointer';
  * @typedef {object} Side
  * @property {Value | Values | [number, Properties][]} [value]  The value of a step that changes one, or the properties
  *   of objects.
- * @property {Values} [values]  The value with the model, or all values.
+ * @property {Values} [values]  The value with the model.
  * @property {[number, Properties][]} [changed]  The properties of a step that changes objects.
  * @property {Fields[]} [objects]  All objects, if a step adds, removes or reorders some.
  * @property {boolean} [named]  Whether the number or the spacing of a step that changes it is set.
  * @property {HearthConfig} [config]  The settings, if all may have changed.
  * @property {unknown} [compared]  Which of two states is shown, if all values may have changed.
- * @property {Map<ModelName, Values>} [kept]  The values that the other models have for themselves: settings
- *   hold those of one model.
  */
 
 /** The steps of one panel. */
@@ -61,7 +66,6 @@ export class UndoHistory {
   #changed;
   #defaultOf;
   #resetTo;
-  #kept;
   #variants;
   /** @type {Step[]} */
   #done = [];
@@ -90,7 +94,6 @@ export class UndoHistory {
     this.#changed = changed;
     this.#defaultOf = defaultOf;
     this.#resetTo = resetTo;
-    this.#kept = new KeptValues(fire, defaultOf);
     this.#variants = variants;
   }
 
@@ -125,10 +128,10 @@ export class UndoHistory {
    */
   restore(id) {
     const target = () => this.#resetTo(id, this.#fire.params[MODEL]);
-    // The default number of particles follows the quality again, and any spacing of a scene does.
-    const isDefault = () => id === SPACING || target() === this.#defaultOf(id, this.#fire.params[MODEL]);
+    // A restored resolution follows the scene and the quality again.
+    const isDefault = () => ofResolution(id) || target() === this.#defaultOf(id, this.#fire.params[MODEL]);
     const act = () => (isDefault() ? this.#fire.restore(id) : this.#fire.set(id, /** @type {Value} */ (target())));
-    return this.#value(id, !ofResolution(id) || !isDefault(), target, act);
+    return this.#value(id, !ofResolution(id), target, act);
   }
 
   /** Sets properties of an object. @type {(id: number, properties: Properties) => Promise<void>} */
@@ -209,20 +212,15 @@ export class UndoHistory {
   /**
    * Does something that may change every value.
    * @param {() => unknown} act
-   * @param {{replaces: boolean}} how  Whether the values that it does not name become the defaults.
    * @returns {Promise<void>}
    */
-  all(act, { replaces }) {
+  all(act) {
     const gesture = this.#gesture;
     return this.#alone(async () => {
       const before = await this.#snapshot();
       await act();
-      if (replaces) this.#kept.clear();
       const after = await this.#snapshot();
-      const [old, now] = [before, after].map(({ values, config, compared, kept = [] }) =>
-        JSON.stringify([values, config, compared, [...kept]]),
-      );
-      if (old !== now) this.#record({ gesture, before, after });
+      if (JSON.stringify(before) !== JSON.stringify(after)) this.#record({ gesture, before, after });
     });
   }
 
@@ -266,7 +264,7 @@ export class UndoHistory {
       return this.#change({ key: id, gesture, before, after: side(value), sent: [[id, value]], act }, wasNamed);
     };
     // Another model has other values.
-    if (id === MODEL) return this.#alone(() => this.#kept.through(change));
+    if (id === MODEL) return this.#alone(change);
     while (this.#gate) await this.#gate;
     return change();
   }
@@ -339,7 +337,7 @@ export class UndoHistory {
   }
 
   /** @param {Side} side */
-  async #apply({ values, changed, objects, named, config, compared, kept }) {
+  async #apply({ values, changed, objects, named, config, compared }) {
     const fire = this.#fire;
     if (changed) await this.#changeObjects(changed);
     if (objects) {
@@ -350,33 +348,25 @@ export class UndoHistory {
       );
       await fire.set({ objects: /** @type {any[]} */ (list) });
     }
-    if (!values) return;
     if (config) {
       await fire.importConfig(config);
       this.#variants.compared = compared;
     }
-    if (kept) await this.#kept.restore(kept, values[MODEL]);
+    if (!values) return;
     const now = fire.params;
     const moved = values[MODEL] !== now[MODEL];
-    const changes = { ...values };
-    const isNamed = (/** @type {Id} */ id) => (config ? id in config.values : named);
-    for (const [id, value] of entries(values)) {
-      // Settings restore whether the resolution is set.
-      const isRight = ofResolution(id) ? !isNamed(id) || (config && !moved) : !moved && value === now[id];
-      if (isRight) delete changes[id];
-    }
-    const set = () => fire.set(changes);
-    if (Object.keys(changes).length > 0) await (config ? set() : this.#kept.through(set));
+    const changes = /** @type {[Id, Value][]} */ (Object.entries(values)).filter(([id, value]) =>
+      ofResolution(id) ? named : moved || value !== now[id],
+    );
+    if (changes.length > 0) await fire.set(Object.fromEntries(changes));
     for (const id of RESOLUTION) {
-      if ((moved || !config) && !isNamed(id) && id in values) await fire.restore(id);
+      if (!named && id in values) await fire.restore(id);
     }
   }
 
-  /** All values, with the settings that restore them. @returns {Promise<Side>} */
+  /** All settings. @returns {Promise<Side>} */
   async #snapshot() {
-    const config = await this.#fire.exportConfig();
-    const values = this.#fire.params;
-    return { values, config, compared: this.#variants.compared, kept: this.#kept.all };
+    return { config: await this.#fire.exportConfig(), compared: this.#variants.compared };
   }
 
   /**

@@ -130,23 +130,13 @@ pub(super) fn prewarmed() -> String {
 }
 
 /// The module of the parameters that are properties of the first source: apart, since only
-/// addresses and HTML need it.
-pub(super) fn objects(scenes: &[Scene]) -> String {
+/// the panel needs it.
+pub(super) fn objects() -> String {
     let doc = "Each property of a source, and the parameter that it is of the first one.";
     let properties = scene::Kind::SOURCE.properties();
     let properties = properties.filter(|property| !property.is_common());
     let entries = properties.map(|property| format!("{}: '{}'", property.name, property.id));
-    let source = constant(doc, "SOURCE", OBJECT, entries);
-    let with_objects = scenes.iter().filter(|scene| !scene.objects.is_empty());
-    let with_objects: serde_json::Map<_, _> = with_objects
-        .map(|scene| (scene.name.clone(), json!(1 + scene.objects.len())))
-        .collect();
-    format!(
-        "{HEADER}{source}\n/** The presets with more objects than a source, and how many objects they have.\n \
-         * @type {{{{[preset: string]: number}}}} */\n\
-         export const WITH_OBJECTS = {};\n",
-        json!(with_objects)
-    )
+    HEADER.to_owned() + &constant(doc, "SOURCE", OBJECT, entries)
 }
 
 /// The module of the properties of objects: apart, since only children of the element need it.

@@ -5,11 +5,11 @@ use hearth_core::resolution::{CountInputs, Level, ParticleCount, SizeLimit};
 use hearth_core::warm_up::WarmUp;
 use hearth_core::{Charred, Instance, Scene, Simulation, Vec2};
 use hearth_render::{Camera, History, Viewport};
-use hearth_settings::Requested;
+use hearth_settings::Settings;
 
 /// A fire and what it shows.
 pub struct Fire {
-    requested: Requested,
+    settings: Settings,
     level: Level,
     warm_up: WarmUp,
     pub(crate) simulation: Simulation,
@@ -22,12 +22,12 @@ pub struct Fire {
 impl Fire {
     /// A fire at that level of quality before its first step. It warms up for `warm` \[s\]: most of that time
     /// with few particles.
-    pub fn new(requested: Requested, level: Level, warm: f64) -> Fire {
+    pub fn new(settings: Settings, level: Level, warm: f64) -> Fire {
         let mut fire = Fire {
             simulation: Simulation::new(Scene::default()),
             history: History::default(),
             warm_up: WarmUp::new(warm, Vec::new()),
-            requested,
+            settings,
             level,
             instances: Vec::new(),
             embers: Vec::new(),
@@ -44,14 +44,14 @@ impl Fire {
     /// The scene with the present number of particles.
     fn scene(&self) -> Scene {
         let count = ParticleCount::of(&CountInputs {
-            settings: self.requested.resolution(),
+            settings: self.settings.resolution(),
             level: self.level,
             is_level_requested: true,
             size: SizeLimit::default(),
             machine: u32::MAX,
             is_coarse: self.warm_up.is_coarse(),
         });
-        self.requested.at(count.number)
+        self.settings.at(count.number)
     }
 
     /// The simulation.
@@ -62,7 +62,7 @@ impl Fire {
     /// Sends the simulation the part of the world that pictures of that size show: gas that is seen
     /// stays in open air.
     pub fn see(&mut self, size: [u32; 2], camera: Camera) {
-        let values = self.requested.parameters();
+        let values = self.settings.parameters();
         let domain = [values.domain_width, values.domain_height];
         let viewport = Viewport::new(size, domain, camera.zoomed_out());
         self.simulation

@@ -5,9 +5,8 @@ use std::io;
 use std::path::Path;
 
 use hearth_core::preset::Preset;
-use hearth_settings::Requested;
-use hearth_settings::file::Config;
 use hearth_settings::untrusted::Untrusted;
+use hearth_settings::{Change, Settings};
 
 use crate::error::Error;
 use crate::json;
@@ -19,7 +18,7 @@ pub type Setting = (String, String);
 ///
 /// # Errors
 /// There is no such scene, or a value is refused; all refusals, with the messages of the element.
-pub fn requested(scene: &str, values: &[Setting]) -> Result<Requested, Error> {
+pub fn settings(scene: &str, values: &[Setting]) -> Result<Settings, Error> {
     let base = match scene {
         "-" => of_json(io::stdin().lock(), "standard input")?,
         name if is_file(name) => {
@@ -29,7 +28,7 @@ pub fn requested(scene: &str, values: &[Setting]) -> Result<Requested, Error> {
             }
             of_json(file, name)?
         }
-        name => Requested::of_preset(name).map_err(|errors| {
+        name => Settings::of_preset(name).map_err(|errors| {
             let hint = "a scene is the name of a preset, or a file whose name ends with .json";
             let refused = Error::refused(hint, &errors);
             Error::Use(refused.to_string())
@@ -39,7 +38,7 @@ pub fn requested(scene: &str, values: &[Setting]) -> Result<Requested, Error> {
         .iter()
         .map(|(id, text)| (id.clone(), Untrusted::Text(text.clone())))
         .collect();
-    let changed = base.with_values(&values);
+    let changed = base.after(&Change::Set(&values));
     changed.map_err(|errors| Error::refused("--set", &errors))
 }
 
@@ -58,7 +57,7 @@ fn is_file(scene: &str) -> bool {
     !known && (scene.ends_with(".json") || scene.contains('/') || Path::new(scene).is_file())
 }
 
-fn of_json(source: impl io::Read, place: &str) -> Result<Requested, Error> {
+fn of_json(source: impl io::Read, place: &str) -> Result<Settings, Error> {
     let config = json::read(source).map_err(|error| Error::Use(format!("{place}: {error}")))?;
-    Config::requested_by(&config).map_err(|errors| Error::refused(place, &errors))
+    Settings::of_file(&config).map_err(|errors| Error::refused(place, &errors))
 }

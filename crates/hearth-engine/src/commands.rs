@@ -246,14 +246,8 @@ pub struct Start<'a> {
     pub preset: Option<&'a str>,
     /// A settings file, which replaces the preset.
     pub config: &'a Untrusted,
-    /// Values of the other model, on top of these.
-    pub kept: Values<'a>,
     /// Values on top of all.
     pub values: Values<'a>,
-    /// Whether the page set the number of particles, which then ignores the quality.
-    pub count_overridden: bool,
-    /// Whether the page set the spacing, which then ignores the quality.
-    pub spacing_overridden: bool,
     /// The requested level of quality; `None`: adaptive.
     pub quality: Option<Level>,
     /// A guess of the level for this device.
@@ -273,10 +267,7 @@ impl<'a> Argument<'a> for Start<'a> {
             state: value.field("state").bytes(),
             preset: Argument::read(value.field("preset")),
             config: value.field("config"),
-            kept: value.field("kept").fields(),
             values: value.field("values").fields(),
-            count_overridden: Argument::read(value.field("countOverridden")),
-            spacing_overridden: Argument::read(value.field("spacingOverridden")),
             quality: level("quality"),
             guess: level("guess"),
             paused: Argument::read(value.field("paused")),

@@ -5,8 +5,8 @@
 
 use hearth_bindings::{memory, panic, parts, values};
 use hearth_core::{IgniteError, IgnitionTarget, SprayError, Vec2};
-use hearth_settings::Requested;
 use hearth_settings::untrusted::{Untrusted, ValidationError};
+use hearth_settings::{Change, Settings};
 use js_sys::Set;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -237,22 +237,22 @@ impl Engine {
         let found = self.fires.iter_mut().find(|fire| fire.id() == id);
         let fire = match (found, command) {
             (None, Command::Add { start }) => {
-                let (requested, errors) = change::at_first(&start);
-                if let Some(part) = parts::missing(&requested.scene, loaded) {
+                let (settings, errors) = change::at_first(&start);
+                if let Some(part) = parts::missing(settings.scene(), loaded) {
                     return Ok(Answer::Missing(part));
                 }
                 if !errors.is_empty() {
                     events.refused(id, 0, &errors);
                 }
-                let values = requested.completed();
+                let values = settings.completed();
                 if let Err(error) =
                     memory::reserve(None, &values, MachineLimit::new(self.on_page).particles())
                 {
                     events.error(id, ErrorKind::Memory, &error.message);
                     return Ok(Answer::Done);
                 }
-                events.ready(id, &requested);
-                let mut fire = Fire::new(id, requested, &start, self.on_page);
+                events.ready(id, &settings);
+                let mut fire = Fire::new(id, settings, &start, self.on_page);
                 let drawable = self.canvas.gpu().is_some();
                 fire.set_drawable(drawable);
                 if !drawable {
@@ -270,31 +270,21 @@ impl Engine {
             }
         };
         let (fire, command) = fire;
-        if let Some(requested) = change::after(fire.requested(), &command) {
-            let requested = requested?;
-            if let Some(part) = parts::missing(&requested.scene, loaded) {
+        if let Some((change, source)) = change::of_command(&command) {
+            let settings = fire.settings().after(&change)?;
+            if let Some(part) = parts::missing(settings.scene(), loaded) {
                 return Ok(Answer::Missing(part));
             }
-            let [old, new] = [fire.requested(), &requested].map(Requested::completed);
+            let [old, new] = [fire.settings(), &settings].map(Settings::completed);
             memory::reserve(
                 Some(&old),
                 &new,
                 MachineLimit::new(self.on_page).particles(),
             )
             .map_err(|error| vec![error])?;
-            if let Command::Set { source, .. }
-            | Command::Restore { source, .. }
-            | Command::AddObject { source, .. }
-            | Command::ChangeObject { source, .. }
-            | Command::RemoveObject { source, .. }
-            | Command::Preset { source, .. }
-            | Command::Import { source, .. } = &command
-            {
-                let replaced = matches!(command, Command::Preset { .. } | Command::Import { .. });
-                fire.request(requested, source, replaced, events);
-            }
-            if let Command::AddObject { .. } = command {
-                let added = fire.requested().scene.objects().last();
+            fire.change(settings, source, change.replaces(), events);
+            if let Change::AddObject(_) = change {
+                let added = fire.settings().scene().objects().last();
                 let id = added.map_or(0, |object| object.id);
                 events.answer(fire.id(), request, &id.into());
                 return Ok(Answer::Deferred);
@@ -303,10 +293,10 @@ impl Engine {
         }
         match command {
             Command::CheckValues { values } => {
-                hearth_settings::with_values(&fire.requested().scene, values)?;
+                fire.settings().after(&Change::Set(values))?;
             }
             Command::Export {} => {
-                events.config(id, request, fire.requested());
+                events.config(id, request, fire.settings());
                 return Ok(Answer::Deferred);
             }
             Command::Resize {

@@ -2,9 +2,9 @@
 //!
 //! | type | other fields |
 //! |---|---|
-//! | `ready` | `fire`; `values`: all of them; `countOverridden`, `spacingOverridden`, `preset` |
+//! | `ready` | `fire`; `values`: all of them; `objects`; `preset`; `config`: the settings file |
 //! | `done` | `fire`, `request`; `value`: the result, if the command has one |
-//! | `changed` | as `ready`, but `values`: those that changed; `source`; `replaced`: whether the values of both models were |
+//! | `changed` | as `ready`, but what changed, `undefined` for a field that `config` has no longer; `source`; `replaced`: whether a preset or a file replaced all |
 //! | `refused` | `fire`, `request`; `errors`: id, value, message and, for a number, min and max |
 //! | `stats` | `fire`; `stats`: see [`stats`](crate::stats) |
 //! | `quality` | `fire`; `requested`: auto or a level; `quality`: the level; `reason` |
@@ -12,15 +12,12 @@
 //! | `warming` | `fire`: a new fire warms up and replaces the picture then |
 //! | `error` | `fire`; `kind`: unsupported, context-lost, load; `message`; `burns`: whether the fire burns nevertheless |
 //! | `restored` | `fire`: its lost context is restored |
-//!
-//! `countOverridden`, `spacingOverridden`: whether a page set the number of particles, or their spacing, which then
-//! ignores the quality.
 
 use hearth_bindings::{Record, values};
 use hearth_core::params::PARAMETERS;
 use hearth_settings::file::export;
-use hearth_settings::untrusted::ValidationError;
-use hearth_settings::{OBJECTS, Requested, objects};
+use hearth_settings::untrusted::{Untrusted, ValidationError};
+use hearth_settings::{OBJECTS, Settings, objects};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -63,56 +60,51 @@ impl Events {
     }
 
     /// A new fire has these settings.
-    pub fn ready(&self, fire: u32, requested: &Requested) {
+    pub fn ready(&self, fire: u32, settings: &Settings) {
         let event = event("ready", fire);
-        self.put_values(&event, requested, None);
+        self.put_settings(&event, settings, None);
         self.post(&event);
     }
 
-    /// Settings changed from `old`; posts nothing if they did not. `replaced`: the values of the
-    /// other model changed, too.
-    pub fn changed(
-        &self,
-        fire: u32,
-        source: &str,
-        replaced: bool,
-        old: &Requested,
-        new: &Requested,
-    ) {
+    /// Settings changed from `old`; posts nothing if they did not. `replaced`: a preset or a file
+    /// replaced them.
+    pub fn changed(&self, fire: u32, source: &str, replaced: bool, old: &Settings, new: &Settings) {
         let event = event("changed", fire);
         event.set_flag("replaced", replaced);
         event.set_text("source", source);
-        let state = |settings: &Requested| {
-            let overridden = (settings.count_overridden, settings.spacing_overridden);
-            (settings.preset, overridden)
-        };
-        let same = state(old) == state(new);
-        if self.put_values(&event, new, Some(old)) || replaced || !same {
+        if old != new || replaced {
+            self.put_settings(&event, new, Some(old));
             self.post(&event);
         }
     }
 
-    /// Adds the settings that differ from `old` to an event. Returns whether any differ.
-    fn put_values(&self, event: &Record, requested: &Requested, old: Option<&Requested>) -> bool {
+    /// Adds the settings that differ from `old` to an event.
+    fn put_settings(&self, event: &Record, settings: &Settings, old: Option<&Settings>) {
         let values = Record::new();
-        let mut any = false;
         for param in PARAMETERS {
-            let value = param.get(requested.parameters());
+            let value = param.get(settings.parameters());
             if old.is_none_or(|old| param.get(old.parameters()) != value) {
                 values.set_value(param.id, value);
-                any = true;
             }
         }
         event.set_object("values", &values);
-        let now = objects(&requested.scene, None);
-        if old.is_none_or(|old| objects(&old.scene, None) != now) {
+        let now = objects(settings.scene(), None);
+        if old.is_none_or(|old| objects(old.scene(), None) != now) {
             event.set_any(OBJECTS, &values::to_js(&now));
-            any = true;
         }
-        event.set_flag("countOverridden", requested.count_overridden);
-        event.set_flag("spacingOverridden", requested.spacing_overridden);
-        event.set_text("preset", requested.preset);
-        any
+        let (before, now) = (old.map(export), export(settings));
+        let config = Record::new();
+        for (name, _) in before.iter().chain([&now]).flat_map(Untrusted::fields) {
+            let value = now.field(name);
+            if before
+                .as_ref()
+                .is_none_or(|before| before.field(name) != value)
+            {
+                config.set_any(name, &values::to_js(value));
+            }
+        }
+        event.set_object("config", &config);
+        event.set_text("preset", settings.preset().name);
     }
 
     /// A request is done; 0: no request.
@@ -130,8 +122,8 @@ impl Events {
     }
 
     /// A request for the settings is done.
-    pub fn config(&self, fire: u32, request: u32, requested: &Requested) {
-        self.answer(fire, request, &values::to_js(&export(requested)));
+    pub fn config(&self, fire: u32, request: u32, settings: &Settings) {
+        self.answer(fire, request, &values::to_js(&export(settings)));
     }
 
     /// Values or arguments are invalid.

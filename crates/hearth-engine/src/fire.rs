@@ -27,7 +27,7 @@ use crate::pointer::PointerForce;
 use hearth_core::resolution::Level;
 use hearth_core::resolution::SizeLimit;
 use hearth_core::warm_up::WarmUp;
-use hearth_settings::{Requested, adapt};
+use hearth_settings::{Settings, adapt};
 
 /// The time of a frame.
 #[derive(Clone, Copy, Debug)]
@@ -57,7 +57,7 @@ pub struct Fire {
     id: u32,
     /// The settings of the simulation, except for the number of particles that the quality
     /// decides.
-    requested: Requested,
+    settings: Settings,
     pub(crate) simulation: Simulation,
     warm_up: WarmUp,
     /// Whether a new fire starts before the next step.
@@ -100,14 +100,14 @@ pub struct Fire {
 impl Fire {
     /// A fire before its first step. It is not visible and has no size. `on_page`: its thread is
     /// the page's own.
-    pub fn new(id: u32, requested: Requested, start: &Start<'_>, on_page: bool) -> Fire {
+    pub fn new(id: u32, settings: Settings, start: &Start<'_>, on_page: bool) -> Fire {
         let guess = start.guess.unwrap_or(Level::Medium);
         let quality = Quality::new(start.quality, guess);
         let warm_up = WarmUp::new(start.warm, start.state.to_vec());
         let mut fire = Fire {
             id,
             simulation: Simulation::new(Parameters::default()),
-            requested,
+            settings,
             starts: warm_up.is_enabled(),
             drawn: false,
             warm_up,
@@ -146,28 +146,28 @@ impl Fire {
         self.id
     }
 
-    /// The requested settings.
-    pub fn requested(&self) -> &Requested {
-        &self.requested
+    /// The settings, except for the number of particles that the quality decides.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
     }
 
     /// Applies other settings from the next step and picture on. `replaced`: they replace all
     /// earlier settings, not single values.
-    pub fn request(&mut self, requested: Requested, source: &str, replaced: bool, events: &Events) {
-        let old = &self.requested;
-        events.changed(self.id, source, replaced, old, &requested);
-        if requested.parameters().model != old.parameters().model {
+    pub fn change(&mut self, settings: Settings, source: &str, replaced: bool, events: &Events) {
+        let old = &self.settings;
+        events.changed(self.id, source, replaced, old, &settings);
+        if settings.parameters().model != old.parameters().model {
             self.averages.forget_steps();
         }
-        if !requested.costs_like(old) {
+        if !settings.costs_like(old) {
             self.real_time.forget_losses();
             self.quality.skip();
             self.machine_limit.restart();
         }
         let time = self.simulation.time();
         // The fire of another scene starts without gas of the previous one.
-        let differs = burning::digest(&requested.scene) != burning::digest(&old.scene);
-        self.requested = requested;
+        let differs = burning::digest(settings.scene()) != burning::digest(old.scene());
+        self.settings = settings;
         self.adapt();
         let restarted = replaced && differs || self.simulation.time() < time;
         if self.warm_up.is_enabled() && (restarted || differs && !self.drawn) {
@@ -186,7 +186,7 @@ impl Fire {
         self.adapt();
     }
 
-    /// Applies the requested settings and the number of particles to the simulation, which
+    /// Applies the settings and the number of particles to the simulation, which
     /// resamples a burning fire.
     fn adapt(&mut self) {
         let scene = self.scene();
@@ -294,7 +294,7 @@ impl Fire {
     /// Sends the simulation the part of the world that the picture shows before it is enlarged.
     fn send_seen_domain(&mut self) {
         let (width, height) = self.size;
-        let values = self.requested.parameters();
+        let values = self.settings.parameters();
         // The map of what is seen needs less memory than so many particles.
         let has_room = !values.has_open_edges() || memory::has_room(MAP_MEMORY_IN_PARTICLES);
         if width == 0 || height == 0 || !has_room {
@@ -375,7 +375,7 @@ impl Fire {
     /// measures nothing, or is not drawn yet.
     pub(crate) fn measured(&self) -> Option<[f32; 2]> {
         let (mode, ends) = self.renderer.scale()?;
-        (mode == self.requested.parameters().display_mode).then_some(ends)
+        (mode == self.settings.parameters().display_mode).then_some(ends)
     }
 
     /// Whether the fire is on stage: visible, with a size and a context.

@@ -1,10 +1,9 @@
 //! Untrusted values and objects applied to a scene.
 
-use hearth_core::params::{IN_DOMAIN, Input, ParamError, Parameters};
+use crate::untrusted::{Ids, Untrusted, ValidationError, Values, one_of};
+use hearth_core::params::{Input, Model, ParamError, Parameters};
 use hearth_core::preset::Preset;
 use hearth_core::scene::{Object, Scene};
-
-use crate::untrusted::{Untrusted, ValidationError, Values, one_of};
 
 /// The id of the model.
 const MODEL: &str = "model";
@@ -23,30 +22,11 @@ const A_LIST: &str = "an array of objects, each with a kind and its properties";
 ///
 /// # Errors
 /// Every invalid value.
-pub fn with_values(scene: &Scene, values: Values<'_>) -> Result<Scene, Vec<ValidationError>> {
-    changed(scene, values, false)
-}
-
-/// The scene of a document: a preset, or the defaults, with these values, all of them or none. Its
-/// resolution is [completed](Preset::complete).
-///
-/// # Errors
-/// Every invalid value.
-pub fn document(
-    preset: Option<&Preset>,
+pub(crate) fn with_values(
+    scene: &Scene,
     values: Values<'_>,
 ) -> Result<Scene, Vec<ValidationError>> {
-    let base = preset.map_or_else(Scene::default, Preset::scene);
-    let mut scene = with_values(&base, values)?;
-    let names = |name: &str| values.iter().any(|(id, _)| id == name);
-    let mut settings = scene.settings().clone();
-    let [spacing, number] = ["spacing", "max_particles"].map(names);
-    match preset {
-        Some(preset) => preset.complete(&mut settings, spacing, number),
-        None => settings.complete(spacing, number, IN_DOMAIN),
-    }
-    scene.set_settings(settings);
-    Ok(scene)
+    changed(scene, values, false)
 }
 
 /// `scene` with the defaults of the parameters with these ids, all of them or none. The id
@@ -54,8 +34,9 @@ pub fn document(
 ///
 /// # Errors
 /// Every unknown id.
-pub fn with_defaults(scene: &Scene, values: Values<'_>) -> Result<Scene, Vec<ValidationError>> {
-    changed(scene, values, true)
+pub(crate) fn with_defaults(scene: &Scene, ids: Ids<'_>) -> Result<Scene, Vec<ValidationError>> {
+    let named = |id: &Untrusted| (id.text().to_owned(), Untrusted::Missing);
+    changed(scene, &ids.iter().map(named).collect::<Vec<_>>(), true)
 }
 
 fn changed(
@@ -78,9 +59,21 @@ fn changed(
 ///
 /// # Errors
 /// Every invalid value.
-pub fn with_settings(scene: &Scene, config: Values<'_>) -> Result<Scene, Vec<ValidationError>> {
+pub(crate) fn with_settings(
+    scene: &Scene,
+    config: Values<'_>,
+) -> Result<Scene, Vec<ValidationError>> {
     let mut new = scene.clone();
     let mut errors = Vec::new();
+    let present = scene.settings().model();
+    for (field, values) in config {
+        let mut models = [Model::Classic, Model::Combustion].into_iter();
+        if let Some(model) = models.find(|model| model.name() == field) {
+            let mut scene = Scene::new(of_model(new.settings(), model));
+            change(&mut scene, values.fields(), false, &mut errors);
+            new.set_settings(of_model(scene.settings(), present));
+        }
+    }
     // Values are applied first, because the model decides the properties of objects. Values
     // after the objects are applied again.
     let is_values = |(field, _): &&(String, Untrusted)| field == VALUES;
@@ -95,11 +88,6 @@ pub fn with_settings(scene: &Scene, config: Values<'_>) -> Result<Scene, Vec<Val
         }
     }
     Ok(new)
-}
-
-/// Sets the valid ones of these values and appends an error for each invalid one.
-pub fn set_valid(scene: &mut Scene, values: Values<'_>, errors: &mut Vec<ValidationError>) {
-    change(scene, values, false, errors);
 }
 
 /// Changes the model first, because it decides the domains of the other parameters.
@@ -138,6 +126,14 @@ fn change(
     scene.set_settings(settings);
 }
 
+/// The same parameters, with `model` as the present model.
+pub(crate) fn of_model(parameters: &Parameters, model: Model) -> Parameters {
+    let mut parameters = parameters.clone();
+    let set = parameters.set(MODEL, Input::Text(model.name()));
+    debug_assert_eq!(set, Ok(()));
+    parameters
+}
+
 /// Replaces all objects, or none.
 fn replace(scene: &mut Scene, list: &Untrusted, errors: &mut Vec<ValidationError>) {
     let Untrusted::List(list) = list else {
@@ -159,7 +155,7 @@ fn replace(scene: &mut Scene, list: &Untrusted, errors: &mut Vec<ValidationError
 ///
 /// # Errors
 /// There is no object with this id, or every invalid field.
-pub fn with_object(
+pub(crate) fn with_object(
     scene: &Scene,
     id: Option<u32>,
     sent: Option<Values<'_>>,

@@ -5,17 +5,21 @@
 //! it. Settings hold nothing about the device. The file of a scene has the same format, with a
 //! label and a description.
 //!
-//! `objects` is the whole list, and missing if it is the preset's. The first source
-//! holds its differences from the preset, other objects those from the defaults. `values` may hold
-//! parameters of the first source, too: the later of two values of one property wins.
+//! `values` are those of the present model, `classic` or `combustion` those that the other model has for
+//! itself.
+//!
+//! `objects` is the whole list, and missing if at most the properties of the first source differ from the
+//! preset: they are `values` then. In the list, the first source holds its differences from the preset, other
+//! objects those from the defaults. If both state a property of the first source, the later one wins.
 //!
 //! `values` without `spacing` state the resolution of open air as the number of particles that would
 //! fill the domain: `max_particles` or, without it, that of the preset.
 
-use crate::apply::{OBJECTS, objects, with_settings};
-use crate::requested::{COUNT, Requested, SPACING};
+use crate::apply::{OBJECTS, objects, of_model, with_settings};
+use crate::settings::{Settings, StatedResolution};
 use crate::untrusted::{Argument, Check, Form, Untrusted, ValidationError, Values};
-use hearth_core::params::{Input, Model, PARAMETERS};
+use hearth_core::Scene;
+use hearth_core::params::{Model, PARAMETERS};
 use hearth_core::preset::Preset;
 use hearth_core::scene::Kind;
 
@@ -23,133 +27,118 @@ use hearth_core::scene::Kind;
 pub const VERSION: u32 = 2;
 
 /// The fields and their checks.
-const FIELDS: [(&str, Check); 6] = [
+const FIELDS: [(&str, Check); 8] = [
     ("hearth", Check::optional(Form::Any)),
     ("preset", Check::optional(Form::Text)),
     ("values", Check::optional(Form::Values)),
+    ("classic", Check::optional(Form::Values)),
+    ("combustion", Check::optional(Form::Values)),
     (OBJECTS, Check::optional(Form::Any)),
     ("label", Check::optional(Form::Text)),
     ("description", Check::optional(Form::Text)),
 ];
 
-/// Settings in the right format. Their values are not checked yet.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Config<'a> {
-    /// The preset.
-    pub preset: Option<&'a str>,
-    /// The parameters that differ from it.
-    pub values: Values<'a>,
-    /// All fields in their order.
-    fields: Values<'a>,
+/// Checks the format and returns the fields in their order.
+fn fields(config: &Untrusted) -> Result<Values<'_>, ValidationError> {
+    let Untrusted::Object(fields) = config else {
+        let allowed = "an object with the fields preset, values and objects";
+        return Err(ValidationError::new("config", config, allowed));
+    };
+    for (name, value) in fields {
+        match FIELDS.iter().find(|(known, _)| known == name) {
+            Some((_, check)) => check.test(name, value)?,
+            None => return Err(unknown_field(name, value)),
+        }
+    }
+    let version = config.field("hearth");
+    if !version.is_missing() && version.number() != f64::from(VERSION) {
+        let allowed = format!("{VERSION}, the version of the format");
+        return Err(ValidationError::new("hearth", version, &allowed));
+    }
+    let values = ["values", "classic", "combustion"].map(|field| config.field(field).fields());
+    if let Some((id, value)) = values.into_iter().flatten().find(|(id, _)| id == OBJECTS) {
+        let allowed = "beside the values, not among them";
+        return Err(ValidationError::new(id, value, allowed));
+    }
+    Ok(fields)
 }
 
-impl<'a> Config<'a> {
-    /// Checks the format.
-    ///
-    /// # Errors
-    /// The first field that does not conform.
-    pub fn parse(config: &'a Untrusted) -> Result<Config<'a>, ValidationError> {
-        let Untrusted::Object(fields) = config else {
-            let allowed = "an object with the fields preset, values and objects";
-            return Err(ValidationError::new("config", config, allowed));
-        };
-        for (name, value) in fields {
-            match FIELDS.iter().find(|(known, _)| known == name) {
-                Some((_, check)) => check.test(name, value)?,
-                None => return Err(unknown_field(name, value)),
-            }
-        }
-        let version = config.field("hearth");
-        if !version.is_missing() && version.number() != f64::from(VERSION) {
-            let allowed = format!("{VERSION}, the version of the format");
-            return Err(ValidationError::new("hearth", version, &allowed));
-        }
-        let values = config.field("values").fields();
-        if let Some((id, value)) = values.iter().find(|(id, _)| id == OBJECTS) {
-            let allowed = "beside the values, not among them";
-            return Err(ValidationError::new(id, value, allowed));
-        }
-        Ok(Config {
-            preset: Argument::read(config.field("preset")),
-            values,
-            fields,
-        })
-    }
-
-    /// The request that untrusted settings make.
-    ///
-    /// # Errors
-    /// All their validation errors.
-    pub fn requested_by(config: &'a Untrusted) -> Result<Requested, Vec<ValidationError>> {
-        Config::parse(config)
-            .map_err(|error| vec![error])?
-            .requested()
-    }
-
-    /// The request that the settings make.
-    ///
-    /// # Errors
-    /// All their validation errors.
-    pub fn requested(&self) -> Result<Requested, Vec<ValidationError>> {
-        let base = match self.preset {
-            Some(name) => Requested::of_preset(name)?,
-            None => Requested::default(),
-        };
-        let scene = with_settings(&base.scene, self.fields)?;
-        let combustion = scene.settings().model() == Model::Combustion;
-        let sets = |name: &str| combustion && self.values.iter().any(|(id, _)| id == name);
-        let mut requested = Requested {
-            count_overridden: sets(COUNT),
-            spacing_overridden: sets(SPACING),
-            scene,
-            ..base
-        };
-        requested.follow_domain();
-        Ok(requested)
-    }
+/// Reads a settings file.
+pub(crate) fn read(config: &Untrusted) -> Result<Settings, Vec<ValidationError>> {
+    let fields = fields(config).map_err(|error| vec![error])?;
+    let base = match Argument::read(config.field("preset")) {
+        Some(name) => Settings::of_preset(name)?,
+        None => Settings::default(),
+    };
+    let scene = with_settings(base.scene(), fields)?;
+    let combustion = Model::Combustion.name();
+    let fields_of_combustion = match scene.settings().model() {
+        Model::Combustion => &["values", combustion][..],
+        Model::Classic => &[combustion],
+    };
+    let names = |name: &str| {
+        let mut fields = fields_of_combustion.iter();
+        fields.any(|field| !config.field(field).field(name).is_missing())
+    };
+    let resolution = StatedResolution::among(&names).unwrap_or_default();
+    Ok(base.with(scene, resolution))
 }
 
-/// Writes settings that [`Config::parse`] reads: the preset and the differences from it.
-pub fn export(requested: &Requested) -> Untrusted {
-    let now = requested.parameters();
-    let preset = &requested.preset().parameters();
-    let mut base = preset.clone();
+/// The values of `model` that differ from the preset, and the stated resolution. With `own`, only those that
+/// the other model does not share. Without `source`, no property of the first source.
+fn differences(settings: &Settings, model: Model, own: bool, source: bool) -> Untrusted {
+    let preset = &settings.preset().parameters();
+    let now = &of_model(settings.parameters(), model);
     // Each model has its own defaults.
-    let set = base.set("model", Input::Text(now.model.name()));
-    debug_assert_eq!(set, Ok(()));
-    let has_source = requested
-        .scene
-        .objects()
-        .any(|object| object.is_first_source());
-    let mut values = Vec::new();
-    for param in PARAMETERS {
+    let base = &of_model(preset, model);
+    let differing = PARAMETERS.iter().filter_map(|param| {
         let mut properties = Kind::SOURCE.properties();
-        let of_source = has_source && properties.any(|property| property.id == param.id);
-        let before = if param.id == "model" { preset } else { &base };
+        let of_source = !source && properties.any(|property| property.id == param.id);
+        let domain = param.domain(model)?;
+        let before = if param.id == "model" { preset } else { base };
         let value = param.get(now);
-        let differs = match param.id {
-            // A spacing that follows the domain is not stated.
-            SPACING => requested.spacing_overridden,
-            COUNT => value != param.get(before) || requested.exports_count(),
-            _ => value != param.get(before),
+        let differs = if StatedResolution::is_part(param.id) && model == Model::Combustion {
+            settings.states(param.id)
+        } else {
+            value != param.get(before)
         };
-        // The properties of the first source are written with the objects.
-        if differs && !of_source && param.domain(now.model()).is_some() {
-            values.push(Untrusted::named(param.id, Untrusted::of_value(value)));
-        }
-    }
-    let mut fields = vec![Untrusted::named(
-        "hearth",
-        Untrusted::Number(VERSION.into()),
-    )];
-    if requested.preset != Preset::all()[0].name {
-        let name = Untrusted::Text(requested.preset.to_owned());
+        let is_written = differs && !of_source && (!own || domain.model.is_some());
+        is_written.then(|| Untrusted::named(param.id, Untrusted::of_value(value)))
+    });
+    Untrusted::Object(differing.collect())
+}
+
+/// The other objects and the name of the first source, if the preset has them too.
+fn has_objects_of_preset(settings: &Settings) -> bool {
+    let without_values = |scene: &Scene| objects(scene, Some(scene.settings()));
+    without_values(settings.scene()) == without_values(&settings.preset().scene())
+}
+
+/// Writes settings as a settings file: the preset and the differences from it.
+pub fn export(settings: &Settings) -> Untrusted {
+    let now = settings.parameters();
+    let number = Untrusted::Number(VERSION.into());
+    let mut fields = vec![Untrusted::named("hearth", number)];
+    if settings.preset().name != Preset::all()[0].name {
+        let name = Untrusted::Text(settings.preset().name.to_owned());
         fields.push(Untrusted::named("preset", name));
     }
-    fields.push(Untrusted::named("values", Untrusted::Object(values)));
-    let list = objects(&requested.scene, Some(&base));
-    let of_preset = requested.preset().scene();
-    if list != objects(&of_preset, Some(of_preset.settings())) {
+    let lists_objects = !has_objects_of_preset(settings);
+    let mut objects_now = settings.scene().objects();
+    let lists_source = lists_objects && objects_now.any(|object| object.is_first_source());
+    let values = differences(settings, now.model(), false, !lists_source);
+    fields.push(Untrusted::named("values", values));
+    let other = match now.model() {
+        Model::Classic => Model::Combustion,
+        Model::Combustion => Model::Classic,
+    };
+    let values = differences(settings, other, true, true);
+    if !values.fields().is_empty() {
+        fields.push(Untrusted::named(other.name(), values));
+    }
+    if lists_objects {
+        let base = of_model(&settings.preset().parameters(), now.model());
+        let list = objects(settings.scene(), Some(&base));
         fields.push(Untrusted::named(OBJECTS, list));
     }
     Untrusted::Object(fields)

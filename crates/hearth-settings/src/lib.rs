@@ -4,23 +4,20 @@
 //! an invalid value is a [`ValidationError`] and changes nothing.
 //!
 //! ```
-//! use hearth_settings::file::Config;
 //! use hearth_settings::untrusted::Untrusted;
+//! use hearth_settings::{Change, Settings};
 //!
 //! let values = Untrusted::Object(vec![("fuel_power".into(), Untrusted::Number(-1.0))]);
-//! let file = Untrusted::Object(vec![("values".into(), values)]);
-//! let errors = Config::requested_by(&file).err().ok_or("accepted")?;
+//! let change = Change::Set(values.fields());
+//! let errors = Settings::default().after(&change).err().ok_or("accepted")?;
 //! assert!(errors[0].message.contains("fuel_power = -1 is refused"));
 //! # Ok::<(), &str>(())
 //! ```
 
 mod apply;
 pub mod file;
-mod requested;
+mod settings;
 pub mod untrusted;
 
-pub use apply::{
-    OBJECTS, document, objects, preset, set_valid, with_defaults, with_object, with_settings,
-    with_values,
-};
-pub use requested::{COUNT, Requested, SPACING, adapt};
+pub use apply::{OBJECTS, objects, preset};
+pub use settings::{Change, Settings, StatedResolution, adapt};

@@ -2,9 +2,11 @@
 
 use hearth_bindings::{Record, memory, panic, parts, values};
 use hearth_core::params::{PARAMETERS, Parameters};
+use hearth_core::preset::Preset;
 use hearth_core::simulation::ParticleError;
 use hearth_core::{IgniteError, IgnitionTarget, Scene, Simulation, SprayError, Vec2};
 use hearth_settings::untrusted::{Untrusted, ValidationError};
+use hearth_settings::{Change, Settings};
 use js_sys::{Array, Set};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
@@ -14,6 +16,7 @@ use crate::particles;
 /// A simulation. Arrays of its particles are copies, in the order of birth.
 #[wasm_bindgen]
 pub struct Fire {
+    settings: Settings,
     simulation: Simulation,
 }
 
@@ -34,12 +37,16 @@ impl Fire {
     ) -> Result<Fire, JsValue> {
         panic::record();
         let preset = preset
-            .map(|name| hearth_settings::preset(&name))
-            .transpose();
-        let preset = preset.map_err(|error| thrown(vec![error]))?;
-        let scene = hearth_settings::document(preset, &columns(&ids, &values));
-        let simulation = Simulation::new(affordable(None, scene, loaded)?);
-        Ok(Fire { simulation })
+            .as_deref()
+            .map_or_else(|| Ok(Settings::default()), Settings::of_preset);
+        let changed = preset.and_then(|preset| preset.after(&Change::Set(&columns(&ids, &values))));
+        let settings = changed.map_err(thrown)?;
+        let scene = affordable(None, &settings, loaded)?;
+        let simulation = Simulation::new(scene);
+        Ok(Fire {
+            settings,
+            simulation,
+        })
     }
 
     /// The place and the text of the last panic; empty before the first.
@@ -101,15 +108,14 @@ impl Fire {
     /// Every value that is refused and every id that is unknown; the name of a [part](parts) that
     /// is not among the `loaded` ones.
     pub fn set(&mut self, ids: Array, values: Option<Array>, loaded: &Set) -> Result<(), JsValue> {
-        let old = self.simulation.scene();
-        let changed = match values {
-            Some(values) => hearth_settings::with_values(old, &columns(&ids, &values)),
-            None if ids.length() == 0 => Ok(Scene::default()),
-            None => hearth_settings::with_defaults(old, &columns(&ids, &Array::new())),
-        };
-        let scene = affordable(Some(self.simulation.parameters()), changed, loaded)?;
-        self.simulation.set_scene(scene);
-        Ok(())
+        if let Some(values) = values {
+            return self.change(&Change::Set(&columns(&ids, &values)), loaded);
+        }
+        if ids.length() == 0 {
+            return self.change(&Change::Preset(Preset::all()[0].name), loaded);
+        }
+        let ids: Vec<_> = ids.iter().map(|id| values::scalar(&id)).collect();
+        self.change(&Change::Restore(&ids), loaded)
     }
 
     /// The objects as plain data.
@@ -133,9 +139,12 @@ impl Fire {
     ) -> Result<u32, JsValue> {
         let fields = names.zip(values);
         let fields = fields.map(|(names, values)| columns(&names, &values));
-        let changed = hearth_settings::with_object(self.simulation.scene(), id, fields.as_deref());
-        let scene = affordable(Some(self.simulation.parameters()), changed, loaded)?;
-        self.simulation.set_scene(scene);
+        let change = match (id, &fields) {
+            (Some(id), Some(fields)) => Change::ChangeObject(id, fields),
+            (Some(id), None) => Change::RemoveObject(id),
+            (None, fields) => Change::AddObject(fields.as_deref().unwrap_or_default()),
+        };
+        self.change(&change, loaded)?;
         let last = self.simulation.scene().objects().last();
         Ok(last.map_or(0, |object| object.id))
     }
@@ -228,13 +237,23 @@ impl Fire {
     }
 }
 
-/// The scene, with its parts and memory for its particles.
+impl Fire {
+    fn change(&mut self, change: &Change<'_>, loaded: &Set) -> Result<(), JsValue> {
+        let settings = self.settings.after(change).map_err(thrown)?;
+        let scene = affordable(Some(self.simulation.parameters()), &settings, loaded)?;
+        self.simulation.set_scene(scene);
+        self.settings = settings;
+        Ok(())
+    }
+}
+
+/// The scene of settings, with its parts and memory for its particles.
 fn affordable(
     old: Option<&Parameters>,
-    scene: Result<Scene, Vec<ValidationError>>,
+    settings: &Settings,
     loaded: &Set,
 ) -> Result<Scene, JsValue> {
-    let scene = scene.map_err(thrown)?;
+    let scene = settings.at(settings.resolution().number());
     if let Some(part) = parts::missing(&scene, loaded) {
         return Err(part.into());
     }

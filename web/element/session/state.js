@@ -15,12 +15,8 @@ export class FireState {
   params = /** @type {HearthParameters} */ ({ ...DEFAULTS });
   /** @type {Required<import('../../parameters.js').HearthObject>[]} */
   objects = [];
-  /** The values before the model changed, which a change back restores. @type {Partial<HearthParameters>} */
-  #kept = {};
-  /** Whether the page set the number of particles, as the engine reports it. */
-  #countIsSet = false;
-  /** The same of the spacing of particles. */
-  #spacingIsSet = false;
+  /** All settings as a file. @type {import('../types.js').HearthConfig | undefined} */
+  #config;
   /** Whether the engine has reported the values of a fire. */
   started = false;
   /** @type {PresetName} */
@@ -31,14 +27,11 @@ export class FireState {
   stats = null;
 
   /** Takes over the values of a message. @param {Message} message */
-  take({ type, values, objects, replaced, countOverridden, spacingOverridden, preset }) {
+  take({ type, values, objects, config, preset }) {
     if (type === 'ready') this.started = true;
-    else if (replaced) this.#kept = {};
-    else if ('model' in values) this.#kept = this.params;
     this.params = { ...this.params, ...values };
     this.objects = objects ?? this.objects;
-    this.#countIsSet = countOverridden;
-    this.#spacingIsSet = spacingOverridden;
+    this.#config = { ...this.#config, ...config };
     this.preset = preset;
   }
 
@@ -49,11 +42,8 @@ export class FireState {
    * @param {unknown} config the settings in the file
    */
   start(fire, paused, config) {
-    const { preset, params, objects, quality } = this;
-    if (this.started) {
-      const own = { countOverridden: this.#countIsSet, spacingOverridden: this.#spacingIsSet };
-      return { preset, kept: this.#kept, values: { ...params, objects }, ...own, quality, paused };
-    }
+    const { quality } = this;
+    if (this.started) return { config: this.#config, quality, paused };
     const model = fire.getAttribute('model');
     return {
       preset: fire.getAttribute('preset') ?? undefined,

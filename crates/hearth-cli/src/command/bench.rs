@@ -45,12 +45,12 @@ impl Bench {
     /// # Errors
     /// A value is refused, or the driver fails.
     pub fn run(&self) -> Result<(), Error> {
-        let requested = self.fire.requested(&self.scene, &[])?;
+        let settings = self.fire.settings(&self.scene, &[])?;
         let (offscreen, shared) = self.driver.open()?;
         self.driver.warn(&shared);
         let options = self.fire.picture(self.size, 1);
         let mut painter = Painter::new(&offscreen, &shared, options)?;
-        let mut fire = self.fire.fire(&requested, self.size);
+        let mut fire = self.fire.fire(&settings, self.size);
         let progress = Progress::new(self.at);
         progress.name(&self.scene);
         let mut counter = Counter::new(&progress);

@@ -8,7 +8,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use hearth_core::params::Colour;
 use hearth_core::resolution::Level;
 use hearth_render::{Camera, Fit, SharedResources, TargetFormat};
-use hearth_settings::Requested;
+use hearth_settings::Settings;
 
 use crate::error::Error;
 use crate::painter::{PictureOptions, resources};
@@ -75,16 +75,16 @@ impl FireOptions {
     ///
     /// # Errors
     /// There is no such scene, or a value is refused.
-    pub fn requested(&self, scene: &str, others: &[Setting]) -> Result<Requested, Error> {
+    pub fn settings(&self, scene: &str, others: &[Setting]) -> Result<Settings, Error> {
         let seed = self.seed.iter();
         let seed = seed.map(|seed| ("seed".to_owned(), seed.clone()));
         let values: Vec<_> = self.set.iter().chain(others).cloned().chain(seed).collect();
-        scene::requested(scene, &values)
+        scene::settings(scene, &values)
     }
 
     /// A fire of these settings before its first step, for pictures of that size.
-    pub fn fire(&self, requested: &Requested, size: [u32; 2]) -> Fire {
-        let mut fire = Fire::new(requested.clone(), self.quality, self.warm);
+    pub fn fire(&self, settings: &Settings, size: [u32; 2]) -> Fire {
+        let mut fire = Fire::new(settings.clone(), self.quality, self.warm);
         fire.see(size, self.camera());
         fire
     }

@@ -47,13 +47,13 @@ impl Render {
         let background: Vec<_> = background
             .map(|colour| ("background".to_owned(), colour.clone()))
             .collect();
-        let requested = self.fire.requested(&self.scene, &background)?;
+        let settings = self.fire.settings(&self.scene, &background)?;
         let output = Output::new(&self.out, self.force)?;
         let (offscreen, shared) = self.driver.open()?;
         self.driver.warn(&shared);
         let options = self.fire.picture(self.size, self.supersample);
         let mut painter = Painter::new(&offscreen, &shared, options)?;
-        let mut fire = self.fire.fire(&requested, self.size);
+        let mut fire = self.fire.fire(&settings, self.size);
         let progress = Progress::new(self.at);
         progress.name(&self.scene);
         let mut counter = Counter::new(&progress);

@@ -6,7 +6,7 @@ use std::thread;
 
 use clap::Args;
 use hearth_core::preset::Preset;
-use hearth_settings::Requested;
+use hearth_settings::Settings;
 
 use super::options::{DriverOptions, FireOptions, age, background, interval, size};
 use super::progress::{Counter, Progress};
@@ -90,9 +90,9 @@ impl Sheet {
         let layout = Layout::new(self, of_scene, scenes.len() as u64 * of_scene)?;
         let output = Output::new(&self.out, self.force)?;
         // Every scene is checked before the first burns.
-        let checked = scenes.iter().map(|scene| self.fire.requested(scene, &[]));
-        let requested = checked.collect::<Result<Vec<_>, _>>()?;
-        let rows = self.rows(&scenes, &requested, &moments)?;
+        let checked = scenes.iter().map(|scene| self.fire.settings(scene, &[]));
+        let settings = checked.collect::<Result<Vec<_>, _>>()?;
+        let rows = self.rows(&scenes, &settings, &moments)?;
         let mut canvas = Canvas::new(layout);
         let mut tile = 0;
         for (scene, row) in scenes.iter().zip(rows) {
@@ -127,7 +127,7 @@ impl Sheet {
     fn rows(
         &self,
         scenes: &[String],
-        requested: &[Requested],
+        settings: &[Settings],
         moments: &[f64],
     ) -> Result<Vec<Row>, Error> {
         let last = moments.last().copied().unwrap_or(0.0);
@@ -141,13 +141,13 @@ impl Sheet {
             }
             loop {
                 let number = next.fetch_add(1, Ordering::Relaxed);
-                let Some((scene, requested)) = scenes.get(number).zip(requested.get(number)) else {
+                let Some((scene, settings)) = scenes.get(number).zip(settings.get(number)) else {
                     return Ok(());
                 };
                 progress.name(scene);
                 let options = self.fire.picture(self.tile, self.supersample);
                 let mut painter = Painter::new(&offscreen, &shared, options)?;
-                let mut fire = self.fire.fire(requested, self.tile);
+                let mut fire = self.fire.fire(settings, self.tile);
                 let mut counter = Counter::new(&progress);
                 let mut row = Row::new();
                 for &moment in moments {

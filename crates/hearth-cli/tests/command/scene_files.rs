@@ -1,4 +1,4 @@
-use hearth_settings::file::Config;
+use hearth_settings::Settings;
 use hearth_settings::untrusted::Untrusted;
 
 use crate::harness::{CHEAP, Folder, Run};
@@ -62,7 +62,7 @@ fn a_refused_file_has_the_messages_of_the_element() {
         ("[]", Untrusted::List(Vec::new())),
         ("1", number(1.0)),
     ] {
-        let errors = Config::requested_by(&value).expect_err("a refusal");
+        let errors = Settings::of_file(&value).expect_err("a refusal");
         let messages: Vec<_> = errors.iter().map(|error| &*error.message).collect();
         fed(&folder, json).refuses(&messages);
     }

@@ -55,7 +55,7 @@ impl Fire {
     }
 
     fn scene_with(&self, count: ParticleCount) -> Scene {
-        self.requested.at(count.number)
+        self.settings.at(count.number)
     }
 
     /// The present number of particles, and what limits it.
@@ -66,7 +66,7 @@ impl Fire {
     /// The number of particles at a level.
     fn count_at(&self, level: Level, is_coarse: bool) -> ParticleCount {
         ParticleCount::of(&CountInputs {
-            settings: self.requested.resolution(),
+            settings: self.settings.resolution(),
             level,
             is_level_requested: self.quality.requested().is_some(),
             size: self.size_limit,
@@ -77,13 +77,13 @@ impl Fire {
 
     /// The number of particles at each level, if the level decides it.
     pub(super) fn counts_of_levels(&self) -> Option<[u32; 3]> {
-        let follows = self.requested.resolution() == Resolution::Level;
+        let follows = self.settings.resolution() == Resolution::Level;
         follows.then(|| Level::ALL.map(|level| self.count_at(level, false).number))
     }
 
     /// Adapts the number of particles to the time of a step \[ms\].
     pub(super) fn measure(&mut self, step: f64, events: &Events) {
-        let resolution = self.requested.resolution();
+        let resolution = self.settings.resolution();
         if resolution == Resolution::Level {
             return;
         }

@@ -46,7 +46,7 @@ impl Fire {
         events: &Events,
     ) -> f64 {
         let now = time.now;
-        let scale = f64::from(self.requested.parameters().time_scale);
+        let scale = f64::from(self.settings.parameters().time_scale);
         // The warm-up comes before requested steps.
         let warms =
             self.is_warming() && (self.is_on_stage() || self.step_requests.next_open().is_some());

@@ -2,13 +2,11 @@
 
 use hearth_core::params::{Input, Model, PARAMETERS};
 use hearth_core::preset::Preset;
-use hearth_engine::change::after;
-use hearth_engine::commands::Command;
-use hearth_settings::Requested;
-use hearth_settings::file::{Config, export};
-use hearth_settings::untrusted::{Untrusted, Whole};
+use hearth_settings::file::export;
+use hearth_settings::untrusted::Untrusted;
+use hearth_settings::{Change, Settings};
 
-use crate::harness::{imported, text};
+use crate::harness::{after, imported, set, text};
 
 fn object(fields: Vec<(&str, Untrusted)>) -> Untrusted {
     let named = fields.into_iter().map(|(id, value)| (id.to_owned(), value));
@@ -16,8 +14,8 @@ fn object(fields: Vec<(&str, Untrusted)>) -> Untrusted {
 }
 
 /// Ids of the exported values, and the number of exported objects.
-fn differing(requested: &Requested) -> (Vec<String>, usize) {
-    let config = export(requested);
+fn differing(settings: &Settings) -> (Vec<String>, usize) {
+    let config = export(settings);
     let ids = match config.field("values") {
         Untrusted::Object(values) => values.iter().map(|(id, _)| id.clone()).collect(),
         _ => vec!["no values".to_owned()],
@@ -30,29 +28,15 @@ fn differing(requested: &Requested) -> (Vec<String>, usize) {
 }
 
 fn errors(config: &Untrusted) -> Vec<String> {
-    let refused = Config::requested_by(config).err().unwrap_or_default();
+    let refused = Settings::of_file(config).err().unwrap_or_default();
     refused.into_iter().map(|error| error.message).collect()
-}
-
-fn set(requested: &Requested, id: &str, value: Untrusted) -> Requested {
-    let values = &[(id.to_owned(), value)];
-    match after(
-        requested,
-        &Command::Set {
-            values,
-            source: "test",
-        },
-    ) {
-        Some(Ok(requested)) => requested,
-        other => panic!("{id} gives {other:?}"),
-    }
 }
 
 #[test]
 fn an_unchanged_preset_exports_no_values() {
     for preset in Preset::all() {
-        let requested = Requested::of_preset(preset.name);
-        let changes = requested.as_ref().map(differing);
+        let settings = Settings::of_preset(preset.name);
+        let changes = settings.as_ref().map(differing);
         assert_eq!(changes, Ok((vec![], 0)), "{}", preset.name);
     }
 }
@@ -61,14 +45,14 @@ fn an_unchanged_preset_exports_no_values() {
 fn import_restores_every_exported_change() {
     for preset in Preset::all() {
         for model in [Model::Classic, Model::Combustion] {
-            let requested = Requested::of_preset(preset.name).unwrap_or_default();
-            let mut requested = set(&requested, "model", text(model.name()));
+            let settings = Settings::of_preset(preset.name).unwrap_or_default();
+            let mut settings = set(&settings, "model", text(model.name()));
             for param in PARAMETERS {
                 let Some(domain) = param.domain(model) else {
                     continue;
                 };
                 let (min, max) = domain.range;
-                let mut parameters = requested.parameters().clone();
+                let mut parameters = settings.parameters().clone();
                 let one_end = if param.get(&parameters).as_number() == Some(max) {
                     min
                 } else {
@@ -76,42 +60,38 @@ fn import_restores_every_exported_change() {
                 };
                 // Only numbers are changed.
                 if parameters.set(param.id, Input::Number(one_end)).is_ok() {
-                    requested = set(&requested, param.id, Untrusted::Number(one_end));
+                    settings = set(&settings, param.id, Untrusted::Number(one_end));
                 }
             }
-            let back = imported(&export(&requested));
+            let back = imported(&export(&settings));
             for param in PARAMETERS {
-                if param.domain(model).is_some() {
-                    let values = (
-                        param.get(back.parameters()),
-                        param.get(requested.parameters()),
-                    );
-                    assert_eq!(values.0, values.1, "{} of {}", param.id, preset.name);
-                }
+                let [back, before] = [&back, &settings].map(|all| param.get(all.parameters()));
+                assert_eq!(back, before, "{} of {}", param.id, preset.name);
             }
-            assert_eq!(export(&back), export(&requested));
-            assert_eq!(back.preset, preset.name);
+            assert_eq!(export(&back), export(&settings));
+            assert_eq!(back.preset().name, preset.name);
         }
     }
 }
 
 #[test]
-fn export_includes_a_requested_number_of_particles() {
-    let requested = Requested::default();
-    let default = f64::from(requested.parameters().max_particles);
-    assert_eq!(differing(&requested), (vec![], 0));
-    let requested = set(&requested, "max_particles", Untrusted::Number(default));
-    assert_eq!(differing(&requested), (vec!["max_particles".to_owned()], 0));
-    assert!(imported(&export(&requested)).count_overridden);
+fn export_includes_a_stated_number_of_particles() {
+    let settings = Settings::default();
+    let default = f64::from(settings.parameters().max_particles);
+    assert_eq!(differing(&settings), (vec![], 0));
+    let settings = set(&settings, "max_particles", Untrusted::Number(default));
+    assert_eq!(differing(&settings), (vec!["max_particles".to_owned()], 0));
+    assert_eq!(imported(&export(&settings)), settings);
 }
 
 #[test]
 fn import_replaces_all_settings() {
-    let requested = set(&Requested::default(), "exposure", Untrusted::Number(1.0));
+    let settings = set(&Settings::default(), "exposure", Untrusted::Number(1.0));
     let config = &object(vec![("values", object(vec![]))]);
-    let source = "test";
-    let after = after(&requested, &Command::Import { config, source });
-    assert_eq!(after, Some(Ok(Requested::default())));
+    assert_eq!(
+        after(&settings, Change::Import(config)),
+        Settings::default()
+    );
 }
 
 #[test]
@@ -201,14 +181,19 @@ fn sources(all: &[&[(&str, f64)]]) -> Untrusted {
 
 #[test]
 fn properties_of_the_first_source_are_exported_once() {
-    let requested = set(&Requested::default(), "source_x", Untrusted::Number(0.2));
-    let requested = set(&requested, "wind", Untrusted::Number(1.0));
+    let settings = set(&Settings::default(), "source_x", Untrusted::Number(0.2));
+    let settings = set(&settings, "wind", Untrusted::Number(1.0));
     assert_eq!(
-        export(&requested),
+        export(&settings),
         object(vec![
             ("hearth", Untrusted::Number(2.0)),
-            ("values", object(vec![("wind", Untrusted::Number(1.0))])),
-            ("objects", sources(&[&[("x", 0.2)]])),
+            (
+                "values",
+                object(vec![
+                    ("wind", Untrusted::Number(1.0)),
+                    ("source_x", Untrusted::Number(0.2)),
+                ]),
+            ),
         ])
     );
 }
@@ -216,7 +201,7 @@ fn properties_of_the_first_source_are_exported_once() {
 #[test]
 fn import_restores_objects_with_their_ids() {
     let two = set(
-        &Requested::default(),
+        &Settings::default(),
         "objects",
         sources(&[&[("x", -0.3)], &[("power", 50.0)]]),
     );
@@ -238,24 +223,10 @@ fn import_restores_objects_with_their_ids() {
         ("width", Untrusted::Number(0.123)),
     ];
     let solids = Untrusted::List([solid, polygon, mask].map(self::object).into());
-    let solids = set(&Requested::default(), "objects", solids);
-    assert_eq!(solids.scene.solids().count(), 3);
-    let command = Command::AddObject {
-        object,
-        source: "test",
-    };
-    let Some(Ok(three)) = after(&two, &command) else {
-        panic!("refused");
-    };
-    let Some(Ok(fewer)) = after(
-        &three,
-        &Command::RemoveObject {
-            id: Whole(1),
-            source: "test",
-        },
-    ) else {
-        panic!("refused");
-    };
+    let solids = set(&Settings::default(), "objects", solids);
+    assert_eq!(solids.scene().solids().count(), 3);
+    let three = after(&two, Change::AddObject(object));
+    let fewer = after(&three, Change::RemoveObject(1));
     let none = set(&two, "objects", Untrusted::List(vec![]));
     // A source that is on a solid keeps the id of that solid.
     let on_solid = vec![
@@ -265,11 +236,11 @@ fn import_restores_objects_with_their_ids() {
     ];
     let ninth = vec![("kind", text("solid")), ("id", Untrusted::Number(9.0))];
     let burning = Untrusted::List([on_solid, ninth].map(self::object).into());
-    let burning = set(&Requested::default(), "objects", burning);
-    assert!(burning.scene.solid_of(burning.parameters()).is_some());
-    for requested in [&two, &three, &fewer, &none, &solids, &burning] {
-        let back = imported(&export(requested));
-        assert_eq!(back.scene, requested.scene, "{:?}", export(requested));
+    let burning = set(&Settings::default(), "objects", burning);
+    assert!(burning.scene().solid_of(burning.parameters()).is_some());
+    for settings in [&two, &three, &fewer, &none, &solids, &burning] {
+        let back = imported(&export(settings));
+        assert_eq!(back.scene(), settings.scene(), "{:?}", export(settings));
     }
     assert_eq!(fewer.parameters().fuel_power, 50.0);
     assert_eq!(none.parameters().source_x, -0.3);
@@ -283,17 +254,8 @@ fn the_later_of_two_values_of_a_property_wins() {
         ([first.clone(), other.clone()], 50.0),
         ([other, first], 100.0),
     ] {
-        let set = after(
-            &Requested::default(),
-            &Command::Set {
-                values: &values,
-                source: "test",
-            },
-        );
-        let Some(Ok(requested)) = set else {
-            panic!("{values:?} was refused");
-        };
-        assert_eq!(requested.parameters().fuel_power, power);
+        let settings = after(&Settings::default(), Change::Set(&values));
+        assert_eq!(settings.parameters().fuel_power, power);
         let fields = values.map(|(id, value)| match id.as_str() {
             "objects" => ("objects", value),
             id => ("values", object(vec![(id, value)])),
@@ -340,46 +302,24 @@ fn errors_name_the_invalid_object_and_no_object_changes() {
             ("wind".to_owned(), Untrusted::Number(1.0)),
             ("objects".to_owned(), objects),
         ];
-        let command = Command::Set {
-            values,
-            source: "test",
-        };
-        assert!(matches!(
-            after(&Requested::default(), &command),
-            Some(Err(_))
-        ));
+        assert!(Settings::default().after(&Change::Set(values)).is_err());
     }
-    let command = Command::ChangeObject {
-        id: Whole(1),
-        values: &[("x".to_owned(), text("far"))],
-        source: "test",
-    };
-    let Some(Err(invalid)) = after(&Requested::default(), &command) else {
+    let far = &[("x".to_owned(), text("far"))];
+    let Err(invalid) = Settings::default().after(&Change::ChangeObject(1, far)) else {
         panic!("accepted");
     };
     assert_eq!(invalid[0].id, "objects[0].x");
     assert_eq!(invalid[0].value, text("far"));
     assert_eq!(invalid[0].range, Some((-3.0, 3.0)));
-    let command = Command::RemoveObject {
-        id: Whole(9),
-        source: "test",
-    };
-    assert!(matches!(
-        after(&Requested::default(), &command),
-        Some(Err(_))
-    ));
+    assert!(Settings::default().after(&Change::RemoveObject(9)).is_err());
     let values = object(vec![("values", object(vec![("objects", sources(&[]))]))]);
     assert!(errors(&values)[0].contains("beside the values"));
 }
 
 #[test]
 fn restoring_the_objects_gives_one_source_with_the_values_of_the_settings() {
-    let requested = set(&Requested::default(), "source_x", Untrusted::Number(0.2));
-    let two = set(&requested, "objects", sources(&[&[], &[]]));
+    let settings = set(&Settings::default(), "source_x", Untrusted::Number(0.2));
+    let two = set(&settings, "objects", sources(&[&[], &[]]));
     let ids = &[text("objects")];
-    let command = Command::Restore {
-        ids,
-        source: "test",
-    };
-    assert_eq!(after(&two, &command), Some(Ok(requested)));
+    assert_eq!(after(&two, Change::Restore(ids)), settings);
 }

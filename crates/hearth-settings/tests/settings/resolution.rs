@@ -1,18 +1,16 @@
 //! Settings, links and attributes without a spacing, with open edges: the resolution is that of their
 //! number of particles in their domain.
 
-use crate::harness::{at_level, imported, text};
+use crate::harness::{after, at_level, imported, set, text};
 use hearth_core::Simulation;
 use hearth_core::params::{IN_DOMAIN, Parameters};
 use hearth_core::preset::Preset;
 use hearth_core::resolution::Level;
 use hearth_core::resolution::Resolution;
 use hearth_core::resolution::SizeLimit;
-use hearth_engine::change::after;
-use hearth_engine::commands::Command;
-use hearth_settings::Requested;
 use hearth_settings::file::export;
 use hearth_settings::untrusted::Untrusted;
+use hearth_settings::{Change, Settings};
 
 /// Width and height of the domain \[m\], and the number of particles at medium quality.
 type Box = (f32, f32, u32);
@@ -110,7 +108,7 @@ fn read(link: &str) -> (String, Vec<(String, Untrusted)>) {
 }
 
 /// The settings that a link requests: as a file, and as attributes in both orders.
-fn opened(link: &str) -> [Requested; 3] {
+fn opened(link: &str) -> [Settings; 3] {
     let (preset, values) = read(link);
     let file = Untrusted::Object(vec![
         named("hearth", Untrusted::Number(2.0)),
@@ -118,14 +116,9 @@ fn opened(link: &str) -> [Requested; 3] {
         named("values", Untrusted::Object(values.clone())),
     ]);
     let attributes = |values: &mut dyn Iterator<Item = &(String, Untrusted)>| {
-        let first = Requested::of_preset(&preset).unwrap_or_else(|errors| panic!("{errors:?}"));
-        values.fold(first, |requested, value| {
-            let values = std::slice::from_ref(value);
-            let source = "attribute";
-            match after(&requested, &Command::Set { values, source }) {
-                Some(Ok(after)) => after,
-                other => panic!("{other:?}"),
-            }
+        let first = after(&Settings::default(), Change::Preset(&preset));
+        values.fold(first, |settings, value| {
+            after(&settings, Change::Set(std::slice::from_ref(value)))
         })
     };
     [
@@ -135,8 +128,8 @@ fn opened(link: &str) -> [Requested; 3] {
     ]
 }
 
-fn assert_opens_as(requested: &Requested, (width, height, number): Box, name: &str) {
-    let values = requested.completed();
+fn assert_opens_as(settings: &Settings, (width, height, number): Box, name: &str) {
+    let values = settings.completed();
     assert!(values.has_open_edges());
     assert_eq!(
         (values.domain_width, values.domain_height),
@@ -157,14 +150,14 @@ fn assert_opens_as(requested: &Requested, (width, height, number): Box, name: &s
         values.max_particles
     );
     // A page reads the spacing that the fire has.
-    assert_eq!(requested.parameters().spacing, values.spacing, "{name}");
+    assert_eq!(settings.parameters().spacing, values.spacing, "{name}");
 }
 
 #[test]
 fn scenes_and_links_without_a_spacing_have_the_resolution_of_their_number_of_particles() {
     for (name, closed) in SCENES {
-        for requested in opened(&format!("scene={name}")) {
-            assert_opens_as(&requested, closed, name);
+        for settings in opened(&format!("scene={name}")) {
+            assert_opens_as(&settings, closed, name);
         }
     }
     for (link, closed) in LINKS {
@@ -173,14 +166,6 @@ fn scenes_and_links_without_a_spacing_have_the_resolution_of_their_number_of_par
         for attributes in [forward, backward] {
             assert_eq!(attributes.completed(), file.completed(), "{link}");
             assert_eq!(attributes.parameters(), file.parameters(), "{link}");
-        }
-        // The library reads the same.
-        let (preset, values) = read(link);
-        let library = hearth_settings::preset(&preset)
-            .map(|preset| hearth_settings::document(Some(preset), &values));
-        match library {
-            Ok(Ok(scene)) => assert_eq!(*scene.settings(), file.completed(), "{link}"),
-            other => panic!("{link}: {other:?}"),
         }
         // And once more, after an export.
         let again = imported(&export(&file));
@@ -205,10 +190,10 @@ fn periodic_edges_and_the_classic_model_keep_their_box() {
 
 #[test]
 fn the_levels_set_the_spacing_of_open_air() {
-    let [requested, ..] = opened("domain-width=2.4");
-    assert_eq!(requested.resolution(), Resolution::Level);
+    let [settings, ..] = opened("domain-width=2.4");
+    assert_eq!(settings.resolution(), Resolution::Level);
     for level in Level::ALL {
-        let scene = at_level(&requested, level);
+        let scene = at_level(&settings, level);
         let values = scene.settings();
         let number = f64::from(values.domain_particles());
         assert!((number / f64::from(level.particles()) - 1.0).abs() < 0.003);
@@ -216,9 +201,9 @@ fn the_levels_set_the_spacing_of_open_air() {
     }
     // A page that names the resolution fixes it.
     for link in ["spacing=0.02", "max-particles=5000", "max-particles=3000"] {
-        for requested in opened(link) {
-            assert!(matches!(requested.resolution(), Resolution::Page(_)));
-            let [low, high] = [Level::Low, Level::High].map(|level| at_level(&requested, level));
+        for settings in opened(link) {
+            assert!(matches!(settings.resolution(), Resolution::Page(_)));
+            let [low, high] = [Level::Low, Level::High].map(|level| at_level(&settings, level));
             assert_eq!(low, high, "{link}");
         }
     }
@@ -231,38 +216,30 @@ fn a_number_of_particles_beside_a_spacing_is_a_cap() {
         "max-particles=1500&spacing=0.02&domain-width=3",
         "scene=candle&max-particles=1500&spacing=0.02",
     ] {
-        for requested in opened(link) {
-            let values = requested.completed();
+        for settings in opened(link) {
+            let values = settings.completed();
             assert_eq!(
                 (values.spacing, values.max_particles),
                 (0.02, 1500),
                 "{link}"
             );
-            assert_eq!(imported(&export(&requested)), requested, "{link}");
+            assert_eq!(imported(&export(&settings)), settings, "{link}");
         }
     }
     // Without a number, the cap leaves room.
-    let [requested, ..] = opened("spacing=0.01");
-    assert!(requested.completed().max_particles >= 2 * 21_600);
+    let [settings, ..] = opened("spacing=0.01");
+    assert!(settings.completed().max_particles >= 2 * 21_600);
 }
 
 #[test]
 fn without_a_spacing_the_resolution_follows_the_frame_again() {
-    let change = |requested: &Requested, command: &Command<'_>| match after(requested, command) {
-        Some(Ok(after)) => after,
-        other => panic!("{other:?}"),
-    };
-    let source = "property";
-    let [requested, ..] = opened("spacing=0.02");
-    let values = &[named("domain_width", Untrusted::Number(2.4))];
-    let wide = change(&requested, &Command::Set { values, source });
+    let [settings, ..] = opened("spacing=0.02");
+    let wide = set(&settings, "domain_width", Untrusted::Number(2.4));
     assert_eq!(wide.completed().spacing, 0.02);
-    let ids = &[text("spacing")];
-    let free = change(&wide, &Command::Restore { ids, source });
+    let free = after(&wide, Change::Restore(&[text("spacing")]));
     assert_eq!(free.resolution(), Resolution::Level);
     assert_opens_as(&free, (2.4, 1.8, IN_DOMAIN), "restored");
-    let ids = &[text("domain_width")];
-    let back = change(&free, &Command::Restore { ids, source });
+    let back = after(&free, Change::Restore(&[text("domain_width")]));
     assert_eq!(back.parameters().spacing, Parameters::default().spacing);
 }
 
@@ -300,9 +277,9 @@ fn an_icon_burns_with_a_few_hundred_particles() {
         "scene=candle",
         "scene=torch",
     ] {
-        let [requested, ..] = opened(link);
+        let [settings, ..] = opened(link);
         let number = SizeLimit::of(64.0).of_level(Level::Medium);
-        let mut fire = Simulation::new(requested.at(number));
+        let mut fire = Simulation::new(settings.at(number));
         let mut most = 0;
         while fire.time() < 2.0 {
             fire.step();

@@ -1,0 +1,89 @@
+//! What a new fire starts with.
+
+use crate::harness::{Sent, number, object, sent, text};
+use hearth_core::Parameters;
+use hearth_core::params::Model;
+use hearth_engine::change::at_first;
+use hearth_engine::commands::Start;
+use hearth_settings::Settings;
+use hearth_settings::untrusted::{Argument, Untrusted, ValidationError};
+
+/// The values of a model.
+fn of_model<const N: usize>(model: &str, values: [(&str, Untrusted); N]) -> Sent {
+    let mut all = sent([("model", text(model))]);
+    all.extend(sent(values));
+    all
+}
+
+/// The parameters of a new fire, and the errors in its start.
+fn starting_values(start: &Untrusted) -> (Parameters, Vec<ValidationError>) {
+    let (settings, errors) = at_first(&Start::read(start));
+    (settings.parameters().clone(), errors)
+}
+
+/// A start with these values only.
+fn start(values: Sent) -> Untrusted {
+    object([("values", Untrusted::Object(values))])
+}
+
+fn ids(errors: &[ValidationError]) -> Vec<&str> {
+    errors.iter().map(|error| error.id.as_str()).collect()
+}
+
+#[test]
+fn a_new_fire_takes_the_valid_values_beside_an_invalid_one() {
+    let values = of_model(
+        "classic",
+        [("viscosity", number(0.02)), ("bloom", text("much"))],
+    );
+    let (parameters, errors) = starting_values(&object([
+        ("preset", text("no such preset")),
+        ("values", Untrusted::Object(values)),
+    ]));
+    assert_eq!(parameters.viscosity, 0.02);
+    assert_eq!(parameters.bloom, Parameters::default().bloom);
+    assert_eq!(ids(&errors), ["preset", "bloom"]);
+}
+
+#[test]
+fn the_order_of_values_does_not_change_the_start() {
+    let mut sent = of_model(
+        "classic",
+        [
+            ("emission_speed", number(2.5)),
+            ("domain_height", number(1.0)),
+        ],
+    );
+    let (parameters, errors) = starting_values(&start(sent.clone()));
+    assert_eq!(errors, []);
+    assert_eq!(parameters.model(), Model::Classic);
+    assert_eq!(
+        (parameters.emission_speed, parameters.domain_height),
+        (2.5, 1.0)
+    );
+    sent.reverse();
+    assert_eq!(starting_values(&start(sent)), (parameters, Vec::new()));
+}
+
+#[test]
+fn a_model_among_the_values_overrides_that_of_the_preset() {
+    let (parameters, errors) = starting_values(&object([
+        ("preset", text("classic")),
+        ("values", Untrusted::Object(of_model("combustion", []))),
+    ]));
+    assert_eq!(errors, []);
+    assert_eq!(parameters, Parameters::new(Model::Combustion));
+}
+
+#[test]
+fn a_recreated_fire_has_the_settings_of_its_file() {
+    let config = object([
+        ("preset", text("candle")),
+        ("values", object([("max_particles", number(2000.0))])),
+        ("classic", object([("domain_height", number(3.0))])),
+    ]);
+    let file = object([("config", config.clone())]);
+    let (settings, errors) = at_first(&Start::read(&file));
+    assert_eq!(errors, []);
+    assert_eq!(Ok(settings), Settings::of_file(&config));
+}

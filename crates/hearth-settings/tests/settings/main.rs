@@ -1,0 +1,8 @@
+//! Settings: what changes them, and their projections.
+
+mod changes;
+mod config;
+mod harness;
+mod resolution;
+mod sequences;
+mod values;

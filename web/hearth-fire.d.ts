@@ -93,7 +93,7 @@ export class HearthFire extends HTMLElement {
   get fpsLimit(): string;
   set fpsLimit(value: number | string);
   /** Simulated seconds, 0 to 30, before the first frame of a new fire; 3 if the attribute has no value. The poster or the last frame stays meanwhile. */
-  get warm(): number;
+  get warm(): number | false;
   set warm(value: number | boolean | string);
   /** The fire reacts to pointers: they stir it, a click emits sparks, a drag moves its source. Otherwise clicks pass through it. */
   interactive: boolean;

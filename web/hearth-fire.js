@@ -27,6 +27,7 @@ import {
   FireAttributes,
   ID_OF_PROPERTY,
   defineProperty,
+  isOn,
   setOrRemove,
   upgradeProperties,
 } from './element/attributes/attributes.js';
@@ -124,9 +125,7 @@ class HearthFire extends FireAttributes {
 
   /** @param {HearthObject[]} objects */
   set objects(objects) {
-    // Frameworks set undefined or null to remove a value.
-    if (objects === undefined || objects === null) this.restore('objects');
-    else this.#session.set({ objects });
+    this.#session.set({ objects });
   }
 
   /**
@@ -174,7 +173,7 @@ class HearthFire extends FireAttributes {
   }
 
   set paused(paused) {
-    this.#session.playback.set(Boolean(paused));
+    if (paused !== undefined) this.#session.playback.set(isOn(paused));
   }
 
   /**
@@ -205,7 +204,8 @@ class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   /**
-   * Sets one parameter, or several: all of them or none. Rejects with a RangeError that names the allowed values.
+   * Sets one parameter, or several: all of them or none. `undefined` states nothing, `null` restores the default.
+   * Rejects with a RangeError that names the allowed values.
    * @param {ParameterId | Partial<HearthParameters> & {objects?: HearthObject[]}} ids
    * @param {number | string | boolean} [value]
    * @returns {Promise<void>}
@@ -531,13 +531,11 @@ class HearthFire extends FireAttributes {
 }
 
 for (const [property, id] of ID_OF_PROPERTY) {
-  // Frameworks set undefined or null to remove a value.
   defineProperty(
     HearthFire,
     property,
     (fire) => fire.get(/** @type {ParameterId} */ (id)),
-    (/** @type {any} */ fire, value) =>
-      value === undefined || value === null ? fire.restore(id) : fire.set(id, value),
+    (/** @type {any} */ fire, value) => fire.set(id, value),
   );
 }
 

@@ -109,15 +109,14 @@ class Simulation {
 
   /**
    * The objects: copies, each with its kind, its id and its properties. Setting them replaces
-   * all; `undefined` restores one source.
+   * all; `null` restores one source.
    */
   get objects() {
     return this.#use((fire) => fire.objects());
   }
 
   set objects(objects) {
-    if (objects === undefined || objects === null) this.restore('objects');
-    else this.set({ objects });
+    this.set({ objects });
   }
 
   /**
@@ -151,7 +150,8 @@ class Simulation {
   }
 
   /**
-   * Sets one parameter, or several and `objects`: all of them or none.
+   * Sets one parameter, or several and `objects`: all of them or none. `undefined` states nothing, `null` restores
+   * the default.
    * @param {string | Values} ids
    * @param {unknown} [value]
    */

@@ -218,7 +218,7 @@ export interface HearthReflected {
    * Simulated seconds, 0 to 30, before the first frame of a new fire; 3 if the attribute has no value. The
    * poster or the last frame stays meanwhile.
    */
-  get warm(): number;
+  get warm(): number | false;
   set warm(seconds: number | boolean | string);
   /**
    * The fire reacts to pointers: they stir it, a click emits sparks, a drag moves its source. Otherwise

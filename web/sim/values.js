@@ -59,7 +59,7 @@ function scalar(/** @type {string} */ id, /** @type {any} */ value) {
       )
       .join(' ');
   }
-  return ['string', 'number', 'boolean', 'undefined'].includes(typeof value) ? value : words(value);
+  return value === null || ['string', 'number', 'boolean', 'undefined'].includes(typeof value) ? value : words(value);
 }
 
 /** @param {any[]} list */

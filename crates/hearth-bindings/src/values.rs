@@ -14,8 +14,11 @@ use wasm_bindgen::{JsCast, JsValue};
 
 use crate::Record;
 
-/// Copies a number, a text or a flag. Any other value is missing.
+/// Copies a number, a text, a flag or `null`. Any other value is missing.
 pub fn scalar(value: &JsValue) -> Untrusted {
+    if value.is_null() {
+        return Untrusted::Null;
+    }
     if let Some(number) = value.as_f64() {
         return Untrusted::Number(number);
     }
@@ -38,9 +41,6 @@ fn at_depth(value: &JsValue, depth: u32) -> Untrusted {
     let scalar = scalar(value);
     if !scalar.is_missing() || value.is_undefined() {
         return scalar;
-    }
-    if value.is_null() {
-        return Untrusted::Other("null");
     }
     if !value.is_object() || depth == MAX_DEPTH {
         return Untrusted::Other("an object");
@@ -80,6 +80,7 @@ fn at_depth(value: &JsValue, depth: u32) -> Untrusted {
 pub fn to_js(value: &Untrusted) -> JsValue {
     match value {
         Untrusted::Missing => JsValue::UNDEFINED,
+        Untrusted::Null => JsValue::NULL,
         Untrusted::Number(number) => (*number).into(),
         Untrusted::Text(text) => text.as_str().into(),
         Untrusted::Flag(on) => (*on).into(),
@@ -101,7 +102,7 @@ pub fn record_of(error: &ValidationError) -> Record {
     let record = Record::new();
     record.set_text("id", &error.id);
     match &error.value {
-        Untrusted::Missing => {}
+        Untrusted::Missing | Untrusted::Null => {}
         Untrusted::Number(number) => record.set_number("value", *number),
         Untrusted::Flag(on) => record.set_flag("value", *on),
         other => {

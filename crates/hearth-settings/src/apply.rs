@@ -1,6 +1,6 @@
 //! Untrusted values and objects applied to a scene.
 
-use crate::untrusted::{Ids, Untrusted, ValidationError, Values, one_of};
+use crate::untrusted::{Untrusted, ValidationError, Values, one_of};
 use hearth_core::params::{Input, Model, ParamError, Parameters};
 use hearth_core::preset::Preset;
 use hearth_core::scene::{Object, Scene};
@@ -18,35 +18,18 @@ const VALUES: &str = "values";
 const A_LIST: &str = "an array of objects, each with a kind and its properties";
 
 /// `scene` with these values, all of them or none. The value of `objects` replaces the objects.
-/// Of `objects` and a parameter of the first source, the later one wins.
+/// Of `objects` and a parameter of the first source, the later one wins. `null` restores a default; that of
+/// `objects` is one source.
 ///
 /// # Errors
-/// Every invalid value.
+/// Every invalid value and every unknown id.
 pub(crate) fn with_values(
     scene: &Scene,
     values: Values<'_>,
 ) -> Result<Scene, Vec<ValidationError>> {
-    changed(scene, values, false)
-}
-
-/// `scene` with the defaults of the parameters with these ids, all of them or none. The id
-/// `objects` restores one source.
-///
-/// # Errors
-/// Every unknown id.
-pub(crate) fn with_defaults(scene: &Scene, ids: Ids<'_>) -> Result<Scene, Vec<ValidationError>> {
-    let named = |id: &Untrusted| (id.text().to_owned(), Untrusted::Missing);
-    changed(scene, &ids.iter().map(named).collect::<Vec<_>>(), true)
-}
-
-fn changed(
-    scene: &Scene,
-    values: Values<'_>,
-    to_defaults: bool,
-) -> Result<Scene, Vec<ValidationError>> {
     let mut new = scene.clone();
     let mut errors = Vec::new();
-    change(&mut new, values, to_defaults, &mut errors);
+    change(&mut new, values, &mut errors);
     if errors.is_empty() {
         Ok(new)
     } else {
@@ -70,7 +53,7 @@ pub(crate) fn with_settings(
         let mut models = [Model::Classic, Model::Combustion].into_iter();
         if let Some(model) = models.find(|model| model.name() == field) {
             let mut scene = Scene::new(of_model(new.settings(), model));
-            change(&mut scene, values.fields(), false, &mut errors);
+            change(&mut scene, values.fields(), &mut errors);
             new.set_settings(of_model(scene.settings(), present));
         }
     }
@@ -79,7 +62,7 @@ pub(crate) fn with_settings(
     let is_values = |(field, _): &&(String, Untrusted)| field == VALUES;
     for (field, value) in config.iter().filter(is_values).chain(config) {
         if field == VALUES {
-            change(&mut new, value.fields(), false, &mut errors);
+            change(&mut new, value.fields(), &mut errors);
         } else if field == OBJECTS {
             replace(&mut new, value, &mut errors);
         }
@@ -91,21 +74,16 @@ pub(crate) fn with_settings(
 }
 
 /// Changes the model first, because it decides the domains of the other parameters.
-fn change(
-    scene: &mut Scene,
-    values: Values<'_>,
-    to_defaults: bool,
-    errors: &mut Vec<ValidationError>,
-) {
+fn change(scene: &mut Scene, values: Values<'_>, errors: &mut Vec<ValidationError>) {
     let mut settings = scene.settings().clone();
     for of_model in [true, false] {
         for (id, value) in values {
-            if (id == MODEL) != of_model {
+            if (id == MODEL) != of_model || value.is_missing() {
                 continue;
             }
             if id == OBJECTS {
                 scene.set_settings(settings);
-                if to_defaults {
+                if *value == Untrusted::Null {
                     *scene = Scene::new(scene.settings().clone());
                 } else {
                     replace(scene, value, errors);
@@ -113,10 +91,9 @@ fn change(
                 settings = scene.settings().clone();
                 continue;
             }
-            let changed = if to_defaults {
-                settings.restore(id)
-            } else {
-                settings.set(id, value.input())
+            let changed = match value {
+                Untrusted::Null => settings.restore(id),
+                _ => settings.set(id, value.input()),
             };
             if let Err(error) = changed {
                 errors.push(ValidationError::of_parameter(&error, value));
@@ -134,6 +111,14 @@ pub(crate) fn of_model(parameters: &Parameters, model: Model) -> Parameters {
     parameters
 }
 
+/// The other one of the two models.
+pub(crate) fn other_model(model: Model) -> Model {
+    match model {
+        Model::Classic => Model::Combustion,
+        Model::Combustion => Model::Classic,
+    }
+}
+
 /// Replaces all objects, or none.
 fn replace(scene: &mut Scene, list: &Untrusted, errors: &mut Vec<ValidationError>) {
     let Untrusted::List(list) = list else {
@@ -141,9 +126,20 @@ fn replace(scene: &mut Scene, list: &Untrusted, errors: &mut Vec<ValidationError
     };
     let mut new = scene.clone();
     new.clear();
+    let model = scene.settings().model();
+    let other = other_model(model);
     for object in list {
         let sent = object.fields();
-        if let Err(refused) = new.add(&fields(sent)) {
+        let mut own = fields(sent);
+        own.retain(|(name, _)| *name != other.name());
+        let added = new.add(&own).and_then(|id| {
+            let of_other = object.field(other.name()).fields();
+            new.set_settings(of_model(new.settings(), other));
+            let changed = new.change(id, &fields(of_other));
+            new.set_settings(of_model(new.settings(), model));
+            changed
+        });
+        if let Err(refused) = added {
             return errors.extend(refused.iter().map(|error| of_object(error, sent)));
         }
     }
@@ -178,12 +174,18 @@ pub(crate) fn with_object(
 }
 
 /// The objects of a scene as data. With `from`, the first source has only the properties that
-/// differ from these settings, the other objects those that differ from the defaults, and ids are left
-/// out if they are 1, 2, 3 and so on.
+/// differ from these settings, the other objects those that differ from the defaults, in a field with the name of
+/// the other model those that a source has for it, and ids are left out if they are 1, 2, 3 and so on.
 pub fn objects(scene: &Scene, from: Option<&Parameters>) -> Untrusted {
     let counted = |(index, object): (usize, Object<'_>)| object.id as usize == index + 1;
     let with_ids = from.is_none() || !scene.objects().enumerate().all(counted);
-    let list = scene.objects().map(|object| {
+    let other = other_model(scene.settings().model());
+    let in_other = from.map(|_| {
+        let mut scene = scene.clone();
+        scene.set_settings(of_model(scene.settings(), other));
+        scene
+    });
+    let list = scene.objects().enumerate().map(|(index, object)| {
         let kind = Untrusted::Text(object.kind.name.into());
         let mut fields = vec![Untrusted::named("kind", kind)];
         if with_ids {
@@ -199,14 +201,26 @@ pub fn objects(scene: &Scene, from: Option<&Parameters>) -> Untrusted {
                 fields.push(Untrusted::named(name, Untrusted::of_value(value)));
             }
         }
+        let mut in_other = in_other.iter().flat_map(Scene::objects);
+        let same = in_other.nth(index).filter(|_| !object.is_first_source());
+        let of_other = same.into_iter().flat_map(Object::properties);
+        let of_other = of_other.filter_map(|(name, param, value)| {
+            let domain = param.domain(other)?;
+            let differs = domain.model.is_some() && value != domain.default;
+            differs.then(|| Untrusted::named(name, Untrusted::of_value(value)))
+        });
+        let of_other: Vec<_> = of_other.collect();
+        if !of_other.is_empty() {
+            fields.push(Untrusted::named(other.name(), Untrusted::Object(of_other)));
+        }
         Untrusted::Object(fields)
     });
     Untrusted::List(list.collect())
 }
 
 fn fields<'a>(values: Values<'a>) -> Vec<(&'a str, Input<'a>)> {
-    let fields = values.iter();
-    fields
+    let stated = values.iter().filter(|(_, value)| !value.is_missing());
+    stated
         .map(|(name, value)| (name.as_str(), value.input()))
         .collect()
 }

@@ -15,7 +15,7 @@
 //! `values` without `spacing` state the resolution of open air as the number of particles that would
 //! fill the domain: `max_particles` or, without it, that of the preset.
 
-use crate::apply::{OBJECTS, objects, of_model, with_settings};
+use crate::apply::{OBJECTS, objects, of_model, other_model, with_settings};
 use crate::settings::{Settings, StatedResolution};
 use crate::untrusted::{Argument, Check, Form, Untrusted, ValidationError, Values};
 use hearth_core::Scene;
@@ -56,8 +56,12 @@ fn fields(config: &Untrusted) -> Result<Values<'_>, ValidationError> {
         return Err(ValidationError::new("hearth", version, &allowed));
     }
     let values = ["values", "classic", "combustion"].map(|field| config.field(field).fields());
-    if let Some((id, value)) = values.into_iter().flatten().find(|(id, _)| id == OBJECTS) {
-        let allowed = "beside the values, not among them";
+    let refused = |(id, value): &&(String, Untrusted)| id == OBJECTS || *value == Untrusted::Null;
+    if let Some((id, value)) = values.into_iter().flatten().find(refused) {
+        let allowed = match id.as_str() {
+            OBJECTS => "beside the values, not among them",
+            _ => "a value",
+        };
         return Err(ValidationError::new(id, value, allowed));
     }
     Ok(fields)
@@ -128,10 +132,7 @@ pub fn export(settings: &Settings) -> Untrusted {
     let lists_source = lists_objects && objects_now.any(|object| object.is_first_source());
     let values = differences(settings, now.model(), false, !lists_source);
     fields.push(Untrusted::named("values", values));
-    let other = match now.model() {
-        Model::Classic => Model::Combustion,
-        Model::Combustion => Model::Classic,
-    };
+    let other = other_model(now.model());
     let values = differences(settings, other, true, true);
     if !values.fields().is_empty() {
         fields.push(Untrusted::named(other.name(), values));

@@ -1,6 +1,6 @@
 //! All that is set of a fire, and the one function that changes it.
 
-use crate::apply::{of_model, with_defaults, with_object, with_values};
+use crate::apply::{of_model, with_object, with_values};
 use crate::untrusted::{Ids, Untrusted, ValidationError, Values};
 use crate::{apply, file};
 use hearth_core::params::{Input, Model};
@@ -44,7 +44,8 @@ impl StatedResolution {
 /// A change of settings. Its values are not checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Change<'a> {
-    /// Values of parameters, and the list of `objects`, all or none.
+    /// Values of parameters, and the list of `objects`, all or none. `undefined` states nothing, `null`
+    /// restores.
     Set(Values<'a>),
     /// The defaults of parameters with these ids.
     Restore(Ids<'a>),
@@ -128,40 +129,47 @@ impl Settings {
     /// # Errors
     /// All validation errors of the change.
     pub fn after(&self, change: &Change<'_>) -> Result<Settings, Vec<ValidationError>> {
-        let mut resolution = self.resolution;
-        let scene = match *change {
-            Change::Preset(name) => return Settings::of_preset(name),
-            Change::Import(config) => return Settings::of_file(config),
-            Change::Set(values) => {
-                let scene = with_values(&self.scene, values)?;
-                let names = |name: &str| values.iter().any(|(id, _)| id == name);
-                // The classic model has a number of its own.
-                let combustion = scene.settings().model() == Model::Combustion;
-                match StatedResolution::among(&names).filter(|_| combustion) {
-                    // Beside a spacing, the number is a cap.
-                    Some(StatedResolution::Count) if resolution != StatedResolution::Auto => {}
-                    stated => resolution = stated.unwrap_or(resolution),
-                }
-                scene
-            }
+        let with_object = |id, fields| {
+            let scene = with_object(&self.scene, id, fields)?;
+            Ok(self.with(scene, self.resolution))
+        };
+        match *change {
+            Change::Preset(name) => Settings::of_preset(name),
+            Change::Import(config) => Settings::of_file(config),
+            Change::Set(values) => self.after_values(values),
             Change::Restore(ids) => {
-                let scene = with_defaults(&self.scene, ids)?;
-                let names = |name: &str| ids.iter().any(|id| id.text() == name);
-                let count = names(COUNT) && scene.settings().model() == Model::Combustion;
-                resolution = match resolution {
-                    // Without the spacing, a cap is the number.
-                    StatedResolution::Spacing if names(SPACING) && self.states(COUNT) && !count => {
-                        StatedResolution::Count
-                    }
-                    StatedResolution::Spacing if names(SPACING) => StatedResolution::Auto,
-                    StatedResolution::Count if count => StatedResolution::Auto,
-                    stated => stated,
-                };
-                scene
+                let null = |id: &Untrusted| (id.text().to_owned(), Untrusted::Null);
+                self.after_values(&ids.iter().map(null).collect::<Vec<_>>())
             }
-            Change::AddObject(fields) => with_object(&self.scene, None, Some(fields))?,
-            Change::ChangeObject(id, fields) => with_object(&self.scene, Some(id), Some(fields))?,
-            Change::RemoveObject(id) => with_object(&self.scene, Some(id), None)?,
+            Change::AddObject(fields) => with_object(None, Some(fields)),
+            Change::ChangeObject(id, fields) => with_object(Some(id), Some(fields)),
+            Change::RemoveObject(id) => with_object(Some(id), None),
+        }
+    }
+
+    fn after_values(&self, values: Values<'_>) -> Result<Settings, Vec<ValidationError>> {
+        let scene = with_values(&self.scene, values)?;
+        // The classic model has a number of its own.
+        let combustion = scene.settings().model() == Model::Combustion;
+        let gives = |id: &str, null: bool| {
+            let mut given = values
+                .iter()
+                .filter(|(known, value)| known == id && !value.is_missing());
+            (id == SPACING || combustion)
+                && given.any(|(_, value)| (*value == Untrusted::Null) == null)
+        };
+        use StatedResolution::{Auto, Count, Spacing};
+        let kept = match self.resolution {
+            // Without the spacing, a cap is the number.
+            Spacing if gives(SPACING, true) && self.states(COUNT) && !gives(COUNT, true) => Count,
+            Spacing if gives(SPACING, true) => Auto,
+            Count if gives(COUNT, true) => Auto,
+            kept => kept,
+        };
+        let resolution = match StatedResolution::among(&|id| gives(id, false)) {
+            // Beside a spacing, the number is a cap.
+            Some(Count) if kept == Spacing => Spacing,
+            stated => stated.unwrap_or(kept),
         };
         Ok(self.with(scene, resolution))
     }
@@ -255,10 +263,7 @@ impl Settings {
         let [spacing, count] = [SPACING, COUNT].map(|id| self.states(id));
         self.preset().complete(&mut open, spacing, count);
         put(&mut values, SPACING, Input::Number(open.spacing.into()));
-        let settled = of_model(&values, model);
-        if settled != *self.parameters() {
-            self.scene.set_settings(settled);
-        }
+        self.scene.set_settings(of_model(&values, model));
     }
 
     /// The scene with that [number of particles](hearth_core::resolution::ParticleCount). Only levels raise the cap.

@@ -228,7 +228,7 @@ test('a fire that is hidden, removed or loses its context while it warms is show
 test('an invalid warm time is rejected with the allowed range', async () => {
   const tab = await show('<hearth-fire warm="soon" paused></hearth-fire>');
   await tab.ready();
-  assert.equal(await tab.fire((fire) => fire.warm), 0);
+  assert.equal(await tab.fire((fire) => fire.warm), false);
   const [error] = await events(tab, 'error');
   assert.match(error.message, /warm = soon is refused: it must be a number of seconds from 0 to 30/);
   assert.deepEqual(
@@ -240,7 +240,7 @@ test('an invalid warm time is rejected with the allowed range', async () => {
       }
       return all;
     }),
-    [3, '', 2.5, '2.5', 0, null, 0, '31', 0, null],
+    [3, '', 2.5, '2.5', false, null, false, '31', false, null],
   );
 });
 

@@ -68,7 +68,7 @@ export class FireAttributes extends Base {
   }
 
   set autoplay(autoplay) {
-    setOrRemove(this, 'autoplay', autoplay === undefined ? undefined : Boolean(autoplay));
+    setOrRemove(this, 'autoplay', autoplay === undefined || autoplay === null ? autoplay : isOn(autoplay));
   }
 }
 
@@ -110,18 +110,26 @@ const [WARM_DEFAULT, WARM_MAX] = [3, 30];
  */
 export function warmth(element) {
   const text = element.getAttribute('warm');
-  if (text === null || text === 'false') return 0;
-  const seconds = text.trim() ? Number(text) : WARM_DEFAULT;
+  if (text === null || !isOn(text)) return 0;
+  const seconds = isFlag(text) ? WARM_DEFAULT : Number(text);
   return seconds >= 0 && seconds <= WARM_MAX ? seconds : NaN;
 }
 
-reflect(
-  'warm',
-  (element) => warmth(element) || 0,
-  (element, value) => {
-    setOrRemove(element, 'warm', value === true ? '' : value === false ? undefined : value);
-  },
-);
+/**
+ * Whether an attribute or a property that is a flag is on. Frameworks and servers write `true` and `false` as text.
+ * @param {unknown} value
+ */
+export function isOn(value) {
+  return value === '' || (Boolean(value) && value !== 'false');
+}
+
+/** Whether the text of an attribute that is on has no value besides. @param {string} text */
+export function isFlag(text) {
+  return ['', 'true'].includes(text.trim());
+}
+
+// Off, it is a flag: Vue gives a number the value 0 for an attribute without a value.
+reflect('warm', (element) => warmth(element) || false, setFlag('warm'));
 
 // The others reflect as those of HTML's own elements do: as text, and as flags, which are present or
 // absent.
@@ -144,27 +152,32 @@ reflect(
   (element) => Number(element.getAttribute('zoom')) || 1,
   (element, value) => setOrRemove(element, 'zoom', value),
 );
-reflect(
-  'interactive',
-  (element) => element.hasAttribute('interactive'),
-  (element, value) => element.toggleAttribute('interactive', Boolean(value)),
-);
+reflect('interactive', (element) => isOn(element.getAttribute('interactive')), setFlag('interactive'));
 // A flag, or a list of parameters.
 reflect(
   'controls',
-  (element) => element.getAttribute('controls') || element.hasAttribute('controls'),
-  (element, value) => setOrRemove(element, 'controls', value ? (value === true ? '' : value) : undefined),
+  (element) => {
+    const list = element.getAttribute('controls');
+    return list === null || !isOn(list) ? false : isFlag(list) || list;
+  },
+  setFlag('controls'),
 );
 
+/** Sets a flag, which may have a value. @param {string} name */
+function setFlag(name) {
+  return (/** @type {HTMLElement} */ element, /** @type {unknown} */ value) =>
+    setOrRemove(element, name, value === undefined ? value : !isOn(value) ? null : value === true ? '' : value);
+}
+
 /**
- * Sets an attribute, or removes it for undefined and null.
+ * Sets an attribute, or removes it for null. Undefined states nothing.
  * @param {HTMLElement} element
  * @param {string} name
  * @param {unknown} value
  */
 export function setOrRemove(element, name, value) {
-  if (value === undefined || value === null) element.removeAttribute(name);
-  else element.setAttribute(name, String(value));
+  if (value === null) element.removeAttribute(name);
+  else if (value !== undefined) element.setAttribute(name, String(value));
 }
 
 /**

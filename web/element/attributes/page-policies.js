@@ -193,7 +193,8 @@ export class PagePolicies {
 
   /** Mounts or removes the panel. */
   #control() {
-    const list = this.#burns ? this.#fire.getAttribute('controls') : null;
+    const { controls } = this.#fire;
+    const list = !this.#burns || controls === false ? null : controls === true ? '' : String(controls);
     if (list === this.#controls) return;
     this.#controls = list;
     this.#panel?.abort();

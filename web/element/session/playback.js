@@ -2,6 +2,7 @@
  * Whether a fire plays: what its page requests, and the visitor's preference for reduced motion.
  */
 
+import { isOn, setOrRemove } from '../attributes/attributes.js';
 import { motionIsReduced } from '../view/visibility.js';
 
 /** The playback of one element. */
@@ -37,7 +38,8 @@ export class Playback {
     this.#still = still;
     this.offer();
     // A pause for reduced motion leaves the page's attribute alone.
-    if (!still && this.#fire.hasAttribute('paused') !== paused) this.#fire.toggleAttribute('paused', paused);
+    if (!still && isOn(this.#fire.getAttribute('paused')) !== paused)
+      setOrRemove(this.#fire, 'paused', paused ? '' : null);
     return this.#changed(paused);
   }
 

@@ -197,7 +197,7 @@ const MAX_SHOWN = 100;
 export const cut = (text) => (text.length > MAX_SHOWN ? `${text.slice(0, MAX_SHOWN)}…` : text);
 
 /**
- * A copy of a value as plain data, which can be posted. A value that is no plain data becomes a
+ * A copy of a value as plain data, which can be posted, without fields that are undefined. A value that is no plain data becomes a
  * description or an empty value, which the engine refuses with its id. No getter of the page runs after
  * this, and one that throws affects its own value only.
  * @param {unknown} value
@@ -214,16 +214,16 @@ export function postable(value, depth = 0, longest = MAX_FIELDS) {
     if (value === Object(value) && typeof value !== 'function') {
       const names = depth > 0 ? Object.keys(/** @type {object} */ (value)) : [];
       if (names.length > MAX_FIELDS) return 'an object of more than a thousand fields';
-      return Object.fromEntries(
-        names.map((name) => {
-          try {
-            const most = OUTLINES.includes(name) ? MAX_OUTLINE : MAX_FIELDS;
-            return [cut(name), postable(/** @type {{[name: string]: unknown}} */ (value)[name], depth - 1, most)];
-          } catch {
-            return [cut(name), UNREADABLE];
-          }
-        }),
-      );
+      const fields = names.map((name) => {
+        try {
+          const most = OUTLINES.includes(name) ? MAX_OUTLINE : MAX_FIELDS;
+          return [cut(name), postable(/** @type {{[name: string]: unknown}} */ (value)[name], depth - 1, most)];
+        } catch {
+          return [cut(name), UNREADABLE];
+        }
+      });
+      // A field without a value states nothing.
+      return Object.fromEntries(fields.filter(([, field]) => field !== undefined));
     }
   } catch {
     return UNREADABLE;

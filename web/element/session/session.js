@@ -9,7 +9,7 @@
 
 import { EngineError } from '../../engine/engine.js';
 import { prewarmed } from '../../engine/files.js';
-import { ID_OF_ATTRIBUTE, setOrRemove, warmth } from '../attributes/attributes.js';
+import { ID_OF_ATTRIBUTE, isOn, setOrRemove, warmth } from '../attributes/attributes.js';
 import { EngineConnection } from './engine-connection.js';
 import { OnDemandCode } from './on-demand-code.js';
 import { PagePolicies } from '../attributes/page-policies.js';
@@ -132,7 +132,7 @@ export class FireSession {
     } else if (name === 'quality') {
       this.call('quality', value ?? 'auto');
     } else if (name === 'paused') {
-      if ((value !== null) !== this.playback.paused) this.playback.set(value !== null);
+      if (isOn(value) !== this.playback.paused) this.playback.set(isOn(value));
     } else if (name === 'src') {
       this.#file.change();
     } else if (name === 'warm') {
@@ -264,7 +264,7 @@ export class FireSession {
   #present(connection) {
     if (!this.#ready.awaited || !this.drawable || !(connection.pictured || connection.unseen)) return;
     // Later fires of this element are as warm as its attribute.
-    if (this.#returns) this.send('warm', this.fire.warm);
+    if (this.#returns) this.send('warm', Number(this.fire.warm));
     this.#returns = false;
     const { announced } = this.#ready;
     this.#ready.resolve();

@@ -134,7 +134,7 @@ fn errors_name_the_argument_that_fails_its_check() {
         Untrusted::Flag(true),
         Untrusted::List(vec![number(1.0)]),
         Untrusted::Object(vec![]),
-        Untrusted::Other("null"),
+        Untrusted::Null,
     ];
     let good = |check: &Check| match check.form {
         Form::Any => Untrusted::Missing,

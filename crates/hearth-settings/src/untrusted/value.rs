@@ -23,8 +23,10 @@ pub type Ids<'a> = &'a [Untrusted];
 /// A value as it was sent.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Untrusted {
-    /// None: `undefined` in JavaScript.
+    /// None: `undefined` in JavaScript. It states nothing.
     Missing,
+    /// `null` in JavaScript. It restores what it is the value of.
+    Null,
     /// A number, finite or not.
     Number(f64),
     /// A text.
@@ -99,6 +101,7 @@ impl Untrusted {
     pub fn summary(&self) -> Untrusted {
         match self {
             Untrusted::Missing => Untrusted::Missing,
+            Untrusted::Null => Untrusted::Null,
             Untrusted::Number(number) => Untrusted::Number(*number),
             Untrusted::Flag(on) => Untrusted::Flag(*on),
             Untrusted::Text(text) => Untrusted::Text(text.clone()),
@@ -132,6 +135,7 @@ impl Untrusted {
             Untrusted::Flag(on) => Input::Flag(*on),
             Untrusted::Text(text) => Input::Text(text),
             Untrusted::Missing => Input::Text("undefined"),
+            Untrusted::Null => Input::Text("null"),
             Untrusted::List(_) | Untrusted::Bytes(_) => Input::Text("an array"),
             Untrusted::Object(_) => Input::Text("an object"),
             Untrusted::Other(words) => Input::Text(words),
@@ -154,7 +158,7 @@ mod tests {
             Untrusted::List(vec![Untrusted::Number(1.0)]),
             Untrusted::Object(vec![]),
             Untrusted::Bytes(vec![1]),
-            Untrusted::Other("null"),
+            Untrusted::Null,
         ];
         for param in PARAMETERS {
             for value in &strange {

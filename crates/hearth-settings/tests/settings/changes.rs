@@ -2,7 +2,8 @@
 
 use crate::harness::{after, at_level, sent, text};
 use hearth_core::Simulation;
-use hearth_core::params::Model;
+use hearth_core::params::{Model, PARAMETERS};
+use hearth_core::preset::Preset;
 use hearth_core::resolution::Level;
 use hearth_settings::untrusted::Untrusted;
 use hearth_settings::{Change, Settings, adapt};
@@ -52,6 +53,27 @@ fn the_level_decides_the_number_until_it_is_stated() {
         for other in others {
             assert_eq!(particles(&other), [found; 3]);
         }
+    }
+}
+
+#[test]
+fn undefined_states_nothing_and_null_restores() {
+    for preset in Preset::all() {
+        let settings = Settings::starting_from(preset);
+        let all = |value: Untrusted| {
+            let ids = PARAMETERS
+                .iter()
+                .map(|param| (param.id.to_owned(), value.clone()));
+            after(&settings, Change::Set(&ids.collect::<Vec<_>>()))
+        };
+        assert_eq!(all(Untrusted::Missing), settings);
+        let ids: Vec<_> = PARAMETERS.iter().map(|param| text(param.id)).collect();
+        assert_eq!(
+            all(Untrusted::Null),
+            after(&settings, Change::Restore(&ids))
+        );
+        let x = sent([("x", Untrusted::Missing)]);
+        assert_eq!(after(&settings, Change::ChangeObject(1, &x)), settings);
     }
 }
 

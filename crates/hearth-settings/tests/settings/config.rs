@@ -64,12 +64,7 @@ fn import_restores_every_exported_change() {
                 }
             }
             let back = imported(&export(&settings));
-            for param in PARAMETERS {
-                let [back, before] = [&back, &settings].map(|all| param.get(all.parameters()));
-                assert_eq!(back, before, "{} of {}", param.id, preset.name);
-            }
-            assert_eq!(export(&back), export(&settings));
-            assert_eq!(back.preset().name, preset.name);
+            assert!(back == settings, "{}: {:?}", preset.name, export(&settings));
         }
     }
 }

@@ -111,7 +111,7 @@ fn a_limit_is_a_number_in_range_or_missing() {
             Untrusted::Number(f64::NAN),
             Untrusted::Number(f64::INFINITY),
             Untrusted::Text("fast".to_owned()),
-            Untrusted::Other("null"),
+            Untrusted::Null,
         ] {
             let error = limit(id, wrong).expect_err("refused");
             let allowed = format!("must be a number from {min} to {max}");

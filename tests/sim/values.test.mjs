@@ -208,7 +208,6 @@ test('options are checked as values are', async () => {
     [{ preset: '__proto__' }, RangeError, /one of default, .*classic, .*seed/],
     [{ preset: 5 }, TypeError, /preset must be a text, not 5/],
     [{ model: 'fire' }, RangeError, /classic, combustion/],
-    [{ model: null }, RangeError, /classic, combustion/],
     [{ seed: -1 }, RangeError, /0 to 4294967295/],
     [{ seed: NaN }, RangeError, /seed = NaN/],
     [{ params: { gravty: 1 } }, RangeError, /did you mean "gravity"/],

@@ -245,8 +245,8 @@ impl Settings {
         values
     }
 
-    /// Adapts what is not stated of the resolution to the preset and the domain, even while the classic
-    /// model or a closed box has no use for it.
+    /// Adapts what is not stated of the resolution to the preset and the domain, even while a closed box has no use
+    /// for it. While the classic model burns, it is the default.
     fn settle(&mut self) {
         let model = self.parameters().model();
         let mut values = of_model(self.parameters(), Model::Combustion);
@@ -258,11 +258,16 @@ impl Settings {
             let cap = of_model(&self.preset().parameters(), Model::Combustion).max_particles;
             put(&mut values, COUNT, Input::Number(cap.into()));
         }
-        let mut open = values.clone();
-        put(&mut open, "edges", Input::Text("open"));
-        let [spacing, count] = [SPACING, COUNT].map(|id| self.states(id));
-        self.preset().complete(&mut open, spacing, count);
-        put(&mut values, SPACING, Input::Number(open.spacing.into()));
+        if model == Model::Combustion {
+            let mut open = values.clone();
+            put(&mut open, "edges", Input::Text("open"));
+            let [spacing, count] = [SPACING, COUNT].map(|id| self.states(id));
+            self.preset().complete(&mut open, spacing, count);
+            put(&mut values, SPACING, Input::Number(open.spacing.into()));
+        } else if !self.states(SPACING) {
+            let restored = values.restore(SPACING);
+            debug_assert_eq!(restored, Ok(()));
+        }
         self.scene.set_settings(of_model(&values, model));
     }
 

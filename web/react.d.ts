@@ -218,7 +218,9 @@ export interface HearthFireAttributes {
   'time-step'?: number | `${number}` | undefined;
   /** A coarser fire that takes less work. Distance of neighbouring particles in air. Until it is set, it follows the domain, the number of particles and the quality. [m] Default in combustion: 0.0268, from 0.0003 to 0.5. */
   spacing?: number | `${number}` | undefined;
-  /** A finer fire that takes more work. Classic, and open edges with a `spacing`: largest number of particles; with open edges, the highest air sleeps beyond it. Without a `spacing`, and periodic edges: number of particles that would fill the domain. Default in combustion: 6000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
+  /** A finer fire that takes more work. Number of particles that would fill the domain. Until it is set, it follows the scene, the `spacing` and the quality. Default in combustion: 3000, from 200 to 100000. */
+  particles?: number | `${number}` | undefined;
+  /** A fire that may grow larger. Largest number of particles, with open edges or in the classic model. The highest air sleeps beyond it; until it is set, there is room for twice the domain. Default in combustion: 6000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
   'max-particles'?: number | `${number}` | undefined;
   /** A smoother, wider fire that takes more work. Smoothing length h: particles interact up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
   'smoothing-radius'?: number | `${number}` | undefined;

@@ -11,7 +11,7 @@ import { Browser } from '../../tests/e2e/driver.mjs';
 import { onPageThread } from '../../tests/e2e/clock.mjs';
 
 /** Attributes of the fires. */
-const FIRES = ['', 'model="classic"', 'preset="campfire"', 'max-particles="100000"'];
+const FIRES = ['', 'model="classic"', 'preset="campfire"', 'particles="100000"'];
 
 /** The longest frame of the target [ms]. */
 const LONGEST = 50;

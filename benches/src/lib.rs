@@ -39,8 +39,8 @@ impl Scene {
     ///
     /// # Errors
     /// A value outside its range.
-    pub fn combustion(max_particles: u32, stiffness: f64) -> Result<Scene, String> {
-        scenes::combustion(max_particles, stiffness).map(Scene::from)
+    pub fn combustion(particles: u32, stiffness: f64) -> Result<Scene, String> {
+        scenes::combustion(particles, stiffness).map(Scene::from)
     }
 
     /// Returns to the initial state, so that every round measures the same steps.
@@ -141,6 +141,6 @@ mod tests {
     #[test]
     fn a_refusal_names_the_parameter() {
         let refusal = Scene::combustion(10, 6.0).err();
-        assert!(refusal.is_some_and(|text| text.contains("max_particles")));
+        assert!(refusal.is_some_and(|text| text.contains("particles")));
     }
 }

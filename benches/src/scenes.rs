@@ -97,8 +97,8 @@ pub fn plume(count: u32) -> Result<Simulation, String> {
 ///
 /// # Errors
 /// A value outside its range.
-pub fn combustion(max_particles: u32, stiffness: f64) -> Result<Simulation, String> {
-    combustion_after(3.0, max_particles, stiffness)
+pub fn combustion(particles: u32, stiffness: f64) -> Result<Simulation, String> {
+    combustion_after(3.0, particles, stiffness)
 }
 
 /// As [`combustion`], after `seconds`.
@@ -107,11 +107,11 @@ pub fn combustion(max_particles: u32, stiffness: f64) -> Result<Simulation, Stri
 /// A value outside its range.
 pub fn combustion_after(
     seconds: f64,
-    max_particles: u32,
+    particles: u32,
     stiffness: f64,
 ) -> Result<Simulation, String> {
     let values = [
-        ("max_particles", f64::from(max_particles)),
+        ("particles", f64::from(particles)),
         ("stiffness", stiffness),
     ];
     Ok(burnt(with(Model::Combustion, &values)?, seconds))

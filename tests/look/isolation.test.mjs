@@ -14,9 +14,9 @@ after(() => painter.close());
 
 /** Fires of both models, of different sizes; one with all that only it needs in a context. */
 const FIRES = [
-  { lit: 'default', burnt: 0.4, width: 160, height: 200, values: { max_particles: 1000 } },
+  { lit: 'default', burnt: 0.4, width: 160, height: 200, values: { particles: 1000 } },
   { lit: 'classic', burnt: 0.4, width: 131, height: 217 },
-  { lit: 'forge', burnt: 0.2, width: 120, height: 90, values: { max_particles: 1000, palette: 'custom' } },
+  { lit: 'forge', burnt: 0.2, width: 120, height: 90, values: { particles: 1000, palette: 'custom' } },
 ];
 
 /**

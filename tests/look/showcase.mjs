@@ -25,7 +25,7 @@ const DRAWN = 3;
 
 const painter = new Painter();
 try {
-  const fire = { lit: await landingScene(), burnt: BURNT - 0.5, values: { max_particles: 6700 }, quality: 'high' };
+  const fire = { lit: await landingScene(), burnt: BURNT - 0.5, values: { particles: 6700 }, quality: 'high' };
   await painter.ask('film', { ...fire, ...SIZE });
   for (let frame = -0.5 * Number(rate); frame < SECONDS * Number(rate); frame += 1) {
     /** @type {Buffer[]} */

@@ -49,7 +49,9 @@ test('the same calls give the same bits for any division of the steps', async ()
 test('another seed gives another fire, and a reset the same one', async () => {
   for (const model of ['combustion', 'classic']) {
     const [sim, other] = await Promise.all(
-      [1, 2].map((seed) => createSimulation({ model, seed, params: { max_particles: 1000 } })),
+      [1, 2].map((seed) =>
+        createSimulation({ model, seed, params: { [model === 'classic' ? 'max_particles' : 'particles']: 1000 } }),
+      ),
     );
     sim.step(100);
     other.step(100);
@@ -71,7 +73,7 @@ test('simulations are independent', async () => {
   alone.step(60);
   const many = await Promise.all(
     Array.from({ length: 12 }, (_, seed) =>
-      createSimulation({ seed: 1, params: { max_particles: 1000 + 500 * (seed % 3) } }),
+      createSimulation({ seed: 1, params: { particles: 1000 + 500 * (seed % 3) } }),
     ),
   );
   for (let step = 0; step < 60; step += 1) for (const sim of many) sim.step();

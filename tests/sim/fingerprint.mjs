@@ -48,11 +48,12 @@ function fnv(/** @type {Uint8Array} */ bytes, hash = 0xcbf29ce484222325n) {
 export async function burnEverything(createSimulation) {
   const prints = [];
   for (const model of ['combustion', 'classic']) {
-    const sim = await createSimulation({ model, seed: 7, params: { max_particles: 1000, turbulence: 2 } });
+    const number = model === 'classic' ? 'max_particles' : 'particles';
+    const sim = await createSimulation({ model, seed: 7, params: { [number]: 1000, turbulence: 2 } });
     sim.step(200);
     prints.push(fingerprint(sim));
     sim.set({ gravity: 5, buoyancy: 0.4 });
-    sim.set('max_particles', 1500);
+    sim.set(number, 1500);
     sim.step(100);
     prints.push(fingerprint(sim));
     const particles = sim.particles();

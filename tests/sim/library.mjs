@@ -58,5 +58,9 @@ export function everything(sim) {
  */
 export function fires(params = {}) {
   const models = ['combustion', 'classic'];
-  return Promise.all(models.map((model) => createSimulation({ params: { model, max_particles: 1000, ...params } })));
+  return Promise.all(
+    models.map((model) =>
+      createSimulation({ params: { model, [model === 'classic' ? 'max_particles' : 'particles']: 1000, ...params } }),
+    ),
+  );
 }

@@ -57,7 +57,7 @@ test('free releases memory: hundreds of simulations need no more than a few', ()
     };
     const { createSimulation } = await import(${JSON.stringify(pathToFileURL(path.join(WEB, 'sim.js')).href)});
     const burn = async () => {
-      const sim = await createSimulation({ params: { max_particles: 5000 } });
+      const sim = await createSimulation({ params: { particles: 5000 } });
       sim.step(2);
       sim.setParticles(sim.particles());
       sim.free();
@@ -85,7 +85,7 @@ test('what there is no memory for is refused, and all simulations go on', () => 
     const large = [];
     const makeMore = async () => {
       for (let i = 0; i < 100; i += 1) {
-        const sim = await createSimulation({ params: { max_particles: 20000 } });
+        const sim = await createSimulation({ params: { particles: 20000 } });
         large.push(sim);
         sim.step();
       }
@@ -103,7 +103,7 @@ test('what there is no memory for is refused, and all simulations go on', () => 
       assert.ok(sim.temperatures().every((kelvin) => kelvin > 0));
     }
     for (const sim of large) sim.free();
-    const next = await createSimulation({ params: { max_particles: 20000 } });
+    const next = await createSimulation({ params: { particles: 20000 } });
     next.step();
     console.log('done');
   `;
@@ -119,7 +119,7 @@ test('the wasm can be a URL, bytes or a compiled module', async () => {
   for (const [at, wasm] of [url, url.href, bytes, buffer, compiled].entries()) {
     // A new script, which has not loaded wasm, with the shared glue, which has.
     const { createSimulation: create } = await load('sim.js', `?${at}`);
-    const sim = await create({ wasm, params: { max_particles: 1000 } });
+    const sim = await create({ wasm, params: { particles: 1000 } });
     sim.step();
     assert.ok(sim.count > 0);
     sim.free();

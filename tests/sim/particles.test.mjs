@@ -32,7 +32,11 @@ test('particles that are read can be put in again to the last bit', async () => 
 test('particles that are put in burn the same in every simulation', async () => {
   for (const model of ['combustion', 'classic']) {
     const positions = lattice(32);
-    const sims = await Promise.all([0, 1].map(() => createSimulation({ params: { model, max_particles: 1000 } })));
+    const sims = await Promise.all(
+      [0, 1].map(() =>
+        createSimulation({ params: { model, [model === 'classic' ? 'max_particles' : 'particles']: 1000 } }),
+      ),
+    );
     for (const sim of sims) {
       sim.step(20);
       sim.setParticles({ positions, temperatures: 1500, lifetimes: 5 });
@@ -139,16 +143,16 @@ test('invalid particles are errors and change nothing', async () => {
   }
 });
 
-test('in a closed domain of the combustion model their number must match max_particles', async () => {
+test('in a closed domain of the combustion model their number must match particles', async () => {
   const [sim] = await fires();
-  sim.set({ edges: 'periodic', max_particles: 1000 });
+  sim.set({ edges: 'periodic', particles: 1000 });
   for (const side of [10, 50]) {
     assert.throws(
       () => sim.setParticles({ positions: lattice(side) }),
-      /there must be from half to twice max_particles of them/,
+      /there must be from half to twice particles of them/,
     );
   }
-  sim.set('max_particles', 2500);
+  sim.set('particles', 2500);
   sim.setParticles({ positions: lattice(50) });
   assert.equal(sim.count, 2500);
 });

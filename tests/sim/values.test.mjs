@@ -260,7 +260,7 @@ test('the first source and the parameters are the same values', async () => {
 });
 
 test('objects are added, changed, removed, replaced and restored', async () => {
-  const sim = await createSimulation({ params: { max_particles: 1000 } });
+  const sim = await createSimulation({ params: { particles: 1000 } });
   assert.equal(sim.addObject(source({ x: 0.3, width: 0.1 })), 2);
   assert.equal(sim.addObject(source({ id: 9 })), 9);
   sim.step(20);
@@ -323,7 +323,7 @@ test('of a parameter and a property of the first source, the later one wins', as
 test('two sources heat the gas where they stand', async () => {
   for (const model of ['combustion', 'classic']) {
     const sim = await createSimulation({
-      params: { model, max_particles: 1500 },
+      params: { model, [model === 'classic' ? 'max_particles' : 'particles']: 1500 },
       objects: [source({ x: -0.3, width: 0.2 }), source({ x: 0.3, width: 0.2 })],
     });
     while (sim.time < 0.3) sim.step();

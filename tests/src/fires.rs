@@ -28,7 +28,7 @@ pub fn with_numbers(values: &[(&str, f64)]) -> Parameters {
 pub fn combustion(values: &[(&str, f64)]) -> Parameters {
     let closed = [
         ("edges", Input::Text("periodic")),
-        ("max_particles", Input::Number(1000.0)),
+        ("particles", Input::Number(1000.0)),
     ];
     changed(Model::Combustion, closed.into_iter().chain(numbers(values)))
 }

@@ -67,7 +67,7 @@ pub fn swept(model: Model) -> impl Iterator<Item = &'static Param> {
 pub fn end(model: Model, param: &Param, upper: bool) -> f64 {
     let (min, max) = param.any_domain(model).range;
     let end = if upper { max } else { min };
-    if param.id == "max_particles" {
+    if ["particles", "max_particles"].contains(&param.id) {
         end.min(if upper { PARTICLES.1 } else { PARTICLES.0 })
     } else if param.id == "spacing" {
         if upper { SPACINGS.1 } else { SPACINGS.0 }
@@ -82,7 +82,11 @@ pub fn usual(model: Model) -> Parameters {
     let mut parameters = Parameters::new(model);
     set(&mut parameters, "edges", Input::Text("periodic"));
     let min = Input::Number(PARTICLES.0);
-    set(&mut parameters, "max_particles", min);
+    let number = match model {
+        Model::Classic => "max_particles",
+        Model::Combustion => "particles",
+    };
+    set(&mut parameters, number, min);
     parameters
 }
 

@@ -58,7 +58,7 @@ fn assert_refused(scene: &Scene, id: Option<u32>, fields: &[Named<'_>]) {
     let list = [("objects".to_owned(), objects(scene, None))];
     let settings = Settings::default()
         .after(&Change::Set(&list))
-        .expect("the scene");
+        .unwrap_or_else(|errors| panic!("{errors:?}"));
     let change = match id {
         None => Change::AddObject(&sent),
         Some(id) => Change::ChangeObject(id, &sent),
@@ -223,7 +223,11 @@ fn a_fire_with_any_valid_object_stays_finite() {
             for (id, name) in [("model", model), ("edges", edges)] {
                 assert_eq!(settings.set(id, Input::Text(name)), Ok(()));
             }
-            for (id, value) in [("max_particles", 400.0), ("spacing", 0.06)] {
+            for (id, value) in [
+                ("max_particles", 400.0),
+                ("particles", 400.0),
+                ("spacing", 0.06),
+            ] {
                 assert_eq!(settings.set(id, Input::Number(value)), Ok(()));
             }
             let mut scene = Scene::new(settings);

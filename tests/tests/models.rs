@@ -91,7 +91,7 @@ fn each_model_keeps_its_own_values_and_shares_the_rest() {
     switch(&mut fire, "combustion");
     assert_eq!(number(&fire, "buoyancy"), Some(1.5));
     assert_eq!(number(&fire, "fuel_power"), Some(400.0));
-    assert_eq!(number(&fire, "max_particles"), Some(1000.0));
+    assert_eq!(number(&fire, "max_particles"), Some(6000.0));
     switch(&mut fire, "classic");
     assert_eq!(number(&fire, "buoyancy"), Some(0.5));
     assert_eq!(number(&fire, "max_particles"), Some(150.0));
@@ -125,12 +125,12 @@ fn warmth(fire: &Simulation) -> f64 {
 #[test]
 fn another_number_of_particles_or_another_domain_keeps_the_fire_burning() {
     for changes in [
-        &[("max_particles", 4000.0), ("max_particles", 1200.0)][..],
+        &[("particles", 4000.0), ("particles", 1200.0)][..],
         &[("domain_width", 1.8), ("domain_width", 0.9)],
         &[("domain_height", 2.4), ("domain_height", 1.3)],
         &[("smoothing_ratio", 1.8), ("ambient_density", 0.6)],
     ] {
-        let mut fire = burn(combustion(&[("max_particles", 2000.0)]), 1.5);
+        let mut fire = burn(combustion(&[("particles", 2000.0)]), 1.5);
         for &(id, value) in changes {
             let (before, time) = (warmth(&fire), fire.time());
             assert!(before > 800.0, "it does not burn: {before} K");
@@ -144,7 +144,7 @@ fn another_number_of_particles_or_another_domain_keeps_the_fire_burning() {
             );
             assert!((time..time + 0.02).contains(&fire.time()), "{id}");
 
-            let particles = f64::from(fire.parameters().max_particles);
+            let particles = f64::from(fire.parameters().particles);
             let share = fire.count() as f64 / particles;
             assert!((0.9..=1.0).contains(&share), "{id}: {}", fire.count());
 
@@ -165,12 +165,12 @@ fn heat(fire: &Simulation) -> f64 {
 #[test]
 fn live_changes_add_no_heat() {
     let drags = [
-        ("max_particles", 2000.0, 4000.0),
+        ("particles", 2000.0, 4000.0),
         ("domain_width", 1.2, 1.8),
         ("domain_height", 1.8, 2.4),
     ];
     for (id, from, to) in drags {
-        let mut fire = burn(combustion(&[("max_particles", 2000.0)]), 1.5);
+        let mut fire = burn(combustion(&[("particles", 2000.0)]), 1.5);
         let before = heat(&fire);
         // As a slider that is dragged: a change a frame, and no time to burn between.
         for i in 1..=8 {

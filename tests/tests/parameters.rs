@@ -35,6 +35,7 @@ fn others(model: Model, param: &Param) -> Vec<Input<'static>> {
         (Kind::Flag, default) => vec![Input::Flag(default == Value::Flag(false))],
         (Kind::Colour, _) => vec![Input::Text("#123456")],
         // A few particles more are as different as very many, and quicker.
+        _ if param.id == "particles" => vec![Input::Number(1200.0)],
         _ if param.id == "max_particles" && model == Model::Combustion => {
             vec![Input::Number(1200.0)]
         }

@@ -363,7 +363,7 @@ fn both_models_follow_the_equations_at_corners_of_all_ranges() {
             let count = match model {
                 Model::Classic => 251,
                 // From half to twice as many as asked for, and no multiple of four.
-                Model::Combustion => parameters.max_particles.min(800) as usize + 5,
+                Model::Combustion => parameters.particles.min(800) as usize + 5,
             };
             agree(&scene(parameters, count, Spread::Even, seed), 5);
         }

@@ -173,7 +173,7 @@ fn invalid_gas_is_an_error_and_changes_nothing() {
             "{text}"
         );
     }
-    // The smoothing length goes with max_particles, which is 1000.
+    // The smoothing length goes with `particles`, which is 1000.
     for count in [0, 499, 2001] {
         let error = fire
             .set_particles(&vec![good; count])
@@ -223,8 +223,8 @@ fn step_lengths_add_up_to_the_time() {
     }
     assert_eq!(fire.time(), sum);
     // The finer the gas, the shorter its steps.
-    let [coarse, fine] = [1000.0, 4000.0]
-        .map(|count| fires::burn(fires::combustion(&[("max_particles", count)]), 0.1));
+    let [coarse, fine] =
+        [1000.0, 4000.0].map(|count| fires::burn(fires::combustion(&[("particles", count)]), 0.1));
     assert!(fine.step_length() < 0.7 * coarse.step_length());
 }
 

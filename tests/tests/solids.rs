@@ -14,7 +14,7 @@ fn scene(choices: &[(&str, &'static str)], numbers: Numbers<'_>) -> Scene {
     for &(id, name) in [("edges", "periodic")].iter().chain(choices) {
         assert_eq!(settings.set(id, Input::Text(name)), Ok(()));
     }
-    for &(id, value) in [("max_particles", 3000.0)].iter().chain(numbers) {
+    for &(id, value) in [("particles", 3000.0)].iter().chain(numbers) {
         assert_eq!(settings.set(id, Input::Number(value)), Ok(()));
     }
     Scene::new(settings)
@@ -45,7 +45,7 @@ const CALM: Numbers<'_> = &[
     ("fuel_power", 0.0),
     ("buoyancy", 0.0),
     ("ember_rate", 0.0),
-    ("max_particles", 1500.0),
+    ("particles", 1500.0),
 ];
 
 fn burn(fire: &mut Simulation, seconds: f64) -> f64 {
@@ -89,7 +89,7 @@ fn add_outline(scene: &mut Scene, number: usize, numbers: Numbers<'_>) -> u32 {
 fn the_same_scene_with_solids_gives_the_same_bits() {
     for choices in [&[][..], &[("edges", "open")], &[("model", "classic")]] {
         let bits = || {
-            let mut scene = scene(choices, &[("max_particles", 900.0)]);
+            let mut scene = scene(choices, &[("particles", 900.0)]);
             let id = add(&mut scene, "line", &[("y", 0.6), ("angle", 30.0)]);
             let mut fire = Simulation::new(scene);
             burn(&mut fire, 0.2);

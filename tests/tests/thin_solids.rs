@@ -70,7 +70,7 @@ fn particles_behind_a_plate_are_no_neighbours_in_a_display() {
 
 #[test]
 fn another_number_of_particles_mixes_nothing_through_a_plate() {
-    let calm = [("fuel_power", 0.0), ("max_particles", 1500.0)];
+    let calm = [("fuel_power", 0.0), ("particles", 1500.0)];
     let air: Parameters = fires::combustion(&calm);
     let kelvin = air.ambient_temperature;
     let mut scene = Scene::new(air);
@@ -86,7 +86,7 @@ fn another_number_of_particles_mixes_nothing_through_a_plate() {
     }
     assert_eq!(fire.set_particles(&gas), Ok(()));
     for count in [2500.0, 1000.0] {
-        assert_eq!(fire.set("max_particles", Input::Number(count)), Ok(()));
+        assert_eq!(fire.set("particles", Input::Number(count)), Ok(()));
         for particle in fire.particles() {
             let expected = if is_between(particle.position) {
                 1200.0

@@ -7,11 +7,11 @@ import { describe, test } from 'node:test';
 import { UndoHistory } from '../../web/panel/undo-history.js';
 
 const DEFAULTS = {
-  classic: { model: 'classic', width: 1, viscosity: 5, wind: 0, max_particles: 1000 },
-  combustion: { model: 'combustion', width: 4, viscosity: 5, wind: 0, max_particles: 3000 },
+  classic: { model: 'classic', width: 1, viscosity: 5, wind: 0, particles: 1000 },
+  combustion: { model: 'combustion', width: 4, viscosity: 5, wind: 0, particles: 3000 },
 };
 /** Ids that have a value in each model. */
-const OWN = ['width', 'max_particles'];
+const OWN = ['width', 'particles'];
 const PRESETS = { default: {}, windy: { wind: 7 }, old: { model: 'classic', viscosity: 9 } };
 const LARGEST = 5000;
 /** The first numbers of the random gestures. */
@@ -46,7 +46,7 @@ class Fire {
       const models = OWN.includes(id) ? [state.model] : Object.keys(DEFAULTS);
       for (const model of models) state.values[model][id] = value;
       // The classic number never follows the quality.
-      if (id === 'max_particles' && state.model === 'combustion') state.named = true;
+      if (id === 'particles' && state.model === 'combustion') state.named = true;
     }
   }
 
@@ -110,7 +110,7 @@ class Fire {
     return this.#ask((state) => {
       for (const id of ids) {
         this.#write(state, { [id]: DEFAULTS[state.model][id] });
-        if (id === 'max_particles' && state.model === 'combustion') state.named = false;
+        if (id === 'particles' && state.model === 'combustion') state.named = false;
       }
     });
   }
@@ -120,7 +120,7 @@ class Fire {
       const changed = Object.keys(DEFAULTS).map((of) => {
         const base = this.#fresh(preset).values[of];
         const differing = Object.entries(values[of]).filter(
-          ([id, value]) => value !== base[id] || (id === 'max_particles' && named && of === 'combustion'),
+          ([id, value]) => value !== base[id] || (id === 'particles' && named && of === 'combustion'),
         );
         return [of, Object.fromEntries(differing)];
       });
@@ -161,16 +161,16 @@ function* numbers(seed) {
 /** An act of a user. */
 function deed(steps, fire, random) {
   const pick = (list) => list[Math.floor(random.next().value * list.length)];
-  const id = pick(['width', 'viscosity', 'wind', 'max_particles']);
+  const id = pick(['width', 'viscosity', 'wind', 'particles']);
   steps.press();
   return pick([
     () => steps.set(id, Math.round(random.next().value * 20)),
     () => steps.set(id, Math.round(random.next().value * 20)),
     () => steps.set('model', pick(['classic', 'combustion'])),
     () => steps.restore(id),
-    () => steps.all(() => fire.restore('width', 'viscosity', 'wind', 'max_particles')),
+    () => steps.all(() => fire.restore('width', 'viscosity', 'wind', 'particles')),
     () => steps.all(() => fire.importConfig({ preset: pick(Object.keys(PRESETS)) })),
-    () => steps.all(() => fire.importConfig({ values: { max_particles: 3000, wind: 3 } })),
+    () => steps.all(() => fire.importConfig({ values: { particles: 3000, wind: 3 } })),
   ])();
 }
 
@@ -340,11 +340,11 @@ describe('a step', () => {
 
   test('lets the number of particles follow the quality again', async () => {
     const { fire, steps } = made();
-    await steps.set('max_particles', 900);
+    await steps.set('particles', 900);
     await steps.undo();
     assert.deepEqual((await fire.exportConfig()).values, {});
     await steps.redo();
-    assert.deepEqual((await fire.exportConfig()).values, { max_particles: 900 });
+    assert.deepEqual((await fire.exportConfig()).values, { particles: 900 });
   });
 
   test('that the fire now rejects is dropped, and the rejection is reported', async () => {

@@ -62,7 +62,7 @@ export function addFire(parent, model, count) {
     model,
     // A closed domain holds exactly so many.
     edges: 'periodic',
-    'max-particles': count,
+    [model === 'classic' ? 'max-particles' : 'particles']: count,
     'max-pixels': SIDE * SIDE,
     quality: 'medium',
     loading: 'eager',

@@ -95,7 +95,7 @@ function paperStepper(positions) {
  * @param {() => Promise<void>} pause
  */
 export async function combustionSteps(count, pause) {
-  const sim = await createSimulation({ model: 'combustion', params: { edges: 'periodic', max_particles: count } });
+  const sim = await createSimulation({ model: 'combustion', params: { edges: 'periodic', particles: count } });
   try {
     for (let left = COMBUSTION_STEPS; left > 0; left -= 10) {
       sim.step(10);

@@ -72,6 +72,7 @@ export const DEFAULTS = {
   seed: 1,
   time_step: 0.004166667,
   spacing: 0.0268,
+  particles: 3000,
   max_particles: 6000,
   smoothing_radius: 0.026,
   smoothing_ratio: 1.5,

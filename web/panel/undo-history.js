@@ -19,7 +19,7 @@ const MAX_STEPS = 200;
 const MODEL = 'model';
 
 /** The number of particles and their spacing: the resolution follows the quality until one is set. */
-const RESOLUTION = /** @type {const} */ (['max_particles', 'spacing']);
+const RESOLUTION = /** @type {const} */ (['particles', 'spacing']);
 
 /** Whether the resolution follows the quality until this parameter is set. @type {(id: Id) => boolean} */
 function ofResolution(id) {

@@ -3,7 +3,7 @@
 //! Wasm aborts where memory does not suffice, which ends every fire of a page. So a fire that
 //! grows first reserves what it will need, and is rejected with a message if the browser gives no more.
 
-use hearth_core::params::Parameters;
+use hearth_core::params::{Model, Parameters};
 
 use hearth_settings::untrusted::{Untrusted, ValidationError};
 
@@ -20,16 +20,24 @@ pub fn reserve(
     new: &Parameters,
     limit: u32,
 ) -> Result<(), ValidationError> {
-    let wanted = new.max_particles;
+    let wanted = new.capacity();
     let kind = |values: &Parameters| (values.model(), values.has_open_edges());
-    if old.is_some_and(|old| wanted <= old.max_particles && kind(new) == kind(old))
+    if old.is_some_and(|old| wanted <= old.capacity() && kind(new) == kind(old))
         || has_room(wanted.min(limit) as usize)
     {
         return Ok(());
     }
+    // The cap leaves room for twice the domain unless it is larger.
+    let particles = new.particles;
+    let is_cap = new.model() == Model::Classic || wanted / 2 > particles;
+    let (id, number) = if is_cap {
+        ("max_particles", wanted)
+    } else {
+        ("particles", particles)
+    };
     Err(ValidationError::new(
-        "max_particles",
-        &Untrusted::Number(wanted.into()),
+        id,
+        &Untrusted::Number(number.into()),
         "fewer, because there is no memory left for so many",
     ))
 }

@@ -53,7 +53,7 @@ pub use water::{Droplets, SprayError, SprayTotals};
 
 /// The errors for a number of particles that does not match the smoothing length, and for one
 /// that open air cannot hold.
-const WRONG_COUNT: &str = "there must be from half to twice max_particles of them";
+const WRONG_COUNT: &str = "there must be from half to twice particles of them";
 const TOO_MANY: &str = "there must be at most max_particles of them";
 
 /// What a fire continues from.
@@ -235,11 +235,11 @@ impl Solver for Combustion {
     }
 
     fn broken_count_rule(&self, count: usize, values: &Physics) -> Option<&'static str> {
-        let most = values.max_particles as usize;
+        let most = values.capacity() as usize;
         match values.edges {
             Edges::Open => (count > most).then_some(TOO_MANY),
             Edges::Periodic => {
-                // The smoothing length follows `max_particles`.
+                // The smoothing length follows `particles`.
                 let allowed = most.div_ceil(2)..=2 * most;
                 (!allowed.contains(&count)).then_some(WRONG_COUNT)
             }
@@ -290,7 +290,7 @@ impl Solver for Combustion {
 
     fn capacity(&self, values: &Physics) -> usize {
         if self.domain.is_open() {
-            values.max_particles as usize
+            values.capacity() as usize
         } else {
             self.count()
         }

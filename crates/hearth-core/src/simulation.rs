@@ -241,7 +241,7 @@ impl Simulation {
     ///
     /// # Errors
     /// More than 400,000 particles in the classic model; in the combustion model, fewer than
-    /// half of `max_particles` or more than twice as many, because the smoothing length follows
+    /// half of `particles` or more than twice as many, because the smoothing length follows
     /// it; or a particle outside of the domain, faster than 1000 m/s, not from 1 to 100,000 K,
     /// without a lifetime, or with fuel or oxygen not from 0 to 1 or soot not from 0 to 10.
     /// Nothing changes then.

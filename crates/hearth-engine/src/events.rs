@@ -15,9 +15,8 @@
 
 use hearth_bindings::{Record, values};
 use hearth_core::params::PARAMETERS;
-use hearth_settings::file::export;
 use hearth_settings::untrusted::{Untrusted, ValidationError};
-use hearth_settings::{OBJECTS, Settings, objects};
+use hearth_settings::{OBJECTS, Settings, export, objects};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -7,7 +7,8 @@ use crate::state::{Fire, Subject};
 
 /// The start of the costly values, which is far above every default.
 const COST_LIMITS: &[(&str, f64)] = &[
-    ("max_particles", 10_000.0),
+    ("particles", 10_000.0),
+    ("max_particles", 20_000.0),
     ("emission_rate", 15_000.0),
     ("smoothing_ratio", 1.7),
     ("smoothing_radius", 0.04),
@@ -42,7 +43,7 @@ pub fn particles(fire: &Fire) -> String {
             share => format!("{text} ({} % asleep)", significant(100.0 * share, 2)),
         };
     }
-    let requested = f64::from(fire.parameters.max_particles);
+    let requested = f64::from(fire.parameters.capacity());
     let quality = &*fire.stats.quality;
     if now >= NEARLY_ALL * requested || now == 0.0 {
         return format!("{} particles", count_text(now));

@@ -15,9 +15,11 @@
 //! ```
 
 mod apply;
+mod export;
 pub mod file;
 mod settings;
 pub mod untrusted;
 
 pub use apply::{OBJECTS, objects, preset};
+pub use export::export;
 pub use settings::{Change, Settings, StatedResolution, adapt};

@@ -1,7 +1,7 @@
 //! All that is set of a fire, and the one function that changes it.
 
-use crate::apply::{of_model, with_object, with_values};
-use crate::untrusted::{Ids, Untrusted, ValidationError, Values};
+use crate::apply::{of_model, with_object, with_settings, with_values};
+use crate::untrusted::{Argument, Ids, Untrusted, ValidationError, Values};
 use crate::{apply, file};
 use hearth_core::params::{Input, Model};
 use hearth_core::preset::Preset;
@@ -9,9 +9,11 @@ use hearth_core::resolution::Resolution;
 use hearth_core::{Parameters, Scene, Simulation};
 
 /// Id of the number of particles.
-const COUNT: &str = "max_particles";
+const COUNT: &str = "particles";
 /// Id of the spacing of particles.
 const SPACING: &str = "spacing";
+/// Id of the largest number of particles.
+const CAP: &str = "max_particles";
 
 /// The parameter that states the resolution of the combustion model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,7 +23,7 @@ pub enum StatedResolution {
     Auto,
     /// The number of particles that would fill the domain.
     Count,
-    /// The spacing of particles in open air. The number of particles is a cap.
+    /// The spacing of particles in open air.
     Spacing,
 }
 
@@ -32,7 +34,7 @@ impl StatedResolution {
     }
 
     /// Whether values with these ids state the resolution, and which of them does.
-    pub(crate) fn among(names: &dyn Fn(&str) -> bool) -> Option<StatedResolution> {
+    fn among(names: &dyn Fn(&str) -> bool) -> Option<StatedResolution> {
         match [SPACING, COUNT].map(names) {
             [true, _] => Some(StatedResolution::Spacing),
             [_, true] => Some(StatedResolution::Count),
@@ -108,12 +110,23 @@ impl Settings {
     ///
     /// # Errors
     /// All validation errors of the file.
-    pub fn of_file(file: &Untrusted) -> Result<Settings, Vec<ValidationError>> {
-        file::read(file)
+    pub fn of_file(config: &Untrusted) -> Result<Settings, Vec<ValidationError>> {
+        let fields = file::fields(config).map_err(|error| vec![error])?;
+        let base = match Argument::read(config.field("preset")) {
+            Some(name) => Settings::of_preset(name)?,
+            None => Settings::default(),
+        };
+        let scene = with_settings(&base.scene, fields)?;
+        let names = |name: &str| {
+            let mut fields = ["values", Model::Combustion.name()].into_iter();
+            fields.any(|field| !config.field(field).field(name).is_missing())
+        };
+        let resolution = StatedResolution::among(&names).unwrap_or_default();
+        Ok(base.with(scene, resolution))
     }
 
     /// These settings with another scene, whose resolution is stated so.
-    pub(crate) fn with(&self, scene: Scene, resolution: StatedResolution) -> Settings {
+    fn with(&self, scene: Scene, resolution: StatedResolution) -> Settings {
         let preset = self.preset;
         let mut settings = Settings {
             preset,
@@ -149,28 +162,23 @@ impl Settings {
 
     fn after_values(&self, values: Values<'_>) -> Result<Settings, Vec<ValidationError>> {
         let scene = with_values(&self.scene, values)?;
-        // The classic model has a number of its own.
-        let combustion = scene.settings().model() == Model::Combustion;
         let gives = |id: &str, null: bool| {
             let mut given = values
                 .iter()
                 .filter(|(known, value)| known == id && !value.is_missing());
-            (id == SPACING || combustion)
-                && given.any(|(_, value)| (*value == Untrusted::Null) == null)
+            given.any(|(_, value)| (*value == Untrusted::Null) == null)
         };
-        use StatedResolution::{Auto, Count, Spacing};
-        let kept = match self.resolution {
-            // Without the spacing, a cap is the number.
-            Spacing if gives(SPACING, true) && self.states(COUNT) && !gives(COUNT, true) => Count,
-            Spacing if gives(SPACING, true) => Auto,
-            Count if gives(COUNT, true) => Auto,
-            kept => kept,
+        let is_restored = match self.resolution {
+            StatedResolution::Auto => false,
+            StatedResolution::Count => gives(COUNT, true),
+            StatedResolution::Spacing => gives(SPACING, true),
         };
-        let resolution = match StatedResolution::among(&|id| gives(id, false)) {
-            // Beside a spacing, the number is a cap.
-            Some(Count) if kept == Spacing => Spacing,
-            stated => stated.unwrap_or(kept),
+        let kept = if is_restored {
+            StatedResolution::Auto
+        } else {
+            self.resolution
         };
+        let resolution = StatedResolution::among(&|id| gives(id, false)).unwrap_or(kept);
         Ok(self.with(scene, resolution))
     }
 
@@ -204,16 +212,17 @@ impl Settings {
         self.scene.settings()
     }
 
-    /// Whether a value states the resolution or, beside a spacing, the cap.
+    /// Whether a value states the resolution or the cap.
     pub(crate) fn states(&self, id: &str) -> bool {
-        match self.resolution {
-            StatedResolution::Auto => false,
-            StatedResolution::Count => id == COUNT,
-            StatedResolution::Spacing => {
-                let cap = |values: &Parameters| of_model(values, Model::Combustion).max_particles;
-                let differs = || cap(self.parameters()) != cap(&self.preset().parameters());
-                id == SPACING || id == COUNT && differs()
+        match id {
+            COUNT => self.resolution == StatedResolution::Count,
+            SPACING => self.resolution == StatedResolution::Spacing,
+            CAP => {
+                let [own, of_preset] = [self.parameters(), &self.preset().parameters()]
+                    .map(|values| of_model(values, Model::Combustion).max_particles);
+                own != of_preset
             }
+            _ => false,
         }
     }
 
@@ -224,13 +233,13 @@ impl Settings {
         let is_stated = match self.resolution {
             StatedResolution::Auto => false,
             StatedResolution::Count => true,
-            StatedResolution::Spacing => values.has_open_edges() || self.states(COUNT),
+            StatedResolution::Spacing => values.has_open_edges(),
         };
         if values.model() == Model::Classic {
             Resolution::Classic(number())
         } else if is_stated {
             Resolution::Page(number())
-        } else if preset.names(COUNT) && values.get(COUNT) == preset.parameters().get(COUNT) {
+        } else if preset.names(COUNT) {
             Resolution::Scene(number())
         } else {
             Resolution::Level
@@ -240,8 +249,7 @@ impl Settings {
     /// The parameters with the resolution that follows from what the settings and the preset state.
     pub fn completed(&self) -> Parameters {
         let mut values = self.parameters().clone();
-        let [spacing, count] = [SPACING, COUNT].map(|id| self.states(id));
-        self.preset().complete(&mut values, spacing, count);
+        self.preset().complete(&mut values, &|id| self.states(id));
         values
     }
 
@@ -254,32 +262,30 @@ impl Settings {
             let set = values.set(id, input);
             debug_assert_eq!(set, Ok(()));
         };
-        if self.resolution == StatedResolution::Auto {
-            let cap = of_model(&self.preset().parameters(), Model::Combustion).max_particles;
-            put(&mut values, COUNT, Input::Number(cap.into()));
-        }
         if model == Model::Combustion {
             let mut open = values.clone();
             put(&mut open, "edges", Input::Text("open"));
-            let [spacing, count] = [SPACING, COUNT].map(|id| self.states(id));
-            self.preset().complete(&mut open, spacing, count);
+            self.preset().complete(&mut open, &|id| self.states(id));
             put(&mut values, SPACING, Input::Number(open.spacing.into()));
-        } else if !self.states(SPACING) {
-            let restored = values.restore(SPACING);
-            debug_assert_eq!(restored, Ok(()));
+            put(&mut values, COUNT, Input::Number(open.particles.into()));
+        } else {
+            for id in [SPACING, COUNT].into_iter().filter(|id| !self.states(id)) {
+                let restored = values.restore(id);
+                debug_assert_eq!(restored, Ok(()));
+            }
         }
         self.scene.set_settings(of_model(&values, model));
     }
 
-    /// The scene with that [number of particles](hearth_core::resolution::ParticleCount). Only levels raise the cap.
+    /// The scene with that [number of particles](hearth_core::resolution::ParticleCount). Only levels raise the cap, unless it is stated.
     pub fn at(&self, particles: u32) -> Scene {
         let mut values = self.completed();
         let resolution = self.resolution();
         if particles != resolution.number() {
             let cap = values.max_particles;
             values.set_domain_particles(particles);
-            if values.max_particles > cap && resolution != Resolution::Level {
-                let set = values.set(COUNT, Input::Number(cap.into()));
+            if values.max_particles > cap && (resolution != Resolution::Level || self.states(CAP)) {
+                let set = values.set(CAP, Input::Number(cap.into()));
                 debug_assert_eq!(set, Ok(()));
             }
         }

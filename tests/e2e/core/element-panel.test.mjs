@@ -245,7 +245,7 @@ describe('under pointer and keys', () => {
 
 describe('on a page', () => {
   test('two panels move each its own fire and undo each its own steps', async () => {
-    const fire = `<hearth-fire controls max-particles="1000" ${sized(340, 420)}></hearth-fire>`;
+    const fire = `<hearth-fire controls particles="1000" ${sized(340, 420)}></hearth-fire>`;
     const tab = await browser.show(`<div style="display: flex; gap: 10px">${fire}${fire}</div>`, {
       width: 720,
       height: 440,

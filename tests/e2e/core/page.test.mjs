@@ -32,7 +32,7 @@ test('fire burns in the lower middle and nowhere else, and it moves', async () =
 test('the fire still burns after ten seconds, with its full number of particles', async () => {
   // Few of them, so that a slow machine comes to the end of it as well.
   const most = 1000;
-  const tab = await browser.open(`index.html?max-particles=${most}`);
+  const tab = await browser.open(`index.html?particles=${most}`);
   await tab.burnt(10);
   await assertBurns(tab);
   const { particles, fps, time } = await tab.fire((fire) => fire.stats);

@@ -253,19 +253,18 @@ test('a fire that is removed while its file loads starts from it when it is inse
 });
 
 test('without a spacing, a number of particles states the resolution of open air', async () => {
-  const tab = await browser.show(
-    '<hearth-fire seam="0.03" domain-width="2.4" max-particles="5000" paused></hearth-fire>',
-  );
+  const tab = await browser.show('<hearth-fire seam="0.03" domain-width="2.4" particles="5000" paused></hearth-fire>');
   await tab.ready();
   const opened = await state(tab);
   const spacing = Math.sqrt((2.4 * 1.8) / 5000);
   assert.ok(Math.abs(opened.params.spacing / spacing - 1) < 0.002, `${opened.params.spacing}`);
-  assert.deepEqual(opened.config.values, { domain_width: 2.4, seam: 0.03, max_particles: 5000 });
-  // A number that is set later means the same, and a named spacing makes it a cap.
+  assert.deepEqual(opened.config.values, { domain_width: 2.4, seam: 0.03, particles: 5000 });
+  // The later of a number and a spacing is the resolution, and a cap leaves it.
   const attributes = [
-    ['max-particles', '3200', Math.sqrt((2.4 * 1.8) / 3200)],
+    ['particles', '3200', Math.sqrt((2.4 * 1.8) / 3200)],
     ['spacing', '0.05', 0.05],
     ['max-particles', '900', 0.05],
+    ['particles', '900', Math.sqrt((2.4 * 1.8) / 900)],
   ];
   for (const [name, value, expected] of attributes) {
     const { params } = await tab.fire(

@@ -239,7 +239,7 @@ test('two fingers enlarge and move the picture', async () => {
 });
 
 test('a resize of the element leaves the fire as it is', async () => {
-  const tab = await browser.show(`<hearth-fire paused edges="open" floor="solid" max-particles="8000"
+  const tab = await browser.show(`<hearth-fire paused edges="open" floor="solid" particles="8000"
     style="width: 300px; height: 200px"></hearth-fire>`);
   await tab.ready();
   await tab.burnt(1);

@@ -199,7 +199,7 @@ test('with open edges the spacing has a slider', async () => {
   const near = (value) => Math.abs(fractionOf(spacing, value) - 0.8) < AIM;
   const value = await panel.value('spacing', 'at 0.8 of its slider', near);
   const now = await tab.fire((fire) => fire.params);
-  assert.deepEqual({ ...now, max_particles: 0 }, { ...before, spacing: value, max_particles: 0 });
+  assert.deepEqual(now, { ...before, spacing: value, particles: now.particles });
   assert.deepEqual(tab.problems, []);
 });
 
@@ -214,8 +214,6 @@ for (const model of ['combustion', 'classic']) {
       .filter(({ domains }) => model === 'combustion' || !isDeepStrictEqual(domains.classic, domains.combustion));
     const sliders = all.filter(({ id }, at) => at % 3 === 0 || id === 'spacing');
     assert.ok(sliders.length > 5, `${sliders.length} sliders`);
-    // Until it is set, the spacing follows others.
-    sliders.sort((a, b) => Number(b.id === 'spacing') - Number(a.id === 'spacing'));
     for (const slider of sliders) {
       const before = await tab.fire((fire) => fire.params);
       const from = fractionOf(slider, before[slider.id]);
@@ -224,9 +222,9 @@ for (const model of ['combustion', 'classic']) {
       const near = (value) => Math.abs(fractionOf(slider, value) - to) < AIM;
       const value = await panel.value(slider.id, `at ${to} of its slider`, near);
       const now = await tab.fire((fire) => fire.params);
-      // A finer spacing raises the cap.
-      const cap = slider.id === 'spacing' ? { max_particles: now.max_particles } : {};
-      assert.deepEqual(now, { ...before, ...cap, [slider.id]: value });
+      // The spacing and the number of particles follow each other and the domain.
+      const { spacing, particles } = now;
+      assert.deepEqual(now, { ...before, spacing, particles, [slider.id]: value });
     }
     assert.deepEqual(tab.problems, []);
   });

@@ -11,7 +11,7 @@ import { Picture } from '../picture.mjs';
 /** A fire that stands still once it has burnt: the markup sets everything that a
     device may decide. Fine structure varies with the number of pictures, which depends on the browser. */
 const still = (/** @type {string} */ model, detail = 0) => `<hearth-fire paused quality="medium"
-  model="${model}" max-particles="1000" seed="3" max-pixels="4000000" detail="${detail}"
+  model="${model}" ${model === 'classic' ? 'max-particles' : 'particles'}="1000" seed="3" max-pixels="4000000" detail="${detail}"
   style="width: 240px; height: 300px"></hearth-fire>`;
 
 /** @type {Browser} */

@@ -145,7 +145,7 @@ test('of thirty fires, those out of sight cost nothing', async () => {
 });
 
 test('the page’s thread hardly works while ten thousand particles burn', async () => {
-  const tab = await browser.show('<hearth-fire edges="periodic" max-particles="10000"></hearth-fire>');
+  const tab = await browser.show('<hearth-fire edges="periodic" particles="10000"></hearth-fire>');
   await tab.burnt(0.3);
   const { engine, particles } = await tab.fire((fire) => fire.stats);
   assert.equal(engine, 'worker');

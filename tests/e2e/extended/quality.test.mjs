@@ -80,17 +80,17 @@ test('a burning fire changes its quality and burns on', async () => {
 });
 
 test('a requested number of particles stays until the default is restored', async () => {
-  const tab = await browser.show('<hearth-fire quality="low" max-particles="2000"></hearth-fire>', small);
+  const tab = await browser.show('<hearth-fire quality="low" particles="2000"></hearth-fire>', small);
   await tab.burnt(0.1);
   await settles(tab, 'low', 2000);
-  await tab.fire((fire) => fire.removeAttribute('max-particles'));
+  await tab.fire((fire) => fire.removeAttribute('particles'));
   await settles(tab, 'low');
-  await tab.fire((fire) => fire.set('max_particles', 1500));
+  await tab.fire((fire) => fire.set('particles', 1500));
   await settles(tab, 'low', 1500);
-  await tab.fire((fire) => fire.restore('max_particles'));
+  await tab.fire((fire) => fire.restore('particles'));
   await settles(tab, 'low');
   // The default is a number like any other, also after a while off the page.
-  await tab.fire((fire) => fire.setAttribute('max-particles', '3000'));
+  await tab.fire((fire) => fire.setAttribute('particles', '3000'));
   await settles(tab, 'low', 3000);
   await tab.fire(async (fire) => {
     fire.remove();
@@ -99,7 +99,7 @@ test('a requested number of particles stays until the default is restored', asyn
     await fire.ready;
   });
   await settles(tab, 'low', 3000);
-  await tab.fire((fire) => fire.removeAttribute('max-particles'));
+  await tab.fire((fire) => fire.removeAttribute('particles'));
   await settles(tab, 'low');
   assert.deepEqual(tab.problems, []);
 });
@@ -109,7 +109,7 @@ const twoCores = () => Object.defineProperty(navigator, 'hardwareConcurrency', {
 const eightCores = () => Object.defineProperty(navigator, 'hardwareConcurrency', { value: 8 });
 
 test('with a quality or a number of particles the same seed gives the same fire, whatever quality the device starts with', async () => {
-  const asked = ['quality="medium"', 'max-particles="1500"', 'max-particles="3000"'];
+  const asked = ['quality="medium"', 'particles="1500"', 'particles="3000"'];
   const [slow, fast] = [[], []];
   for (const [fires, before] of /** @type {[object[], () => void][]} */ ([
     [slow, twoCores],

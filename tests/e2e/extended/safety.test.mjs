@@ -30,7 +30,7 @@ async function onSlowPage(attributes, cost) {
 
 test('an engine with steps of half a second leaves the page’s thread most of its time', async () => {
   // A step reads the clock four times. Pictures, which do not count, wait for the requested steps.
-  const tab = await onSlowPage('max-particles="200" autoplay="false"', 0);
+  const tab = await onSlowPage('particles="200" autoplay="false"', 0);
   const share = await tab.fire(async (fire) => {
     const { clock } = /** @type {any} */ (window);
     const read = performance.now;
@@ -57,11 +57,11 @@ test('an engine with steps of half a second leaves the page’s thread most of i
 
 const LIMITED = () => {
   const { stats, params } = /** @type {any} */ (document.querySelector('hearth-fire'));
-  return stats?.limit === 'speed' && params.max_particles === 100_000;
+  return stats?.limit === 'speed' && params.particles === 100_000;
 };
 
 test('on the page’s thread a number of particles that takes too long is reduced, kept in params, and explained', async () => {
-  const tab = await onSlowPage('max-particles="100000"', 10);
+  const tab = await onSlowPage('particles="100000"', 10);
   await tab.until('it is reduced', () => {
     const { stats } = /** @type {any} */ (document.querySelector('hearth-fire'));
     return stats?.particles > 0 && stats.particles < 7000;
@@ -74,7 +74,7 @@ test('on the page’s thread a number of particles that takes too long is reduce
 
 test('on the page’s thread a fire starts with at most ten thousand particles', async () => {
   // Steps of eight milliseconds neither lower the number nor raise it.
-  const tab = await onSlowPage('max-particles="100000"', 2);
+  const tab = await onSlowPage('particles="100000"', 2);
   const first = await tab.fire(
     (fire) =>
       new Promise((resolve) => {
@@ -82,7 +82,7 @@ test('on the page’s thread a fire starts with at most ten thousand particles',
       }),
   );
   assert.ok(first < 11_000, `${first} particles`);
-  assert.equal(await tab.fire((fire) => fire.params.max_particles), 100_000);
+  assert.equal(await tab.fire((fire) => fire.params.particles), 100_000);
 });
 
 test('wasm of another version is refused, and both versions are named', async () => {
@@ -129,25 +129,25 @@ test('a fire without memory for its particles refuses them with a message, and a
   });
   await tab.burnt(0.2);
   const message = await tab.fire((fire) =>
-    fire.set('max_particles', 100_000).then(
+    fire.set('particles', 100_000).then(
       () => '',
       (error) => error.message,
     ),
   );
-  assert.match(message, /max_particles = 100000 is refused: it must be fewer, because there is no memory left/);
+  assert.match(message, /particles = 100000 is refused: it must be fewer, because there is no memory left/);
   const times = await tab.evaluate(async () => {
     const fires = /** @type {any[]} */ ([...document.querySelectorAll('hearth-fire')]);
     const time = () => fires.map((fire) => fire.stats.time);
     const start = time();
     while (!time().every((now, at) => now > start[at] + 0.1)) await new Promise(requestAnimationFrame);
-    return fires.map((fire) => fire.params.max_particles);
+    return fires.map((fire) => fire.params.particles);
   });
-  assert.deepEqual(times, [6000, 6000]);
+  assert.deepEqual(times, [3000, 3000]);
 });
 
 test('a fire for which there is no memory at all reports it, and the others burn on', async () => {
   const body = confined(await readFile(ENGINE), 18 * 2 ** 20);
-  const many = { body: '{"values": {"max_particles": 100000}}', type: 'application/json' };
+  const many = { body: '{"values": {"particles": 100000}}', type: 'application/json' };
   const tab = await browser.open('<hearth-fire></hearth-fire>', {
     files: { 'hearth-engine_bg.wasm': { body }, 'many.json': many },
   });
@@ -160,6 +160,6 @@ test('a fire for which there is no memory at all reports it, and the others burn
       (/** @type {Error} */ error) => error.message,
     );
   });
-  assert.match(message, /max_particles = 100000 .*no memory left/);
+  assert.match(message, /particles = 100000 .*no memory left/);
   await tab.burnt((await tab.fire((fire) => fire.stats.time)) + 0.1);
 });

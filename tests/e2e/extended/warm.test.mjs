@@ -90,9 +90,8 @@ test('a prewarmed scene burns on until it has a past to show, in every quality',
     const { time, particles, limit } = await tab.fire((fire) => fire.stats);
     const burnt = time - (await keptTime(tab));
     assert.ok(burnt >= 0.5 && burnt < 0.6, `${burnt} s`);
-    // A scene may have a number of its own: its cap is twice what fills the frame. Open air fills somewhat less or
-    // more.
-    const own = await tab.fire((fire) => fire.params.max_particles / 2);
+    // A scene may have a number of its own. Open air fills somewhat less or more.
+    const own = await tab.fire((fire) => fire.params.particles);
     const number = limit ? { low: 1200, high: 6700 }[quality] : own;
     assert.ok(Math.abs(particles / number - 1) < 0.45, `${particles} of ${number}`);
     assert.ok((await flame(tab)) > 0.2);
@@ -266,13 +265,13 @@ test('a small fire has few particles and reports it, unless their number is set'
     fire.quality = 'low';
   });
   await has(1200, 'quality low');
-  await tab.fire((fire) => fire.set('max_particles', 800));
+  await tab.fire((fire) => fire.set('particles', 800));
   await has(800, '');
   await tab.fire((fire) => {
     fire.quality = null;
   });
   await has(800, '');
-  await tab.fire((fire) => fire.restore('max_particles'));
+  await tab.fire((fire) => fire.restore('particles'));
   await has(400, 'size');
 });
 

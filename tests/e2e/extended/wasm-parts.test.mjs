@@ -113,7 +113,7 @@ test('the first solid with fuel fetches its part, burns when it is lit, and goes
   const solid = { kind: 'solid', shape: 'box', x: 0.7, y: 0.2, width: 0.1, height: 0.1, fuel: 'wood', load: 1 };
   // Steps that the clock does not count: the same fire on a busy machine, where a flame would light it at another time.
   const tab = await browser.open(
-    '<hearth-fire autoplay="false" seed="1" max-particles="1500" ember-rate="0" fuel-power="60"></hearth-fire>',
+    '<hearth-fire autoplay="false" seed="1" particles="1500" ember-rate="0" fuel-power="60"></hearth-fire>',
   );
   await tab.ready();
   await tab.fire((fire) => fire.step(100));
@@ -154,7 +154,7 @@ test('the first solid with fuel fetches its part, burns when it is lit, and goes
 });
 
 test('the first spray fetches its part and puts out the fire', async () => {
-  const body = '<hearth-fire max-particles="1500" ember-rate="0" floor="solid"></hearth-fire>';
+  const body = '<hearth-fire particles="1500" ember-rate="0" floor="solid"></hearth-fire>';
   const tab = await browser.open(body);
   await tab.burnt(0.5);
   assert.equal(await fetched(tab, BODIES), 0);

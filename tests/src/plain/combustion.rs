@@ -407,7 +407,7 @@ fn expansion(p: &Parameters, temperature: f64) -> f64 {
 impl Common<'_> {
     fn new(p: &Parameters, count: usize) -> Common<'_> {
         let (width, height) = (f64::from(p.domain_width), f64::from(p.domain_height));
-        let spacing = (width * height / f64::from(p.max_particles)).sqrt();
+        let spacing = (width * height / f64::from(p.particles)).sqrt();
         let drive = f64::from(p.buoyancy) * f64::from(p.gravity) * f64::from(p.fuel_power);
         let risen = f64::from(p.stiffness) * (drive / USUAL_DRIVE).max(1.0).cbrt();
         Common {

@@ -90,7 +90,7 @@ impl Crowd {
     /// of particles: with fewer, the narrowest domain is narrower than a kernel.
     pub fn closed(random: &mut Random) -> Crowd {
         let mut parameters = corner(Model::Combustion, random);
-        set(&mut parameters, "max_particles", Input::Number(PARTICLES.1));
+        set(&mut parameters, "particles", Input::Number(PARTICLES.1));
         Crowd::in_fire(parameters, random)
     }
 

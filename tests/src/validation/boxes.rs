@@ -30,7 +30,7 @@ impl GasBox {
         let closed = [
             ("domain_width", self.width()),
             ("domain_height", self.height()),
-            ("max_particles", f64::from(self.columns * self.rows)),
+            ("particles", f64::from(self.columns * self.rows)),
             ("seam", 0.0),
             ("gravity", 0.0),
             ("fuel_power", 0.0),
@@ -97,9 +97,7 @@ fn gas<'a>(edges: &str, values: impl IntoIterator<Item = (&'a str, f64)>) -> Par
     let values: Vec<_> = values.into_iter().collect();
     let numbers = values.iter().map(|&(id, value)| (id, Input::Number(value)));
     let mut parameters = fires::with(model.into_iter().chain(numbers));
-    let [spacing, number] =
-        ["spacing", "max_particles"].map(|id| values.iter().any(|&(name, _)| name == id));
-    parameters.complete(spacing, number, IN_DOMAIN);
+    parameters.complete(&|id| values.iter().any(|&(name, _)| name == id), IN_DOMAIN);
     parameters
 }
 

@@ -60,7 +60,7 @@ pub(super) const CASES: &[Case] = &[
 
 fn burner_power(sizes: &[(u32, f64)]) -> Outcome {
     Outcome::rows(sizes.iter().map(|&(n, seconds)| {
-        let parameters = combustion([("max_particles", f64::from(n))]);
+        let parameters = combustion([("particles", f64::from(n))]);
         let nominal = f64::from(parameters.fuel_power);
         let mut fire = Simulation::new(parameters);
         delivered(&mut fire, 0.5);
@@ -378,7 +378,7 @@ fn asymmetry(record: &Record) -> f64 {
 /// Four times the particles, the same flame.
 fn flame_resolution() -> Outcome {
     let heights = [(3000.0, 20.0), (12_000.0, 12.0)].map(|(n, seconds)| {
-        let record = watch(combustion([("max_particles", n)]), 2.0, seconds);
+        let record = watch(combustion([("particles", n)]), 2.0, seconds);
         (fit::mean(record.tips.iter().copied()), record.height(0.5))
     });
     let [(coarse, coarse_half), (fine, fine_half)] = heights;

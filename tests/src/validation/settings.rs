@@ -27,7 +27,7 @@ type Settings = (&'static str, &'static str);
 #[rustfmt::skip]
 const SCENES: [Settings; 12] = [
     ("default", ""),
-    ("bonfire-in-wind", "domain_width=2.8 domain_height=2 max_particles=4000 wind=1 turbulence=2 turbulence_scale=0.3 fuel_power=500 emission_speed=0.5 emission_noise=0.5 source_width=0.7 source_height=0.22 source_oxygen=0.5"),
+    ("bonfire-in-wind", "domain_width=2.8 domain_height=2 particles=4000 wind=1 turbulence=2 turbulence_scale=0.3 fuel_power=500 emission_speed=0.5 emission_noise=0.5 source_width=0.7 source_height=0.22 source_oxygen=0.5"),
     ("campfire", "domain_width=1.8 domain_height=1.8 turbulence=0.8 turbulence_scale=0.25 fuel_power=300 emission_speed=0.6 emission_noise=0.6 source_width=0.5 source_height=0.2 source_oxygen=0.5 soot_life=0.35"),
     ("candle", CANDLE),
     ("fireside", FIRESIDE),
@@ -41,7 +41,7 @@ const SCENES: [Settings; 12] = [
 ];
 
 const CANDLE: &str = "domain_width=0.42 domain_height=0.5 kinematic_viscosity=0.01 eddy_viscosity=0.3 diffusion=0.001 fuel_power=24 emission_speed=0.15 emission_noise=0 source_width=0.08 source_height=0.11 source_oxygen=0.5 radiative_cooling=700 soot_life=0.6";
-const FIRESIDE: &str = "domain_width=1.6 domain_height=1.6 seam=0.03 max_particles=2000 turbulence=0.8 turbulence_scale=0.25 fuel_power=390 emission_speed=0.6 emission_noise=0.6 source_width=0.44 source_height=0.03 source_oxygen=0.5 soot_life=0.5";
+const FIRESIDE: &str = "domain_width=1.6 domain_height=1.6 seam=0.03 particles=2000 turbulence=0.8 turbulence_scale=0.25 fuel_power=390 emission_speed=0.6 emission_noise=0.6 source_width=0.44 source_height=0.03 source_oxygen=0.5 soot_life=0.5";
 const TORCH: &str = "domain_width=1 domain_height=1.3 turbulence=1.5 turbulence_scale=0.12 fuel_power=190 emission_speed=1.2 emission_noise=0.3 source_width=0.14 source_height=0.33 source_oxygen=0.6 soot_life=0.35";
 
 /// Links of the kind that people have.
@@ -50,9 +50,9 @@ const LINKS: [Settings; 20] = [
     ("wind", "wind=1.5 turbulence=2"),
     ("gentle-wind", "wind=-0.4"),
     ("thin-seam", "seam=0.03"),
-    ("coarse", "max_particles=1200"),
-    ("few-particles", "max_particles=500"),
-    ("fine", "max_particles=6000"),
+    ("coarse", "particles=1200"),
+    ("few-particles", "particles=500"),
+    ("fine", "particles=6000"),
     ("seed", "seed=7 turbulence=0"),
     ("wide", "domain_width=4 domain_height=2.4"),
     ("high", "domain_height=3"),
@@ -80,14 +80,14 @@ const RATE: f64 = 60.0;
 /// If a value is invalid, because the settings are.
 fn read(values: &str, edges: &str) -> Parameters {
     let mut parameters = Parameters::new(Model::Combustion);
-    let mut number = false;
+    let mut ids = Vec::new();
     for (id, value) in values.split(' ').filter_map(|pair| pair.split_once('=')) {
         let value = value.parse().unwrap_or(f64::NAN);
         set(&mut parameters, id, Input::Number(value));
-        number |= id == "max_particles";
+        ids.push(id);
     }
     set(&mut parameters, "edges", Input::Text(edges));
-    parameters.complete(false, number, IN_DOMAIN);
+    parameters.complete(&|id| ids.contains(&id), IN_DOMAIN);
     parameters
 }
 

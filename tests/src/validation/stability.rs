@@ -74,7 +74,7 @@ fn layers(hot_speed: f64, cold_speed: f64, values: &[(&str, f64)]) -> Layers {
     let alone = [
         ("domain_width", 1.0),
         ("domain_height", 1.0),
-        ("max_particles", f64::from(total)),
+        ("particles", f64::from(total)),
         // Wide enough that the thinner gas has its neighbours as well.
         ("smoothing_ratio", 1.8),
         ("ambient_temperature", AMBIENT),

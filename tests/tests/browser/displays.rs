@@ -29,7 +29,7 @@ fn closed(model: Model) -> Result<Parameters, JsValue> {
     if model == Model::Combustion {
         for (id, input) in [
             ("edges", Input::Text("periodic")),
-            ("max_particles", Input::Number(3000.0)),
+            ("particles", Input::Number(3000.0)),
         ] {
             parameters.set(id, input).map_err(words)?;
         }

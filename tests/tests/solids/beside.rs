@@ -14,7 +14,7 @@ fn restlessness(fire: &Simulation) -> f32 {
 
 #[test]
 fn still_air_beside_solids_stays_still() {
-    let wide: Numbers<'_> = &[("source_width", 1.0), ("max_particles", 3000.0)];
+    let wide: Numbers<'_> = &[("source_width", 1.0), ("particles", 3000.0)];
     for (choices, numbers) in [
         (&[][..], &[][..]),
         (&[("edges", "open"), ("floor", "solid")][..], wide),
@@ -48,7 +48,7 @@ fn still_air_beside_solids_stays_still() {
 #[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn a_source_keeps_its_power_beside_solids() {
     for choices in [&[][..], &[("edges", "open"), ("floor", "solid")]] {
-        let mut scene = scene(choices, &[("max_particles", 1500.0)]);
+        let mut scene = scene(choices, &[("particles", 1500.0)]);
         let power = |scene: &Scene| {
             let mut fire = Simulation::new(scene.clone());
             burn(&mut fire, 1.5);
@@ -75,7 +75,7 @@ fn a_source_keeps_its_power_beside_solids() {
 #[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn a_source_keeps_its_power_beside_outlines() {
     for choices in [&[][..], &[("edges", "open"), ("floor", "solid")]] {
-        let mut scene = scene(choices, &[("max_particles", 1500.0)]);
+        let mut scene = scene(choices, &[("particles", 1500.0)]);
         let power = |scene: &Scene| {
             let mut fire = Simulation::new(scene.clone());
             burn(&mut fire, 1.5);
@@ -174,7 +174,7 @@ fn gas_does_not_interact_across_a_thin_plate() {
 fn gas_in_a_closed_ring_does_not_interact_with_the_gas_around_it() {
     // A step of the gas is longer than the thinner wall.
     for thickness in [0.01, 0.003] {
-        let mut scene = scene(&[], &[CALM, &[("max_particles", 3000.0)]].concat());
+        let mut scene = scene(&[], &[CALM, &[("particles", 3000.0)]].concat());
         let id = add(&mut scene, "stroke", &[("y", 0.9), ("height", thickness)]);
         let ring = "-0.3,-0.3 0.3,-0.3 0.3,0.3 -0.3,0.3 -0.3,-0.3";
         assert_eq!(scene.change(id, &[("points", Input::Text(ring))]), Ok(()));

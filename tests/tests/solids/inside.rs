@@ -94,7 +94,7 @@ fn no_gas_is_inside(add: &mut dyn FnMut(&mut Scene, usize, &mut Random) -> u32) 
             &[("model", "classic"), ("walls", "solid")],
         ];
         let choices = choices[case as usize % 4];
-        let mut scene = scene(choices, &[("max_particles", 900.0)]);
+        let mut scene = scene(choices, &[("particles", 900.0)]);
         let mut ids = Vec::new();
         for number in 0..8 {
             ids.push(add(&mut scene, number, &mut random));
@@ -136,7 +136,7 @@ fn no_gas_is_inside_of_as_many_moving_solids_as_a_scene_holds() {
         (&[("edges", "open")], 2),
         (&[("model", "classic")], 3),
     ] {
-        let scene = scene(choices, &[("max_particles", 900.0)]);
+        let scene = scene(choices, &[("particles", 900.0)]);
         let settings = scene.settings().clone();
         let crowd = Crowd::of(settings, MOST, MOST, &mut Random::new(seed));
         assert_eq!(crowd.burn(0.3).fault(), None, "{choices:?}");
@@ -166,7 +166,7 @@ fn a_solid_that_moves_by_itself_is_at_the_same_place_in_a_restored_fire() {
 
 #[test]
 fn gas_that_a_solid_moves_onto_is_pushed_away_or_counted_as_removed() {
-    let mut scene = scene(&[], &[("max_particles", 1500.0)]);
+    let mut scene = scene(&[], &[("particles", 1500.0)]);
     let id = add(
         &mut scene,
         "circle",
@@ -200,7 +200,7 @@ fn gas_that_a_solid_moves_onto_is_pushed_away_or_counted_as_removed() {
 
 #[test]
 fn embers_bounce_off_solids() {
-    let numbers = [("ember_rate", 300.0), ("max_particles", 900.0)];
+    let numbers = [("ember_rate", 300.0), ("particles", 900.0)];
     let mut scene = scene(&[], &numbers);
     add(
         &mut scene,

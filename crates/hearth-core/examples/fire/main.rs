@@ -94,7 +94,7 @@ mod tests {
     fn a_run_writes_its_pictures_and_they_show_a_fire() -> Result<(), Box<dyn Error>> {
         let folder = std::env::temp_dir().join(format!("hearth-fire-{}", std::process::id()));
         let words = format!(
-            "--frames 3 --size 120 --start 0.6 --out {} max_particles=1000",
+            "--frames 3 --size 120 --start 0.6 --out {} particles=1000",
             folder.display()
         );
         let arguments: Vec<_> = words.split(' ').map(str::to_owned).collect();

@@ -77,13 +77,14 @@ impl Options {
                 _ => return Err(format!("there is no \"{argument}\"\n\n{HELP}").into()),
             }
         }
-        let [spacing, number] =
-            ["spacing", "max_particles"].map(|id| values.iter().any(|(known, _)| *known == id));
+        let ids: Vec<_> = values.iter().map(|&(id, _)| id).collect();
         options.parameters.set_all(values).map_err(|errors| {
             let message: Vec<_> = errors.iter().map(ToString::to_string).collect();
             message.join("\n")
         })?;
-        options.parameters.complete(spacing, number, IN_DOMAIN);
+        options
+            .parameters
+            .complete(&|id| ids.contains(&id), IN_DOMAIN);
         Ok(options)
     }
 }

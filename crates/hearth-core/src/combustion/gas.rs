@@ -335,7 +335,7 @@ pub(crate) mod tests {
     /// The defaults in a closed domain of 3000 particles, with these values changed.
     pub fn with(values: &[(&str, f64)]) -> Parameters {
         let mut parameters = Parameters::new(Model::Combustion);
-        let closed = [("max_particles", 3000.0)];
+        let closed = [("particles", 3000.0)];
         assert_eq!(parameters.set("edges", Input::Text("periodic")), Ok(()));
         for &(id, value) in closed.iter().chain(values) {
             assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
@@ -361,12 +361,12 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn air_fills_the_domain_with_nearly_max_particles() {
+    fn air_fills_the_domain_with_nearly_all_particles() {
         for (width, height, n) in [(1.2, 1.8, 3000.0), (0.1, 6.0, 1000.0), (6.0, 0.3, 5000.0)] {
             let parameters = with(&[
                 ("domain_width", width),
                 ("domain_height", height),
-                ("max_particles", n),
+                ("particles", n),
             ]);
             let gas = Gas::air(&parameters, parameters.spacing(), &mut Random::new(1));
             let count = gas.len() as f64;

@@ -1,8 +1,7 @@
 //! The resolution of a fire: a spacing, or the number of particles that would fill the domain.
 //!
-//! With open edges the resolution is the length `spacing`, and `max_particles` is a cap. Settings
-//! that do not name `spacing` state the resolution as a number of particles of the domain, as the
-//! closed domain does.
+//! With open edges the resolution is the length `spacing`, otherwise the number `particles`; each follows
+//! the other. `max_particles` is a cap and nothing else.
 
 use super::choices::{Edges, Model};
 use super::set::Parameters;
@@ -15,7 +14,7 @@ use crate::extremes::{fast_max, fast_min};
 const MIN_IN_DOMAIN: f32 = 200.0;
 const MAX_IN_DOMAIN: f32 = 200_000.0;
 
-/// Number of particles of a domain whose settings name neither `spacing` nor `max_particles`.
+/// Number of particles of a domain whose settings name neither `spacing` nor `particles`.
 pub const IN_DOMAIN: u32 = 3000;
 
 impl Physics {
@@ -24,7 +23,7 @@ impl Physics {
         let domain = self.domain_width * self.domain_height;
         match (self.model, self.edges) {
             (Model::Classic, _) => libm::sqrtf(self.particle_mass / self.rest_density),
-            (Model::Combustion, Edges::Periodic) => libm::sqrtf(domain / self.max_particles as f32),
+            (Model::Combustion, Edges::Periodic) => libm::sqrtf(domain / self.capacity() as f32),
             (Model::Combustion, Edges::Open) => {
                 let [min, max] = [MAX_IN_DOMAIN, MIN_IN_DOMAIN].map(|n| libm::sqrtf(domain / n));
                 fast_max(fast_min(self.spacing, max), min)
@@ -48,7 +47,15 @@ impl Physics {
             let number = self.domain_width * self.domain_height / (spacing * spacing);
             libm::roundf(number) as u32
         } else {
-            self.max_particles
+            self.capacity()
+        }
+    }
+
+    /// The largest number of particles. A closed domain is always full, without a cap.
+    pub fn capacity(&self) -> u32 {
+        match (self.model, self.edges) {
+            (Model::Combustion, Edges::Periodic) => self.particles,
+            _ => self.max_particles,
         }
     }
 
@@ -59,48 +66,49 @@ impl Physics {
 }
 
 impl Parameters {
-    /// Sets the resolution at which that number of particles would fill the domain. With open
-    /// edges, this sets `spacing`, and `max_particles` to twice the number, because a fire moves
-    /// air beyond the domain, too.
+    /// Sets the resolution at which that number of particles would fill the domain, and `max_particles` to
+    /// twice the number, because with open edges a fire moves air beyond the domain, too.
     pub fn set_domain_particles(&mut self, particles: u32) {
+        self.set_within("particles", particles.into());
+        self.set_within("max_particles", 2.0 * f64::from(particles));
         if self.has_open_edges() {
             let domain = self.domain_width * self.domain_height;
             let spacing = libm::sqrtf(domain / particles.max(1) as f32);
             self.set_within("spacing", spacing.into());
-            self.set_within("max_particles", 2.0 * f64::from(particles));
-        } else {
-            self.set_within("max_particles", particles.into());
         }
     }
 
-    /// Completes the resolution of settings, whose `spacing` and `max_particles` determine whether a
-    /// document, a page or a caller names the parameter. If `spacing` is not named, the resolution
-    /// is the one at which `max_particles` would fill the domain, or `in_domain` if that is not named
-    /// either. A cap that is not named is large enough for twice the domain.
+    /// Completes the resolution of settings. `names` says whether a document, a page or a caller names a
+    /// parameter. Without a `spacing`, the resolution is the one at which `particles` would fill the domain, or
+    /// `in_domain` if that is not named either. A cap that is not named is large enough for twice the domain.
     ///
     /// Readers call it once, after all values of a document are set. `set` alone never does.
-    pub fn complete(&mut self, spacing: bool, max_particles: bool, in_domain: u32) {
+    pub fn complete(&mut self, names: &dyn Fn(&str) -> bool, in_domain: u32) {
         if self.model != Model::Combustion {
             return;
         }
-        let number = if max_particles {
-            self.max_particles
+        let cap = self.max_particles;
+        if self.has_open_edges() && names("spacing") {
+            let particles = self.domain_particles();
+            self.set_within("particles", particles.into());
+            let enough = particles.saturating_mul(2).max(cap);
+            self.set_within("max_particles", enough.into());
         } else {
-            in_domain
-        };
-        if !self.has_open_edges() || !spacing {
+            let number = if names("particles") {
+                self.particles
+            } else {
+                in_domain
+            };
             self.set_domain_particles(number);
-        } else if !max_particles {
-            let enough = self.domain_particles().saturating_mul(2);
-            if self.max_particles < enough {
-                self.set_within("max_particles", enough.into());
+            // The default is a rounded length.
+            let is_default = ["domain_width", "domain_height"].map(|id| self.is_default(id));
+            if number == IN_DOMAIN && is_default == [true; 2] {
+                let restored = self.restore("spacing");
+                debug_assert_eq!(restored, Ok(()));
             }
         }
-        // The default is a rounded length.
-        let is_default = ["domain_width", "domain_height"].map(|id| self.is_default(id));
-        if !spacing && number == IN_DOMAIN && is_default == [true; 2] {
-            let restored = self.restore("spacing");
-            debug_assert_eq!(restored, Ok(()));
+        if names("max_particles") {
+            self.set_within("max_particles", cap.into());
         }
     }
 

@@ -265,10 +265,12 @@ parameters! {
         /// A coarser fire that takes less work. Distance of neighbouring particles in air. Until it
         /// is set, it follows the domain, the number of particles and the quality.
         spacing: number "Spacing" ["m"] Log { Combustion(0.0268, 0.0003..=0.5) } when { edges: OPEN }
-        /// A finer fire that takes more work. Classic, and open edges with a `spacing`: largest
-        /// number of particles; with open edges, the highest air sleeps beyond it. Without a
-        /// `spacing`, and periodic edges: number of particles that would fill the domain.
-        max_particles: integer "Particles" [""] Log { Classic(1000, 100.0..=100_000.0) Combustion(6000, 200.0..=100_000.0) }
+        /// A finer fire that takes more work. Number of particles that would fill the domain. Until it
+        /// is set, it follows the scene, the `spacing` and the quality.
+        particles: integer "Particles" [""] Log { Combustion(3000, 200.0..=100_000.0) }
+        /// A fire that may grow larger. Largest number of particles, with open edges or in the classic model.
+        /// The highest air sleeps beyond it; until it is set, there is room for twice the domain.
+        max_particles: integer "Most particles" [""] Log { Classic(1000, 100.0..=100_000.0) Combustion(6000, 200.0..=100_000.0) }
         /// A smoother, wider fire that takes more work. Smoothing length h: particles interact
         /// up to twice this distance.
         smoothing_radius: number "Smoothing radius" ["m"] Log { Classic(0.026, 0.005..=0.1) }

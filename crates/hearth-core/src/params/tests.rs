@@ -216,14 +216,14 @@ fn every_default_is_in_its_own_range() {
 fn the_smoothing_length_follows_the_spacing_or_the_number_of_particles() {
     let mut parameters = Parameters::new(Model::Combustion);
     assert_eq!(parameters.smoothing_length(), 1.5 * parameters.spacing);
-    set(&mut parameters, "max_particles", Value::Integer(12_000));
+    set(&mut parameters, "particles", Value::Integer(12_000));
     assert_eq!(parameters.smoothing_length(), 1.5 * parameters.spacing);
 
     set(&mut parameters, "edges", Value::Choice("periodic"));
     let spacing = (1.2_f32 * 1.8 / 12_000.0).sqrt();
     assert!((parameters.spacing() - spacing).abs() < 1e-6);
     assert!((parameters.smoothing_length() - 1.5 * spacing).abs() < 1e-6);
-    set(&mut parameters, "max_particles", Value::Integer(3000));
+    set(&mut parameters, "particles", Value::Integer(3000));
     assert!((parameters.spacing() - 2.0 * spacing).abs() < 1e-6);
     let classic = Parameters::new(Model::Classic);
     assert_eq!(classic.smoothing_length(), classic.smoothing_radius);

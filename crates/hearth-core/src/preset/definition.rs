@@ -72,8 +72,7 @@ impl Preset {
         let mut parameters = Parameters::default();
         let set = parameters.set_all(self.values());
         debug_assert!(set.is_ok(), "preset {}: {set:?}", self.name);
-        let [spacing, number] = ["spacing", "max_particles"].map(|id| self.names(id));
-        parameters.complete(spacing, number, IN_DOMAIN);
+        parameters.complete(&|id| self.names(id), IN_DOMAIN);
         parameters
     }
 

@@ -9,7 +9,7 @@
 //! | 4 | `Fire` |
 //! | 2, 2 | [`VERSION`]; number of embers |
 //! | 8 | [`digest`] of its values |
-//! | 4, 4 | its `max_particles` or, with open edges, its spacing \[m\]; number of particles |
+//! | 4, 4 | its `particles` or, with open edges, its spacing \[m\]; number of particles |
 //! | 8 | time \[s\] |
 //! | 4 × 6 | largest velocity, excess temperature and soot; of embers, velocity, size and life |
 //! | particles × 10 | x, y (2 each), u, v, temperature, fuel, oxygen, soot (1 each), column by column |

@@ -197,7 +197,7 @@ fn measurements_are_shown_as_they_are() {
     let mut harness = Harness::of_model(Model::Combustion, TALL);
     for (id, input) in [
         ("edges", Input::Text("periodic")),
-        ("max_particles", Input::Number(3000.0)),
+        ("particles", Input::Number(3000.0)),
     ] {
         harness.panel.state.fire.receive(id, input);
     }
@@ -224,8 +224,8 @@ fn measurements_are_shown_as_they_are() {
         .panel
         .state
         .fire
-        .receive("max_particles", Input::Number(50_000.0));
-    harness.reveal("max_particles");
+        .receive("particles", Input::Number(50_000.0));
+    harness.reveal("particles");
     let texts = harness.texts();
     let note = "Expensive value: the fire runs at 0.3 × real time";
     assert!(texts.iter().any(|text| text == note), "{texts:?}");
@@ -238,7 +238,7 @@ fn open_air_shows_its_particles_and_the_share_that_sleeps() {
         .panel
         .state
         .fire
-        .receive("max_particles", Input::Number(3000.0));
+        .receive("particles", Input::Number(3000.0));
     let mut stats = Stats {
         particles: 742.0,
         ..Stats::default()

@@ -9,7 +9,7 @@ use hearth_settings::untrusted::Untrusted;
 use hearth_settings::{Change, Settings, adapt};
 
 fn number(particles: u32) -> (&'static str, Untrusted) {
-    ("max_particles", Untrusted::Number(particles.into()))
+    ("particles", Untrusted::Number(particles.into()))
 }
 
 fn model(name: &str) -> (&'static str, Untrusted) {
@@ -43,7 +43,7 @@ fn the_level_decides_the_number_until_it_is_stated() {
         let settings = with(&default, [number(own)]);
         assert_eq!(particles(&settings), [found; 3]);
         // Restoring the parameter or all settings resets it.
-        assert_eq!(without(&settings, "max_particles"), default);
+        assert_eq!(without(&settings, "particles"), default);
         assert_eq!(after(&settings, Change::Preset("default")), default);
         // Changes of other parameters do not.
         let others = [
@@ -87,7 +87,8 @@ fn a_change_with_a_refused_value_changes_nothing() {
 
 #[test]
 fn each_model_has_its_own_number() {
-    let classic = with(&Settings::default(), [model("classic"), number(500)]);
+    let cap = ("max_particles", Untrusted::Number(500.0));
+    let classic = with(&Settings::default(), [model("classic"), cap]);
     assert_eq!(particles(&classic), [500; 3]);
     assert_eq!(particles(&with(&classic, [model("combustion")])), FOLLOWS);
     // And vice versa.
@@ -123,7 +124,7 @@ fn the_start_does_not_depend_on_the_guess_for_the_machine() {
     let set = |id: &str, number| with(&settings, [(id, Untrusted::Number(number))]);
     let cases = [
         (settings.clone(), Level::Medium),
-        (set("max_particles", 2000.0), Level::Low),
+        (set("particles", 2000.0), Level::Low),
         (set("domain_height", 1.2), Level::Low),
     ];
     for (changed, level) in cases {

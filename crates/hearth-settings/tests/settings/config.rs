@@ -2,9 +2,8 @@
 
 use hearth_core::params::{Input, Model, PARAMETERS};
 use hearth_core::preset::Preset;
-use hearth_settings::file::export;
 use hearth_settings::untrusted::Untrusted;
-use hearth_settings::{Change, Settings};
+use hearth_settings::{Change, Settings, export};
 
 use crate::harness::{after, imported, set, text};
 
@@ -72,10 +71,10 @@ fn import_restores_every_exported_change() {
 #[test]
 fn export_includes_a_stated_number_of_particles() {
     let settings = Settings::default();
-    let default = f64::from(settings.parameters().max_particles);
+    let default = f64::from(settings.parameters().particles);
     assert_eq!(differing(&settings), (vec![], 0));
-    let settings = set(&settings, "max_particles", Untrusted::Number(default));
-    assert_eq!(differing(&settings), (vec!["max_particles".to_owned()], 0));
+    let settings = set(&settings, "particles", Untrusted::Number(default));
+    assert_eq!(differing(&settings), (vec!["particles".to_owned()], 0));
     assert_eq!(imported(&export(&settings)), settings);
 }
 

@@ -8,9 +8,8 @@ use hearth_core::preset::Preset;
 use hearth_core::resolution::Level;
 use hearth_core::resolution::Resolution;
 use hearth_core::resolution::SizeLimit;
-use hearth_settings::file::export;
 use hearth_settings::untrusted::Untrusted;
-use hearth_settings::{Change, Settings};
+use hearth_settings::{Change, Settings, export};
 
 /// Width and height of the domain \[m\], and the number of particles at medium quality.
 type Box = (f32, f32, u32);
@@ -35,21 +34,21 @@ const LINKS: [(&str, Box); 26] = [
     ("", (1.2, 1.8, 3000)),
     ("scene=default&wind=1.5&turbulence=2", (1.2, 1.8, 3000)),
     ("seam=0.03", (1.2, 1.8, 3000)),
-    ("max-particles=5000", (1.2, 1.8, 5000)),
-    ("max-particles=3000", (1.2, 1.8, 3000)),
-    ("max-particles=200", (1.2, 1.8, 200)),
-    ("max-particles=100000&seed=7", (1.2, 1.8, 100_000)),
+    ("particles=5000", (1.2, 1.8, 5000)),
+    ("particles=3000", (1.2, 1.8, 3000)),
+    ("particles=200", (1.2, 1.8, 200)),
+    ("particles=100000&seed=7", (1.2, 1.8, 100_000)),
     ("domain-width=4&domain-height=2.4", (4.0, 2.4, 3000)),
     (
-        "domain-width=4&domain-height=2.4&max-particles=15000&wind=1",
+        "domain-width=4&domain-height=2.4&particles=15000&wind=1",
         (4.0, 2.4, 15_000),
     ),
     (
-        "domain-width=6&domain-height=6&max-particles=200",
+        "domain-width=6&domain-height=6&particles=200",
         (6.0, 6.0, 200),
     ),
     (
-        "domain-width=0.1&domain-height=0.1&max-particles=100000",
+        "domain-width=0.1&domain-height=0.1&particles=100000",
         (0.1, 0.1, 100_000),
     ),
     ("domain_height=3", (1.2, 3.0, 3000)),
@@ -62,12 +61,12 @@ const LINKS: [(&str, Box); 26] = [
         "scene=candle&seam=0.1&source-height=0.05",
         (0.42, 0.5, 3000),
     ),
-    ("preset=candle&max-particles=1200", (0.42, 0.5, 1200)),
+    ("preset=candle&particles=1200", (0.42, 0.5, 1200)),
     ("scene=fireside", (1.6, 1.6, 2000)),
     ("scene=fireside&domain-width=2.4", (2.4, 1.6, 2000)),
-    ("scene=fireside&max-particles=6700", (1.6, 1.6, 6700)),
+    ("scene=fireside&particles=6700", (1.6, 1.6, 6700)),
     (
-        "scene=fireside&domain-height=2&max-particles=2000&seam=0.07",
+        "scene=fireside&domain-height=2&particles=2000&seam=0.07",
         (1.6, 2.0, 2000),
     ),
     ("scene=bonfire-in-wind&wind=-2", (2.8, 2.0, 4000)),
@@ -81,7 +80,7 @@ const LINKS: [(&str, Box); 26] = [
     ),
     ("scene=wall-of-fire&time-scale=1", (2.8, 1.4, 3000)),
     (
-        "scene=smoke-stack&domain-width=3&max-particles=9000",
+        "scene=smoke-stack&domain-width=3&particles=9000",
         (3.0, 2.2, 9000),
     ),
     (
@@ -180,7 +179,7 @@ fn periodic_edges_and_the_classic_model_keep_their_box() {
         let [file, ..] = opened(&format!("{link}&edges=periodic"));
         let values = file.completed();
         assert_eq!((values.domain_width, values.domain_height), (width, height));
-        assert_eq!(values.max_particles, number, "{link}");
+        assert_eq!(values.capacity(), number, "{link}");
     }
     for link in ["", "max-particles=500&domain-width=3", "scene=seed"] {
         let [file, ..] = opened(&format!("{link}&model=classic"));
@@ -200,7 +199,7 @@ fn the_levels_set_the_spacing_of_open_air() {
         assert!(values.max_particles >= 2 * level.particles());
     }
     // A page that names the resolution fixes it.
-    for link in ["spacing=0.02", "max-particles=5000", "max-particles=3000"] {
+    for link in ["spacing=0.02", "particles=5000", "particles=3000"] {
         for settings in opened(link) {
             assert!(matches!(settings.resolution(), Resolution::Page(_)));
             let [low, high] = [Level::Low, Level::High].map(|level| at_level(&settings, level));
@@ -251,7 +250,7 @@ fn the_resolution_of_a_scene_is_that_of_medium_quality_or_its_own() {
             continue;
         }
         let number = f64::from(values.domain_particles());
-        if preset.names("max_particles") {
+        if preset.names("particles") {
             assert!(
                 preset.names("spacing"),
                 "{}: a cap needs a spacing",

@@ -3,9 +3,8 @@
 use hearth_core::params::{Kind, PARAMETERS, Param};
 use hearth_core::preset::Preset;
 use hearth_core::random::Random;
-use hearth_settings::file::export;
 use hearth_settings::untrusted::Untrusted;
-use hearth_settings::{Change, Settings};
+use hearth_settings::{Change, Settings, export};
 
 use crate::harness::{number, object, text};
 
@@ -18,10 +17,11 @@ fn below(random: &mut Random, count: usize) -> usize {
 
 /// A parameter; often one whose value decides what others mean.
 fn parameter(random: &mut Random) -> &'static Param {
-    const DECISIVE: [&str; 6] = [
+    const DECISIVE: [&str; 7] = [
         "model",
         "edges",
         "spacing",
+        "particles",
         "max_particles",
         "domain_width",
         "domain_height",

@@ -37,7 +37,7 @@ const POWER_AVERAGING_TIME: f32 = 0.3;
 /// The largest power of a flame that the particles have room for [kW/m].
 fn max_power(values: &Physics) -> f32 {
     let spacing = values.spacing();
-    let area = values.max_particles as f32 * spacing * spacing;
+    let area = values.capacity() as f32 * spacing * spacing;
     let height = (area / FLAME_WIDTH).sqrt() / FLAME_HEIGHT_FACTOR;
     height * height.sqrt()
 }

@@ -183,7 +183,7 @@ mod tests {
     #[test]
     fn exchange_is_conservative() {
         for seed in 0..3 {
-            let parameters = with(&[("max_particles", 1500.0), ("gas_expansion", 1.0)]);
+            let parameters = with(&[("particles", 1500.0), ("gas_expansion", 1.0)]);
             let gas = summed(&parameters, 1.0, seed);
             let net: Vec2 = gas.acceleration.iter().sum();
             let all: f32 = gas.acceleration.iter().map(|a| a.length()).sum();
@@ -203,7 +203,7 @@ mod tests {
         ] {
             let work = |value: f64| {
                 let parameters = with(&[
-                    ("max_particles", 1500.0),
+                    ("particles", 1500.0),
                     ("kinematic_viscosity", 0.0),
                     ("eddy_viscosity", 0.0),
                     ("artificial_viscosity", 0.02),
@@ -219,7 +219,7 @@ mod tests {
 
     #[test]
     fn rolls_dissipate_energy_and_even_out_what_they_mix() {
-        let parameters = with(&[("max_particles", 1500.0)]);
+        let parameters = with(&[("particles", 1500.0)]);
         // The changes of v²/2 and φ²/2 [1/s].
         let changes = |rolls| {
             let gas = summed(&parameters, rolls, 4);
@@ -235,7 +235,7 @@ mod tests {
 
     #[test]
     fn the_volumes_of_any_mixture_fill_the_domain() {
-        let parameters = with(&[("max_particles", 1500.0)]);
+        let parameters = with(&[("particles", 1500.0)]);
         let gas = summed(&parameters, 0.0, 7);
         let filled: f32 = gas.volume.iter().sum();
         let domain = parameters.domain_width * parameters.domain_height;

@@ -53,7 +53,7 @@ impl Discretisation {
             Edges::Periodic => Discretisation::Periodic {
                 width: values.domain_width,
                 height: values.domain_height,
-                particles: values.max_particles,
+                particles: values.capacity(),
             },
         }
     }
@@ -92,12 +92,7 @@ pub(crate) fn resample(old: &Old, parameters: &Parameters, random: &mut Random) 
     let spacing = parameters.spacing() * (old.mean_density(parameters) / OVERSAMPLING).sqrt();
     let places = lattice(parameters, spacing, random);
     let mut gas = Gas::default();
-    old.select(
-        &places,
-        parameters.max_particles as usize,
-        &|_| true,
-        &mut gas,
-    );
+    old.select(&places, parameters.capacity() as usize, &|_| true, &mut gas);
     gas.set_mass_and_volume(parameters);
     gas
 }
@@ -111,7 +106,7 @@ pub(crate) fn resample_open(old: &Old, parameters: &Parameters, open: &OpenAir) 
     let mut gas = Gas::default();
     old.select(
         &Lattice::even(corner, size, spacing),
-        parameters.max_particles as usize,
+        parameters.capacity() as usize,
         &|place| open.holds(place),
         &mut gas,
     );
@@ -283,7 +278,7 @@ mod tests {
 
     #[test]
     fn a_field_is_unchanged_at_another_resolution() {
-        let coarse = with(&[("max_particles", 3000.0)]);
+        let coarse = with(&[("particles", 3000.0)]);
         let field = |at: Vec2| Vec4::new(900.0 + 500.0 * at.x + 200.0 * at.y, 0.3 * at.y, 0.5, 0.1);
         let mut old = air(&coarse);
         for i in 0..old.len() {
@@ -291,7 +286,7 @@ mod tests {
             old.velocity[i] = Vec2::new(0.5, 1.0);
         }
         for n in [1000.0, 12_000.0] {
-            let parameters = with(&[("max_particles", n)]);
+            let parameters = with(&[("particles", n)]);
             let new = taken_over(&old, &coarse, &parameters);
             for i in 0..new.len() {
                 let at = new.position[i];
@@ -339,7 +334,7 @@ mod tests {
         let each = |fire: &crate::Simulation| 1.0 / fire.count() as f64;
         let before = heat(&fire.particles(), each(&fire));
         for n in [1500.0, 6000.0, 3000.0] {
-            let set = fire.set("max_particles", crate::params::Input::Number(n));
+            let set = fire.set("particles", crate::params::Input::Number(n));
             assert_eq!(set, Ok(()));
             assert!(
                 (fire.count() as f64 / n - 1.0).abs() < 0.06,

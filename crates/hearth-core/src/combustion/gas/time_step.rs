@@ -159,10 +159,7 @@ mod tests {
             (0.0, 1e4, 0.0),
             (0.0, 0.0, 0.01),
         ] {
-            let parameters = with(&[
-                ("kinematic_viscosity", viscosity),
-                ("max_particles", 20_000.0),
-            ]);
+            let parameters = with(&[("kinematic_viscosity", viscosity), ("particles", 20_000.0)]);
             let mut gas = random_gas(&parameters, 1);
             gas.velocity.fill(Vec2::new(speed, 0.0));
             gas.acceleration.fill(Vec2::new(0.0, force));

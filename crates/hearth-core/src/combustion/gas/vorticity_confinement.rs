@@ -209,8 +209,8 @@ mod tests {
     /// Gas of random motion above y = `still`, at rest below, and what the confinement adds to
     /// its accelerations.
     fn confined(still: f32, solids: &Solids) -> (Gas, Vec<Vec2>) {
-        let off = with(&[("max_particles", 1500.0)]);
-        let on = with(&[("max_particles", 1500.0), ("vorticity_confinement", 0.5)]);
+        let off = with(&[("particles", 1500.0)]);
+        let on = with(&[("particles", 1500.0), ("vorticity_confinement", 0.5)]);
         let mut gas = random_gas(&off, 9);
         let kernel = Kernel::new(off.smoothing_length());
         for (at, velocity) in gas.position.iter().zip(&mut gas.velocity) {
@@ -246,7 +246,7 @@ mod tests {
     #[test]
     fn it_does_not_act_through_a_thin_plate() {
         // The domain is periodic, so there is one plate at its edge too.
-        let mut scene = Scene::new(with(&[("max_particles", 1500.0)]));
+        let mut scene = Scene::new(with(&[("particles", 1500.0)]));
         for y in [0.0, 0.9] {
             let fields = [
                 ("shape", Input::Text("line")),

@@ -8,7 +8,7 @@ fn every_source_burns_at_its_position() {
         for (id, x) in [
             ("source_width", 0.2),
             ("source_x", -0.3),
-            ("max_particles", 1500.0),
+            ("particles", 1500.0),
         ] {
             assert_eq!(settings.set(id, number(x)), Ok(()));
         }
@@ -44,7 +44,7 @@ fn two_sources_give_the_power_of_both() {
         ("source_width", 0.3),
         ("source_x", -0.3),
         ("fuel_power", 60.0),
-        ("max_particles", 3000.0),
+        ("particles", 3000.0),
     ] {
         assert_eq!(settings.set(id, number(x)), Ok(()));
     }

@@ -56,7 +56,7 @@ fn a_long_name_and_one_of_two_lines_are_refused() {
 fn a_fire_burns_as_without_its_objects_that_are_off() {
     for model in [Model::Combustion, Model::Classic] {
         let mut settings = Parameters::new(model);
-        assert_eq!(settings.set("max_particles", number(1500.0)), Ok(()));
+        assert_eq!(settings.set("particles", number(1500.0)), Ok(()));
         let plain = Scene::new(settings);
         let mut scene = plain.clone();
         let source = [SOURCE, ("x", number(0.3)), OFF];

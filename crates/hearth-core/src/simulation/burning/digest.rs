@@ -36,7 +36,7 @@ fn with_changed<'a>(
     changed: impl Iterator<Item = (&'static Param, AnyValue<'a>)>,
 ) -> u64 {
     for (param, value) in changed {
-        let resampled = ["seed", "max_particles", "spacing"].contains(&param.id);
+        let resampled = ["seed", "particles", "max_particles", "spacing"].contains(&param.id);
         if param.role != Role::Physics || resampled {
             continue;
         }

@@ -7,8 +7,10 @@ fn with(values: &[(&str, f64)]) -> Parameters {
     for &(id, value) in values {
         assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
     }
-    let number = values.iter().any(|&(id, _)| id == "max_particles");
-    parameters.complete(false, number, IN_DOMAIN);
+    parameters.complete(
+        &|id| values.iter().any(|&(known, _)| known == id),
+        IN_DOMAIN,
+    );
     parameters
 }
 
@@ -23,7 +25,7 @@ fn burnt(parameters: Parameters, seconds: f64) -> Simulation {
 #[test]
 fn only_parameters_of_the_gas_change_the_digest() {
     let usual = Parameters::new(Model::Combustion);
-    for (id, value) in [("exposure", 1.0), ("seed", 7.0), ("max_particles", 1200.0)] {
+    for (id, value) in [("exposure", 1.0), ("seed", 7.0), ("particles", 1200.0)] {
         assert_eq!(
             digest(&with(&[(id, value)]).into()),
             digest(&usual.clone().into()),
@@ -45,7 +47,7 @@ fn only_parameters_of_the_gas_change_the_digest() {
 
 #[test]
 fn a_restored_fire_continues() {
-    let values = with(&[("max_particles", 1000.0), ("ember_rate", 200.0)]);
+    let values = with(&[("particles", 1000.0), ("ember_rate", 200.0)]);
     let fire = burnt(values.clone(), 0.8);
     let bytes = fire.burning().unwrap_or_default();
     let mut other = Simulation::new(values);
@@ -78,11 +80,11 @@ fn a_restored_fire_continues() {
 
 #[test]
 fn the_same_bytes_and_seed_give_the_same_bits_at_any_number_of_particles() {
-    let bytes = burnt(with(&[("max_particles", 1500.0)]), 0.5).burning();
+    let bytes = burnt(with(&[("particles", 1500.0)]), 0.5).burning();
     let bytes = bytes.unwrap_or_default();
     for n in [1000.0, 1500.0, 3000.0] {
         let [first, second] = [(); 2].map(|()| {
-            let mut fire = Simulation::new(with(&[("max_particles", n)]));
+            let mut fire = Simulation::new(with(&[("particles", n)]));
             assert_eq!(fire.restore_burning(&bytes), Ok(()));
             for _ in 0..20 {
                 fire.step();
@@ -98,9 +100,9 @@ fn the_same_bytes_and_seed_give_the_same_bits_at_any_number_of_particles() {
 
 #[test]
 fn other_values_and_damaged_bytes_are_errors_and_change_nothing() {
-    let values = with(&[("max_particles", 1000.0)]);
+    let values = with(&[("particles", 1000.0)]);
     let bytes = burnt(values.clone(), 0.1).burning().unwrap_or_default();
-    let mut fire = burnt(with(&[("max_particles", 1000.0), ("wind", 1.0)]), 0.05);
+    let mut fire = burnt(with(&[("particles", 1000.0), ("wind", 1.0)]), 0.05);
     let before = fire.particles();
     assert_eq!(fire.restore_burning(&bytes), Err(BurningError::OtherValues));
     let mut classic = Simulation::new(Parameters::new(Model::Classic));
@@ -138,7 +140,7 @@ fn other_values_and_damaged_bytes_are_errors_and_change_nothing() {
 
 #[test]
 fn any_columns_restore_a_finite_fire() {
-    let values = with(&[("max_particles", 1000.0), ("ember_rate", 200.0)]);
+    let values = with(&[("particles", 1000.0), ("ember_rate", 200.0)]);
     let bytes = burnt(values.clone(), 0.2).burning().unwrap_or_default();
     let mut random = Random::new(3);
     for _ in 0..3 {

@@ -11,11 +11,11 @@ use hearth_settings::adapt;
 
 fn with(values: &[(&str, f64)]) -> Parameters {
     let mut parameters = Parameters::new(Model::Combustion);
-    let named = |id| values.iter().any(|&(name, _)| name == id);
+    let named = |id: &str| values.iter().any(|&(name, _)| name == id);
     for &(id, value) in values {
         assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
     }
-    parameters.complete(named("spacing"), named("max_particles"), IN_DOMAIN);
+    parameters.complete(&named, IN_DOMAIN);
     parameters
 }
 
@@ -71,7 +71,7 @@ fn flame(fire: &Simulation) -> f32 {
 #[test]
 fn a_warm_fire_has_a_tall_flame() {
     for seed in 1..=5 {
-        let values = with(&[("seed", f64::from(seed)), ("max_particles", 1200.0)]);
+        let values = with(&[("seed", f64::from(seed)), ("particles", 1200.0)]);
         let (fire, _) = warmed(&mut WarmUp::new(3.0, Vec::new()), &values);
         assert!(fire.time() >= 3.0);
         assert!(flame(&fire) > 0.3, "seed {seed}: {} m", flame(&fire));
@@ -80,7 +80,7 @@ fn a_warm_fire_has_a_tall_flame() {
 
 #[test]
 fn the_warm_up_uses_few_particles_until_its_last_part() {
-    let values = with(&[("max_particles", 3000.0)]);
+    let values = with(&[("particles", 3000.0)]);
     let (fire, counts) = warmed(&mut WarmUp::new(2.0, Vec::new()), &values);
     assert!(
         4 * counts[0] < fire.count(),
@@ -90,7 +90,7 @@ fn the_warm_up_uses_few_particles_until_its_last_part() {
     );
     // Small fires and short warm-ups use all particles.
     for (seconds, particles) in [(2.0, 500.0), (0.5, 1200.0)] {
-        let values = with(&[("max_particles", particles)]);
+        let values = with(&[("particles", particles)]);
         let (_, counts) = warmed(&mut WarmUp::new(seconds, Vec::new()), &values);
         let grows = |pair: &[usize]| pair[1] as f64 > 1.2 * pair[0] as f64;
         assert!(!counts.windows(2).any(grows), "{particles}: {counts:?}");
@@ -104,7 +104,7 @@ fn the_warm_up_uses_few_particles_until_its_last_part() {
 
 #[test]
 fn the_warm_up_is_deterministic() {
-    let values = with(&[("max_particles", 1200.0)]);
+    let values = with(&[("particles", 1200.0)]);
     let [(first, _), (second, _)] =
         [(); 2].map(|()| warmed(&mut WarmUp::new(1.5, Vec::new()), &values));
     assert_eq!(first.particles(), second.particles());
@@ -112,12 +112,12 @@ fn the_warm_up_is_deterministic() {
 
 #[test]
 fn a_saved_fire_with_the_same_settings_replaces_the_warm_up() {
-    let values = with(&[("max_particles", 1000.0)]);
+    let values = with(&[("particles", 1000.0)]);
     let (fire, _) = warmed(&mut WarmUp::new(1.0, Vec::new()), &values);
     let saved = fire.burning().unwrap_or_default();
     let mut warm = WarmUp::new(3.0, saved.clone());
     for particles in [1000.0, 500.0] {
-        let values = with(&[("max_particles", particles), ("exposure", 1.0)]);
+        let values = with(&[("particles", particles), ("exposure", 1.0)]);
         let (taken_up, counts) = warmed(&mut warm, &values);
         // It burns on with all particles, so that its second slice has a past.
         let burnt = taken_up.time() - fire.time();
@@ -125,14 +125,14 @@ fn a_saved_fire_with_the_same_settings_replaces_the_warm_up() {
         assert!(counts.iter().all(|&count| count > taken_up.count() / 2));
     }
     // With other settings the fire warms up, and the saved one remains for later.
-    let (_, counts) = warmed(&mut warm, &with(&[("max_particles", 500.0), ("wind", 0.5)]));
+    let (_, counts) = warmed(&mut warm, &with(&[("particles", 500.0), ("wind", 0.5)]));
     assert!(!counts.is_empty());
     assert!(warmed(&mut warm, &values).0.time() > fire.time());
 }
 
 #[test]
 fn a_damaged_saved_fire_is_reported_once_and_the_fire_warms_up() {
-    let values = with(&[("max_particles", 500.0)]);
+    let values = with(&[("particles", 500.0)]);
     let mut warm = WarmUp::new(0.1, vec![1, 2, 3]);
     let mut fire = Simulation::new(values.clone());
     let error = warm.begin(&mut fire, values.clone().into());
@@ -143,7 +143,7 @@ fn a_damaged_saved_fire_is_reported_once_and_the_fire_warms_up() {
 
 #[test]
 fn without_a_duration_there_is_no_warm_up() {
-    let values = with(&[("max_particles", 1000.0)]);
+    let values = with(&[("particles", 1000.0)]);
     let mut warm = WarmUp::default();
     assert!(!warm.is_enabled());
     let (fire, counts) = warmed(&mut warm, &values);

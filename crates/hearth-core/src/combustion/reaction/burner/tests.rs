@@ -28,7 +28,7 @@ fn its_power_is_exact_at_any_width_resolution_and_noise() {
         (3000.0, 0.01, 0.2),
     ] {
         let parameters = with(&[
-            ("max_particles", n),
+            ("particles", n),
             ("source_width", width),
             ("emission_noise", noise),
         ]);
@@ -47,7 +47,7 @@ fn its_power_is_exact_at_any_width_resolution_and_noise() {
 fn it_may_be_turned_and_keeps_its_power() {
     for angle in [-180.0, -90.0, -37.0, 15.0, 90.0, 140.0] {
         let parameters = with(&[
-            ("max_particles", 12_000.0),
+            ("particles", 12_000.0),
             ("source_height", 0.8),
             ("source_angle", angle),
         ]);
@@ -83,7 +83,7 @@ fn its_noise_moves_with_it() {
     // The fuel by the distance from the middle of the burner.
     let fuel = |x: f64| {
         let values = [("source_x", x), ("emission_noise", 1.0)];
-        let parameters = with(&[&values[..], &[("max_particles", 50_000.0)]].concat());
+        let parameters = with(&[&values[..], &[("particles", 50_000.0)]].concat());
         let gas = fed(&parameters, 1e-3).expect("a burner");
         let middle = Burner::of(&parameters).middle;
         assert!((f64::from(middle) - x).abs() < 1e-6);
@@ -148,7 +148,7 @@ fn excess_fuel_goes_to_the_gas_above() {
             ("fuel_power", 600.0),
             ("source_width", 0.1),
             ("emission_noise", 0.0),
-            ("max_particles", n),
+            ("particles", n),
         ]);
         let gas = fed(&parameters, 0.25).expect("a burner");
         let fuel: f32 = gas.state.iter().map(|state| state.y * gas.mass).sum();
@@ -226,7 +226,7 @@ fn on_a_solid_it_keeps_its_power_and_burns_at_the_surface_alone() {
         // The last one crosses a periodic edge, so that half of it is an image.
         for place in [[0.0, 0.9, 0.0], [0.2, 0.6, 37.0], [-0.6, 1.2, -140.0]] {
             for noise in [0.0, 1.0] {
-                let settings = with(&[("max_particles", 12_000.0), ("emission_noise", noise)]);
+                let settings = with(&[("particles", 12_000.0), ("emission_noise", noise)]);
                 let scene = on_solid(&settings, place, shape);
                 let bounds = periodic_bounds(&settings);
                 let (gas, power) = fed_on_solid(&scene, &bounds, 1e-3);

@@ -1,0 +1,67 @@
+//! Settings as a [settings file](crate::file).
+
+use crate::apply::{OBJECTS, objects, of_model, other_model};
+use crate::file::VERSION;
+use crate::settings::{Settings, StatedResolution};
+use crate::untrusted::Untrusted;
+use hearth_core::Scene;
+use hearth_core::params::{Model, PARAMETERS};
+use hearth_core::preset::Preset;
+use hearth_core::scene::Kind;
+
+/// The values of `model` that differ from the preset, and the stated resolution. With `own`, only those that
+/// the other model does not share. Without `source`, no property of the first source.
+fn differences(settings: &Settings, model: Model, own: bool, source: bool) -> Untrusted {
+    let preset = &settings.preset().parameters();
+    let now = &of_model(settings.parameters(), model);
+    // Each model has its own defaults.
+    let base = &of_model(preset, model);
+    let differing = PARAMETERS.iter().filter_map(|param| {
+        let mut properties = Kind::SOURCE.properties();
+        let of_source = !source && properties.any(|property| property.id == param.id);
+        let domain = param.domain(model)?;
+        let before = if param.id == "model" { preset } else { base };
+        let value = param.get(now);
+        let differs = if StatedResolution::is_part(param.id) {
+            settings.states(param.id)
+        } else {
+            value != param.get(before)
+        };
+        let is_written = differs && !of_source && (!own || domain.model.is_some());
+        is_written.then(|| Untrusted::named(param.id, Untrusted::of_value(value)))
+    });
+    Untrusted::Object(differing.collect())
+}
+
+/// The other objects and the name of the first source, if the preset has them too.
+fn has_objects_of_preset(settings: &Settings) -> bool {
+    let without_values = |scene: &Scene| objects(scene, Some(scene.settings()));
+    without_values(settings.scene()) == without_values(&settings.preset().scene())
+}
+
+/// Writes settings as a settings file: the preset and the differences from it.
+pub fn export(settings: &Settings) -> Untrusted {
+    let now = settings.parameters();
+    let number = Untrusted::Number(VERSION.into());
+    let mut fields = vec![Untrusted::named("hearth", number)];
+    if settings.preset().name != Preset::all()[0].name {
+        let name = Untrusted::Text(settings.preset().name.to_owned());
+        fields.push(Untrusted::named("preset", name));
+    }
+    let lists_objects = !has_objects_of_preset(settings);
+    let mut objects_now = settings.scene().objects();
+    let lists_source = lists_objects && objects_now.any(|object| object.is_first_source());
+    let values = differences(settings, now.model(), false, !lists_source);
+    fields.push(Untrusted::named("values", values));
+    let other = other_model(now.model());
+    let values = differences(settings, other, true, true);
+    if !values.fields().is_empty() {
+        fields.push(Untrusted::named(other.name(), values));
+    }
+    if lists_objects {
+        let base = of_model(&settings.preset().parameters(), now.model());
+        let list = objects(settings.scene(), Some(&base));
+        fields.push(Untrusted::named(OBJECTS, list));
+    }
+    Untrusted::Object(fields)
+}

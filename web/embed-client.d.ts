@@ -17,6 +17,7 @@ import type {
   HearthRangeError,
   HearthStats,
   HearthTransition,
+  HearthValues,
   ParameterId,
 } from './hearth-fire.js';
 
@@ -77,9 +78,9 @@ export interface FrameFire extends EventTarget {
   /** Returns the value of one parameter. */
   get<Id extends ParameterId>(id: Id): Promise<HearthParameters[Id]>;
   /** Sets one parameter. Rejects with a {@link HearthRangeError}. */
-  set<Id extends ParameterId>(id: Id, value: HearthParameters[Id]): Promise<void>;
+  set<Id extends ParameterId>(id: Id, value: HearthParameters[Id] | null | undefined): Promise<void>;
   /** Sets all of these parameters or none. Rejects with a {@link HearthRangeError}. */
-  set(values: Partial<HearthParameters> & {objects?: HearthObject[]}): Promise<void>;
+  set(values: HearthValues): Promise<void>;
   /** Adds an object and resolves to its id. Rejects with a {@link HearthRangeError}. */
   addObject(object: HearthObject): Promise<number>;
   /** Sets properties of an object: all of them or none. Rejects with a {@link HearthRangeError}. */

@@ -22,6 +22,7 @@ import type {
   HearthParameters,
   HearthProperties,
   HearthStats,
+  HearthValues,
   ParameterId,
   PresetName,
 } from './parameters.js';
@@ -114,9 +115,9 @@ export class HearthFire extends HTMLElement {
   /** Returns the value of one parameter. */
   get<Id extends ParameterId>(id: Id): HearthParameters[Id];
   /** Sets one parameter. Rejects with a {@link HearthRangeError}. */
-  set<Id extends ParameterId>(id: Id, value: HearthParameters[Id]): Promise<void>;
+  set<Id extends ParameterId>(id: Id, value: HearthParameters[Id] | null | undefined): Promise<void>;
   /** Sets all of these parameters or none. Rejects with a {@link HearthRangeError}. */
-  set(values: Partial<HearthParameters> & {objects?: HearthObject[]}): Promise<void>;
+  set(values: HearthValues): Promise<void>;
   /** Adds an object and resolves to its id. Rejects with a {@link HearthRangeError}. */
   addObject(object: HearthObject): Promise<number>;
   /** Sets properties of an object: all of them or none. Rejects with a {@link HearthRangeError}. */

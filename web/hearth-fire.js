@@ -21,6 +21,7 @@
  * @typedef {import('./element/types.js').HearthQuality} HearthQuality
  * @typedef {import('./parameters.js').HearthStats} HearthStats
  * @typedef {import('./element/types.js').HearthTransition} HearthTransition
+ * @typedef {import('./parameters.js').HearthValues} HearthValues
  */
 
 import {
@@ -29,6 +30,7 @@ import {
   defineProperty,
   isOn,
   setOrRemove,
+  stated,
   upgradeProperties,
 } from './element/attributes/attributes.js';
 import { reportedSettings } from './element/attributes/settings.js';
@@ -125,7 +127,7 @@ class HearthFire extends FireAttributes {
 
   /** @param {HearthObject[]} objects */
   set objects(objects) {
-    this.#session.set({ objects });
+    this.#session.set({ objects: stated(this, 'objects', objects) });
   }
 
   /**
@@ -173,7 +175,8 @@ class HearthFire extends FireAttributes {
   }
 
   set paused(paused) {
-    if (paused !== undefined) this.#session.playback.set(isOn(paused));
+    const given = stated(this, 'paused', paused);
+    if (given !== undefined) this.#session.playback.set(isOn(given));
   }
 
   /**
@@ -194,20 +197,20 @@ class HearthFire extends FireAttributes {
    * @template {ParameterId} Id
    * @overload
    * @param {Id} id
-   * @param {HearthParameters[Id]} value
+   * @param {HearthParameters[Id] | null | undefined} value
    * @returns {Promise<void>}
    */
   /**
    * Sets all of these parameters or none. Rejects with a {@link HearthRangeError}.
    * @overload
-   * @param {Partial<HearthParameters> & {objects?: HearthObject[]}} values
+   * @param {HearthValues} values
    * @returns {Promise<void>}
    */
   /**
    * Sets one parameter, or several: all of them or none. `undefined` states nothing, `null` restores the default.
    * Rejects with a RangeError that names the allowed values.
-   * @param {ParameterId | Partial<HearthParameters> & {objects?: HearthObject[]}} ids
-   * @param {number | string | boolean} [value]
+   * @param {ParameterId | HearthValues} ids
+   * @param {number | string | boolean | null} [value]
    * @returns {Promise<void>}
    * @posted
    * @example <caption>Strong and windy</caption> fire.set({ fuel_power: 350, wind: 0.5 })
@@ -535,7 +538,7 @@ for (const [property, id] of ID_OF_PROPERTY) {
     HearthFire,
     property,
     (fire) => fire.get(/** @type {ParameterId} */ (id)),
-    (/** @type {any} */ fire, value) => fire.set(id, value),
+    (/** @type {any} */ fire, value) => fire.set(id, stated(fire, property, value)),
   );
 }
 

@@ -493,6 +493,11 @@ export type HearthObject = HearthSource | HearthSolid;
 /** Any id of a parameter. */
 export type ParameterId = keyof HearthParameters;
 
+/** Values to set: `undefined` states nothing, `null` restores the default. */
+export type HearthValues = { [Id in ParameterId]?: HearthParameters[Id] | null | undefined } & {
+  objects?: HearthObject[] | null | undefined;
+};
+
 /** Default and range of a parameter in one model; only numbers have a range. */
 export interface ParameterDomain {
   default: number | string | boolean;

@@ -5,9 +5,9 @@
  */
 
 import type { HearthFreeSolid } from './element/types.js';
-import type { HearthObject, HearthParameters, ModelName, ParameterId, PresetName } from './parameters.js';
+import type { HearthObject, HearthParameters, HearthValues, ModelName, ParameterId, PresetName } from './parameters.js';
 
-export type { HearthFreeSolid, HearthObject, HearthParameters, ModelName, ParameterId, PresetName };
+export type { HearthFreeSolid, HearthObject, HearthParameters, HearthValues, ModelName, ParameterId, PresetName };
 
 declare global {
   /** As in newer libraries of TypeScript. */
@@ -25,7 +25,7 @@ export interface SimulationOptions {
   /** The seed of the random generator: the same seed and calls give the same bits everywhere. */
   seed?: number;
   /** Values on top of the preset's. */
-  params?: Partial<HearthParameters>;
+  params?: Omit<HearthValues, 'objects'>;
   /**
    * The objects, in place of the one source that the parameters describe. Of a parameter and a
    * property of the first source, the later one in the options wins.
@@ -152,9 +152,9 @@ export interface Simulation {
   /** The value of one parameter; throws a RangeError for an unknown one. */
   get<Id extends ParameterId>(id: Id): HearthParameters[Id];
   /** Sets one parameter; throws a {@link SimulationRangeError}. Another seed or model starts again. */
-  set<Id extends ParameterId>(id: Id, value: HearthParameters[Id]): void;
+  set<Id extends ParameterId>(id: Id, value: HearthParameters[Id] | null | undefined): void;
   /** Sets all of these or none, the model first; throws a {@link SimulationRangeError}. */
-  set(values: Partial<HearthParameters> & { objects?: HearthObject[] }): void;
+  set(values: HearthValues): void;
   /** Restores the defaults of these or, without ids, of everything, the model too. */
   restore(...ids: (ParameterId | 'objects')[]): void;
   /** Adds an object and returns its id; throws a {@link SimulationRangeError}. */

@@ -63,3 +63,14 @@ test('undefined states nothing, and null removes the attribute', () => {
   const bare = new Element();
   for (const name of Object.keys(values)) assert.equal(element[name], bare[name], name);
 });
+
+test('undefined after a value of the same property removes the attribute, as React takes a property away', () => {
+  const values = { preset: 'candle', autoplay: false, poster: 'a.png', fit: 'cover', zoom: 2, interactive: true };
+  const [element, bare] = [new Element(), new Element()];
+  Object.assign(element, values);
+  for (const name of Object.keys(values)) {
+    assert.notEqual(element[name], bare[name], name);
+    element[name] = undefined;
+    assert.equal(element[name], bare[name], name);
+  }
+});

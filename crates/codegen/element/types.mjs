@@ -186,7 +186,7 @@ function attributesOf(tag) {
 
 /** @type {(doc: string, name: string, type: string) => string} */
 function entry(doc, name, type) {
-  return `${comment(doc, '  ')}  ${quoted(name)}?: ${type} | undefined;\n`;
+  return `${comment(doc, '  ')}  ${quoted(name)}?: ${type} | null | undefined;\n`;
 }
 
 /** @param {string} name */

@@ -10,11 +10,11 @@ use crate::commands::{Command, Start};
 pub fn at_first(start: &Start<'_>) -> (Settings, Vec<ValidationError>) {
     let mut errors = Vec::new();
     let mut settings = Settings::default();
-    let preset = start.preset.map(Change::Preset);
-    let config = (!start.config.is_missing()).then_some(Change::Import(start.config));
-    for change in [preset, config].into_iter().flatten() {
-        match settings.after(&change) {
-            Ok(after) => settings = after,
+    let preset = start.preset.map(Settings::of_preset);
+    let config = (!start.config.is_missing()).then(|| Settings::of_file(start.config));
+    for replaced in [preset, config].into_iter().flatten() {
+        match replaced {
+            Ok(replaced) => settings = replaced,
             Err(invalid) => errors.extend(invalid),
         }
     }
@@ -22,9 +22,13 @@ pub fn at_first(start: &Start<'_>) -> (Settings, Vec<ValidationError>) {
     (settings, errors)
 }
 
-/// The change of settings that a command makes, and its source; `None` if it makes none.
-pub fn of_command<'a>(command: &Command<'a>) -> Option<(Change<'a>, &'a str)> {
-    Some(match *command {
+/// The settings after a command and the source of their change; `None` if it changes none.
+pub fn by_command<'a>(
+    settings: &Settings,
+    command: &Command<'a>,
+) -> Option<(Result<Settings, Vec<ValidationError>>, &'a str)> {
+    let (change, source) = match *command {
+        Command::Import { config, source } => return Some((Settings::of_file(config), source)),
         Command::Set { values, source } => (Change::Set(values), source),
         Command::Restore { ids, source } => (Change::Restore(ids), source),
         Command::AddObject { object, source } => (Change::AddObject(object), source),
@@ -33,7 +37,7 @@ pub fn of_command<'a>(command: &Command<'a>) -> Option<(Change<'a>, &'a str)> {
         }
         Command::RemoveObject { id, source } => (Change::RemoveObject(id.0), source),
         Command::Preset { name, source } => (Change::Preset(name), source),
-        Command::Import { config, source } => (Change::Import(config), source),
         _ => return None,
-    })
+    };
+    Some((settings.after(&change), source))
 }

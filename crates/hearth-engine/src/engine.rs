@@ -270,8 +270,8 @@ impl Engine {
             }
         };
         let (fire, command) = fire;
-        if let Some((change, source)) = change::of_command(&command) {
-            let settings = fire.settings().after(&change)?;
+        if let Some((settings, source)) = change::by_command(fire.settings(), &command) {
+            let settings = settings?;
             if let Some(part) = parts::missing(settings.scene(), loaded) {
                 return Ok(Answer::Missing(part));
             }
@@ -282,8 +282,9 @@ impl Engine {
                 MachineLimit::new(self.on_page).particles(),
             )
             .map_err(|error| vec![error])?;
-            fire.change(settings, source, change.replaces(), events);
-            if let Change::AddObject(_) = change {
+            let replaced = matches!(command, Command::Preset { .. } | Command::Import { .. });
+            fire.change(settings, source, replaced, events);
+            if let Command::AddObject { .. } = command {
                 let added = fire.settings().scene().objects().last();
                 let id = added.map_or(0, |object| object.id);
                 events.answer(fire.id(), request, &id.into());

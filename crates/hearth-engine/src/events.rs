@@ -71,14 +71,14 @@ impl Events {
         let event = event("changed", fire);
         event.set_flag("replaced", replaced);
         event.set_text("source", source);
-        if old != new || replaced {
-            self.put_settings(&event, new, Some(old));
+        if self.put_settings(&event, new, Some(old)) || replaced {
             self.post(&event);
         }
     }
 
-    /// Adds the settings that differ from `old` to an event.
-    fn put_settings(&self, event: &Record, settings: &Settings, old: Option<&Settings>) {
+    /// Adds the settings that differ from `old` to an event. Returns whether there are any.
+    fn put_settings(&self, event: &Record, settings: &Settings, old: Option<&Settings>) -> bool {
+        let mut differs = false;
         let values = Record::new();
         for param in PARAMETERS {
             let value = param.get(settings.parameters());
@@ -100,10 +100,12 @@ impl Events {
                 .is_none_or(|before| before.field(name) != value)
             {
                 config.set_any(name, &values::to_js(value));
+                differs = true;
             }
         }
         event.set_object("config", &config);
         event.set_text("preset", settings.preset().name);
+        differs
     }
 
     /// A request is done; 0: no request.

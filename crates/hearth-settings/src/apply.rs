@@ -1,7 +1,7 @@
 //! Untrusted values and objects applied to a scene.
 
 use crate::untrusted::{Untrusted, ValidationError, Values, one_of};
-use hearth_core::params::{Input, Model, ParamError, Parameters};
+use hearth_core::params::{AnyValue, Input, Model, Param, ParamError, Parameters};
 use hearth_core::preset::Preset;
 use hearth_core::scene::{Object, Scene};
 
@@ -64,7 +64,7 @@ pub(crate) fn with_settings(
         if field == VALUES {
             change(&mut new, value.fields(), &mut errors);
         } else if field == OBJECTS {
-            replace(&mut new, value, &mut errors);
+            replace_by_file(&mut new, value, &mut errors);
         }
         if !errors.is_empty() {
             return Err(errors);
@@ -83,7 +83,7 @@ fn change(scene: &mut Scene, values: Values<'_>, errors: &mut Vec<ValidationErro
             }
             if id == OBJECTS {
                 scene.set_settings(settings);
-                if *value == Untrusted::Null {
+                if matches!(value, Untrusted::Null) {
                     *scene = Scene::new(scene.settings().clone());
                 } else {
                     replace(scene, value, errors);
@@ -126,24 +126,43 @@ fn replace(scene: &mut Scene, list: &Untrusted, errors: &mut Vec<ValidationError
     };
     let mut new = scene.clone();
     new.clear();
-    let model = scene.settings().model();
-    let other = other_model(model);
     for object in list {
         let sent = object.fields();
-        let mut own = fields(sent);
-        own.retain(|(name, _)| *name != other.name());
-        let added = new.add(&own).and_then(|id| {
-            let of_other = object.field(other.name()).fields();
-            new.set_settings(of_model(new.settings(), other));
-            let changed = new.change(id, &fields(of_other));
-            new.set_settings(of_model(new.settings(), model));
-            changed
-        });
-        if let Err(refused) = added {
+        if let Err(refused) = new.add(&fields(sent)) {
             return errors.extend(refused.iter().map(|error| of_object(error, sent)));
         }
     }
     *scene = new;
+}
+
+/// Replaces all objects by those of a file, whose sources may have properties for the other model, or none.
+fn replace_by_file(scene: &mut Scene, list: &Untrusted, errors: &mut Vec<ValidationError>) {
+    let model = scene.settings().model();
+    let other = other_model(model);
+    let own = list.list().iter().map(|object| match object {
+        Untrusted::Object(fields) => {
+            let own = fields.iter().filter(|(name, _)| name != other.name());
+            Untrusted::Object(own.cloned().collect())
+        }
+        _ => object.clone(),
+    });
+    let own = match list {
+        Untrusted::List(_) => Untrusted::List(own.collect()),
+        _ => list.clone(),
+    };
+    replace(scene, &own, errors);
+    if !errors.is_empty() {
+        return;
+    }
+    let ids: Vec<_> = scene.objects().map(|object| object.id).collect();
+    scene.set_settings(of_model(scene.settings(), other));
+    for (id, object) in ids.into_iter().zip(list.list()) {
+        let sent = object.field(other.name()).fields();
+        if let Err(refused) = scene.change(id, &fields(sent)) {
+            errors.extend(refused.iter().map(|error| of_object(error, sent)));
+        }
+    }
+    scene.set_settings(of_model(scene.settings(), model));
 }
 
 /// `scene` with changed properties of an object or, without an id, with another object; without
@@ -191,25 +210,22 @@ pub fn objects(scene: &Scene, from: Option<&Parameters>) -> Untrusted {
         if with_ids {
             fields.push(Untrusted::named("id", Untrusted::Number(object.id.into())));
         }
-        let preset = from.filter(|_| object.is_first_source());
-        for (name, param, value) in object.properties() {
-            let before = match preset {
-                Some(preset) => param.get(preset),
-                None => param.any_domain(object.model()).default,
-            };
-            if from.is_none() || value != before {
-                fields.push(Untrusted::named(name, Untrusted::of_value(value)));
-            }
-        }
-        let mut in_other = in_other.iter().flat_map(Scene::objects);
-        let same = in_other.nth(index).filter(|_| !object.is_first_source());
-        let of_other = same.into_iter().flat_map(Object::properties);
-        let of_other = of_other.filter_map(|(name, param, value)| {
-            let domain = param.domain(other)?;
-            let differs = domain.model.is_some() && value != domain.default;
-            differs.then(|| Untrusted::named(name, Untrusted::of_value(value)))
+        let first = from.filter(|_| object.is_first_source());
+        put_properties(&mut fields, &object, &|param, value| {
+            let domain = param.any_domain(object.model());
+            let before = first.map_or(domain.default, |first| param.get(first));
+            from.is_none() || value != before
         });
-        let of_other: Vec<_> = of_other.collect();
+        let twin = in_other
+            .as_ref()
+            .and_then(|scene| scene.objects().nth(index));
+        let mut of_other = Vec::new();
+        if let Some(twin) = twin.filter(|_| first.is_none()) {
+            put_properties(&mut of_other, &twin, &|param, value| {
+                let own = param.domain(other).filter(|domain| domain.model.is_some());
+                own.is_some_and(|domain| value != domain.default)
+            });
+        }
         if !of_other.is_empty() {
             fields.push(Untrusted::named(other.name(), Untrusted::Object(of_other)));
         }
@@ -218,11 +234,28 @@ pub fn objects(scene: &Scene, from: Option<&Parameters>) -> Untrusted {
     Untrusted::List(list.collect())
 }
 
+/// Appends the properties of an object that `are_listed`.
+#[inline(never)]
+fn put_properties(
+    fields: &mut Vec<(String, Untrusted)>,
+    object: &Object<'_>,
+    are_listed: &dyn Fn(&'static Param, AnyValue<'_>) -> bool,
+) {
+    for (name, param, value) in object.properties() {
+        if are_listed(param, value) {
+            fields.push(Untrusted::named(name, Untrusted::of_value(value)));
+        }
+    }
+}
+
 fn fields<'a>(values: Values<'a>) -> Vec<(&'a str, Input<'a>)> {
-    let stated = values.iter().filter(|(_, value)| !value.is_missing());
+    let mut stated = Vec::with_capacity(values.len());
+    for (name, value) in values {
+        if !value.is_missing() {
+            stated.push((name.as_str(), value.input()));
+        }
+    }
     stated
-        .map(|(name, value)| (name.as_str(), value.input()))
-        .collect()
 }
 
 /// The error of an object's field, with the sent value.

@@ -28,18 +28,15 @@ pub enum StatedResolution {
 }
 
 impl StatedResolution {
+    /// What states the resolution, and the parameters that state it. Of two, the last one wins.
+    const IDS: [(StatedResolution, &str); 2] = [
+        (StatedResolution::Count, COUNT),
+        (StatedResolution::Spacing, SPACING),
+    ];
+
     /// Whether the resolution decides whether this parameter is a difference from the preset.
     pub(crate) fn is_part(id: &str) -> bool {
         [SPACING, COUNT].contains(&id)
-    }
-
-    /// Whether values with these ids state the resolution, and which of them does.
-    fn among(names: &dyn Fn(&str) -> bool) -> Option<StatedResolution> {
-        match [SPACING, COUNT].map(names) {
-            [true, _] => Some(StatedResolution::Spacing),
-            [_, true] => Some(StatedResolution::Count),
-            _ => None,
-        }
     }
 }
 
@@ -59,15 +56,6 @@ pub enum Change<'a> {
     RemoveObject(u32),
     /// A preset replaces all settings.
     Preset(&'a str),
-    /// A [settings file](crate::file) replaces all settings.
-    Import(&'a Untrusted),
-}
-
-impl Change<'_> {
-    /// Whether it replaces all settings.
-    pub fn replaces(&self) -> bool {
-        matches!(self, Change::Preset(_) | Change::Import(_))
-    }
 }
 
 /// Settings: the parameters of both models, the objects, the preset that they started from, and which
@@ -117,11 +105,14 @@ impl Settings {
             None => Settings::default(),
         };
         let scene = with_settings(&base.scene, fields)?;
-        let names = |name: &str| {
-            let mut fields = ["values", Model::Combustion.name()].into_iter();
-            fields.any(|field| !config.field(field).field(name).is_missing())
-        };
-        let resolution = StatedResolution::among(&names).unwrap_or_default();
+        let mut resolution = StatedResolution::Auto;
+        for (own, id) in StatedResolution::IDS {
+            for field in ["values", Model::Combustion.name()] {
+                if !config.field(field).field(id).is_missing() {
+                    resolution = own;
+                }
+            }
+        }
         Ok(base.with(scene, resolution))
     }
 
@@ -148,7 +139,6 @@ impl Settings {
         };
         match *change {
             Change::Preset(name) => Settings::of_preset(name),
-            Change::Import(config) => Settings::of_file(config),
             Change::Set(values) => self.after_values(values),
             Change::Restore(ids) => {
                 let null = |id: &Untrusted| (id.text().to_owned(), Untrusted::Null);
@@ -162,23 +152,17 @@ impl Settings {
 
     fn after_values(&self, values: Values<'_>) -> Result<Settings, Vec<ValidationError>> {
         let scene = with_values(&self.scene, values)?;
-        let gives = |id: &str, null: bool| {
-            let mut given = values
-                .iter()
-                .filter(|(known, value)| known == id && !value.is_missing());
-            given.any(|(_, value)| (*value == Untrusted::Null) == null)
-        };
-        let is_restored = match self.resolution {
-            StatedResolution::Auto => false,
-            StatedResolution::Count => gives(COUNT, true),
-            StatedResolution::Spacing => gives(SPACING, true),
-        };
-        let kept = if is_restored {
-            StatedResolution::Auto
-        } else {
-            self.resolution
-        };
-        let resolution = StatedResolution::among(&|id| gives(id, false)).unwrap_or(kept);
+        let mut resolution = self.resolution;
+        for (own, id) in StatedResolution::IDS {
+            for (_, value) in values.iter().filter(|(known, _)| known == id) {
+                match value {
+                    Untrusted::Missing => {}
+                    Untrusted::Null if resolution != own => {}
+                    Untrusted::Null => resolution = StatedResolution::Auto,
+                    _ => resolution = own,
+                }
+            }
+        }
         Ok(self.with(scene, resolution))
     }
 

@@ -28,6 +28,8 @@ export const CHOICES = {
   loading: ['auto', 'lazy', 'eager'],
   /** @type {readonly ['auto', 'ignore']} */
   'reduced-motion': ['auto', 'ignore'],
+  /** @type {readonly ['true', 'false', '']} */
+  autoplay: ['true', 'false', ''],
 };
 
 /**
@@ -169,15 +171,37 @@ function setFlag(name) {
     setOrRemove(element, name, value === undefined ? value : !isOn(value) ? null : value === true ? '' : value);
 }
 
+/** The names of the properties of each element that have a value. @type {WeakMap<HTMLElement, Set<string>>} */
+const STATED = new WeakMap();
+
 /**
- * Sets an attribute, or removes it for null. Undefined states nothing.
+ * The value that a property gets. `undefined` states nothing; after a value of the same property it is null, because
+ * React writes it to a property that is taken away.
+ * @template T
+ * @param {HTMLElement} element
+ * @param {string} name
+ * @param {T} value
+ * @returns {T | null}
+ */
+export function stated(element, name, value) {
+  const names = STATED.get(element) ?? new Set();
+  STATED.set(element, names);
+  const wasStated = names.delete(name);
+  if (value === undefined) return wasStated ? null : value;
+  names.add(name);
+  return value;
+}
+
+/**
+ * Sets an attribute to the value of a property, or removes it for null.
  * @param {HTMLElement} element
  * @param {string} name
  * @param {unknown} value
  */
 export function setOrRemove(element, name, value) {
-  if (value === null) element.removeAttribute(name);
-  else if (value !== undefined) element.setAttribute(name, String(value));
+  const text = stated(element, name, value);
+  if (text === null) element.removeAttribute(name);
+  else if (text !== undefined) element.setAttribute(name, String(text));
 }
 
 /**

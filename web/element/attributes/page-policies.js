@@ -109,7 +109,7 @@ export class PagePolicies {
   change(name, value) {
     const choices = hasChoices(name) ? CHOICES[name] : undefined;
     if (choices && value !== null && !choices.some((choice) => choice === value)) {
-      this.#reports.refuse(name, value, `one of ${choices.join(', ')}`);
+      this.#reports.refuse(name, value, `one of ${choices.filter(Boolean).join(', ')}`);
     } else if (LIMITS.includes(name)) {
       if (this.#open) this.#limit(name);
       else this.#limits.delete(name);

@@ -79,16 +79,6 @@ fn export_includes_a_stated_number_of_particles() {
 }
 
 #[test]
-fn import_replaces_all_settings() {
-    let settings = set(&Settings::default(), "exposure", Untrusted::Number(1.0));
-    let config = &object(vec![("values", object(vec![]))]);
-    assert_eq!(
-        after(&settings, Change::Import(config)),
-        Settings::default()
-    );
-}
-
-#[test]
 fn label_and_description_do_not_change_the_settings() {
     let values = || ("values", object(vec![("wind", Untrusted::Number(1.0))]));
     let scene = object(vec![

@@ -101,20 +101,3 @@ fn a_file_restores_the_settings_after_any_sequence_of_changes() {
         assert!(read == settings, "{seed}: {file:?} is {read:?}");
     }
 }
-
-#[test]
-fn whole_values_undo_and_redo_any_sequence_of_changes() {
-    for seed in 0..SEQUENCES / 100 {
-        let random = &mut Random::new(seed);
-        let mut steps = vec![Settings::default()];
-        for _ in 0..LONGEST {
-            steps.push(changed(random, &steps[steps.len() - 1]));
-        }
-        let mut now = steps[LONGEST].clone();
-        for step in steps.iter().rev().chain(&steps) {
-            let file = export(step);
-            now = now.after(&Change::Import(&file)).unwrap_or_default();
-            assert!(now == *step, "{seed}: {file:?} is {now:?}");
-        }
-    }
-}

@@ -276,7 +276,8 @@ class HearthFire extends FireAttributes {
    * @example <caption>All defaults</caption> fire.restore()
    */
   restore(...ids) {
-    if (ids.length > 0) return this.#session.call('restore', postable(ids, 1), 'property');
+    if (ids.length > 0)
+      return this.set(Object.fromEntries(ids.map((id) => [typeof id === 'string' ? id : typeof id, null])));
     this.#session.reflectPreset();
     return this.#session.call('preset', 'default', 'property');
   }

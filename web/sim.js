@@ -144,7 +144,7 @@ class Simulation {
     this.#use((fire) => {
       fire.get(found, id);
       // The error of a restored unknown id names it.
-      if (!Object.hasOwn(found, id)) fire.set([id], undefined, loadedNames);
+      if (!Object.hasOwn(found, id)) fire.set([id], [null], loadedNames);
     });
     return found[id];
   }
@@ -196,7 +196,8 @@ class Simulation {
    */
   restore(...ids) {
     for (const id of ids) text('id', id);
-    this.#use((fire) => fire.set(ids, undefined, loadedNames));
+    const nulls = ids.length > 0 ? ids.map(() => null) : undefined;
+    this.#use((fire) => fire.set(ids, nulls, loadedNames));
   }
 
   /** The number by which each particle is known from step to step. */

@@ -269,15 +269,15 @@ fn random_settings_give_a_valid_scene_or_reasons() -> io::Result<()> {
             damage(random, &mut config);
         }
         let fields = config.fields();
-        let names: Vec<_> = fields
+        let nulls: Vec<_> = fields
             .iter()
-            .map(|(name, _)| Untrusted::Text(name.clone()))
+            .map(|(name, _)| (name.clone(), Untrusted::Null))
             .collect();
         let settings = decided(Settings::of_file(&config)).unwrap_or_default();
         let id = [1, random.bits() % 70][below(random, 2)];
         for change in [
             Change::Set(fields),
-            Change::Restore(&names),
+            Change::Set(&nulls),
             Change::AddObject(fields),
             Change::ChangeObject(id, fields),
             Change::RemoveObject(id),

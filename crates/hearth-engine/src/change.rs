@@ -30,7 +30,6 @@ pub fn by_command<'a>(
     let (change, source) = match *command {
         Command::Import { config, source } => return Some((Settings::of_file(config), source)),
         Command::Set { values, source } => (Change::Set(values), source),
-        Command::Restore { ids, source } => (Change::Restore(ids), source),
         Command::AddObject { object, source } => (Change::AddObject(object), source),
         Command::ChangeObject { id, values, source } => {
             (Change::ChangeObject(id.0, values), source)

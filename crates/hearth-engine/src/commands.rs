@@ -7,7 +7,7 @@
 
 use hearth_render::Fit;
 use hearth_settings::untrusted::{
-    Argument, Check, Form, Ids, Positive, Untrusted, ValidationError, Values, Whole, Within,
+    Argument, Check, Form, Positive, Untrusted, ValidationError, Values, Whole, Within,
 };
 
 use crate::pacing::picture_limits::{Fps, Pixels};
@@ -138,12 +138,10 @@ type Arguments<'a> = [&'a Untrusted; 5];
 commands! { 'a
     /// Adds a fire.
     "add" Add { start: Start<'a> }
-    /// Sets parameters, all or none.
+    /// Sets parameters, all or none; null restores a default.
     "set" Set { values: Values<'a>, source: &'a str }
     /// Checks values as `set` would.
     "check" CheckValues { values: Values<'a> }
-    /// Restores the defaults of parameters, all or none.
-    "restore" Restore { ids: Ids<'a>, source: &'a str }
     /// Adds an object. Answers with its id.
     "addObject" AddObject { object: Values<'a>, source: &'a str }
     /// Sets properties of an object, all or none.

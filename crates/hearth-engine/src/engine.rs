@@ -358,7 +358,6 @@ impl Engine {
             // Executed above.
             Command::Add { .. }
             | Command::Set { .. }
-            | Command::Restore { .. }
             | Command::AddObject { .. }
             | Command::ChangeObject { .. }
             | Command::RemoveObject { .. }

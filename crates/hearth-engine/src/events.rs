@@ -15,8 +15,8 @@
 
 use hearth_bindings::{Record, values};
 use hearth_core::params::PARAMETERS;
-use hearth_settings::untrusted::{Untrusted, ValidationError};
-use hearth_settings::{OBJECTS, Settings, export, objects};
+use hearth_settings::untrusted::ValidationError;
+use hearth_settings::{FIELDS, OBJECTS, Settings, export, objects};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -93,12 +93,9 @@ impl Events {
         }
         let (before, now) = (old.map(export), export(settings));
         let config = Record::new();
-        for (name, _) in before.iter().chain([&now]).flat_map(Untrusted::fields) {
+        for name in FIELDS {
             let value = now.field(name);
-            if before
-                .as_ref()
-                .is_none_or(|before| before.field(name) != value)
-            {
+            if before.as_ref().is_none_or(|old| old.field(name) != value) {
                 config.set_any(name, &values::to_js(value));
                 differs = true;
             }

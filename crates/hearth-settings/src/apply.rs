@@ -63,8 +63,8 @@ pub(crate) fn with_settings(
     for (field, value) in config.iter().filter(is_values).chain(config) {
         if field == VALUES {
             change(&mut new, value.fields(), &mut errors);
-        } else if field == OBJECTS {
-            replace_by_file(&mut new, value, &mut errors);
+        } else if field == OBJECTS && !value.is_missing() {
+            replace::<true>(&mut new, value, &mut errors);
         }
         if !errors.is_empty() {
             return Err(errors);
@@ -86,7 +86,7 @@ fn change(scene: &mut Scene, values: Values<'_>, errors: &mut Vec<ValidationErro
                 if matches!(value, Untrusted::Null) {
                     *scene = Scene::new(scene.settings().clone());
                 } else {
-                    replace(scene, value, errors);
+                    replace::<false>(scene, value, errors);
                 }
                 settings = scene.settings().clone();
                 continue;
@@ -119,50 +119,38 @@ pub(crate) fn other_model(model: Model) -> Model {
     }
 }
 
-/// Replaces all objects, or none.
-fn replace(scene: &mut Scene, list: &Untrusted, errors: &mut Vec<ValidationError>) {
+/// Replaces all objects, or none. Those of a file may have a field with the name of the other model: the properties
+/// that they have for it.
+fn replace<const OF_FILE: bool>(
+    scene: &mut Scene,
+    list: &Untrusted,
+    errors: &mut Vec<ValidationError>,
+) {
     let Untrusted::List(list) = list else {
         return errors.push(ValidationError::new(OBJECTS, list, A_LIST));
     };
+    let model = scene.settings().model();
+    let other = other_model(model);
     let mut new = scene.clone();
     new.clear();
     for object in list {
         let sent = object.fields();
-        if let Err(refused) = new.add(&fields(sent)) {
+        let mut own = fields(sent);
+        if OF_FILE {
+            own.retain(|(name, _)| *name != other.name());
+        }
+        let mut added = new.add(&own);
+        if let (true, &Ok(id)) = (OF_FILE, &added) {
+            let of_other = fields(object.field(other.name()).fields());
+            new.set_settings(of_model(new.settings(), other));
+            added = new.change(id, &of_other).map(|()| id);
+            new.set_settings(of_model(new.settings(), model));
+        }
+        if let Err(refused) = added {
             return errors.extend(refused.iter().map(|error| of_object(error, sent)));
         }
     }
     *scene = new;
-}
-
-/// Replaces all objects by those of a file, whose sources may have properties for the other model, or none.
-fn replace_by_file(scene: &mut Scene, list: &Untrusted, errors: &mut Vec<ValidationError>) {
-    let model = scene.settings().model();
-    let other = other_model(model);
-    let own = list.list().iter().map(|object| match object {
-        Untrusted::Object(fields) => {
-            let own = fields.iter().filter(|(name, _)| name != other.name());
-            Untrusted::Object(own.cloned().collect())
-        }
-        _ => object.clone(),
-    });
-    let own = match list {
-        Untrusted::List(_) => Untrusted::List(own.collect()),
-        _ => list.clone(),
-    };
-    replace(scene, &own, errors);
-    if !errors.is_empty() {
-        return;
-    }
-    let ids: Vec<_> = scene.objects().map(|object| object.id).collect();
-    scene.set_settings(of_model(scene.settings(), other));
-    for (id, object) in ids.into_iter().zip(list.list()) {
-        let sent = object.field(other.name()).fields();
-        if let Err(refused) = scene.change(id, &fields(sent)) {
-            errors.extend(refused.iter().map(|error| of_object(error, sent)));
-        }
-    }
-    scene.set_settings(of_model(scene.settings(), model));
 }
 
 /// `scene` with changed properties of an object or, without an id, with another object; without

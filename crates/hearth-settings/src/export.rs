@@ -9,6 +9,16 @@ use hearth_core::params::{Model, PARAMETERS};
 use hearth_core::preset::Preset;
 use hearth_core::scene::Kind;
 
+/// The fields of exported settings.
+pub const FIELDS: [&str; 6] = [
+    "hearth",
+    "preset",
+    "values",
+    "classic",
+    "combustion",
+    OBJECTS,
+];
+
 /// The values of `model` that differ from the preset, and the stated resolution. With `own`, only those that
 /// the other model does not share. Without `source`, no property of the first source.
 fn differences(settings: &Settings, model: Model, own: bool, source: bool) -> Untrusted {
@@ -16,10 +26,13 @@ fn differences(settings: &Settings, model: Model, own: bool, source: bool) -> Un
     let now = &of_model(settings.parameters(), model);
     // Each model has its own defaults.
     let base = &of_model(preset, model);
-    let differing = PARAMETERS.iter().filter_map(|param| {
+    let mut fields = Vec::new();
+    for param in PARAMETERS {
+        let Some(domain) = param.domain(model) else {
+            continue;
+        };
         let mut properties = Kind::SOURCE.properties();
         let of_source = !source && properties.any(|property| property.id == param.id);
-        let domain = param.domain(model)?;
         let before = if param.id == "model" { preset } else { base };
         let value = param.get(now);
         let differs = if StatedResolution::is_part(param.id) {
@@ -27,10 +40,11 @@ fn differences(settings: &Settings, model: Model, own: bool, source: bool) -> Un
         } else {
             value != param.get(before)
         };
-        let is_written = differs && !of_source && (!own || domain.model.is_some());
-        is_written.then(|| Untrusted::named(param.id, Untrusted::of_value(value)))
-    });
-    Untrusted::Object(differing.collect())
+        if differs && !of_source && (!own || domain.model.is_some()) {
+            fields.push(Untrusted::named(param.id, Untrusted::of_value(value)));
+        }
+    }
+    Untrusted::Object(fields)
 }
 
 /// The other objects and the name of the first source, if the preset has them too.

@@ -1,7 +1,7 @@
 //! All that is set of a fire, and the one function that changes it.
 
 use crate::apply::{of_model, with_object, with_settings, with_values};
-use crate::untrusted::{Argument, Ids, Untrusted, ValidationError, Values};
+use crate::untrusted::{Argument, Untrusted, ValidationError, Values};
 use crate::{apply, file};
 use hearth_core::params::{Input, Model};
 use hearth_core::preset::Preset;
@@ -46,8 +46,6 @@ pub enum Change<'a> {
     /// Values of parameters, and the list of `objects`, all or none. `undefined` states nothing, `null`
     /// restores.
     Set(Values<'a>),
-    /// The defaults of parameters with these ids.
-    Restore(Ids<'a>),
     /// An object is added.
     AddObject(Values<'a>),
     /// Properties of the object with this id change.
@@ -140,10 +138,6 @@ impl Settings {
         match *change {
             Change::Preset(name) => Settings::of_preset(name),
             Change::Set(values) => self.after_values(values),
-            Change::Restore(ids) => {
-                let null = |id: &Untrusted| (id.text().to_owned(), Untrusted::Null);
-                self.after_values(&ids.iter().map(null).collect::<Vec<_>>())
-            }
             Change::AddObject(fields) => with_object(None, Some(fields)),
             Change::ChangeObject(id, fields) => with_object(Some(id), Some(fields)),
             Change::RemoveObject(id) => with_object(Some(id), None),
@@ -170,12 +164,11 @@ impl Settings {
     pub fn after_valid(&self, values: Values<'_>, errors: &mut Vec<ValidationError>) -> Settings {
         let mut settings = self.clone();
         // The model decides the domains of the other parameters.
-        for of_model in [true, false] {
-            for value in values.iter().filter(|(id, _)| (id == "model") == of_model) {
-                match settings.after(&Change::Set(std::slice::from_ref(value))) {
-                    Ok(after) => settings = after,
-                    Err(refused) => errors.extend(refused),
-                }
+        let (models, others): (Vec<_>, Vec<_>) = values.iter().partition(|(id, _)| id == "model");
+        for value in models.into_iter().chain(others) {
+            match settings.after(&Change::Set(std::slice::from_ref(value))) {
+                Ok(after) => settings = after,
+                Err(refused) => errors.extend(refused),
             }
         }
         settings

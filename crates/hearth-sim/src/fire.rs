@@ -101,21 +101,18 @@ impl Fire {
         }
     }
 
-    /// Sets these values, all or none. Without `values` restores the defaults of these ids, or
-    /// of everything if there are no ids.
+    /// Sets these values, all or none; null restores a default. Without `values` restores everything.
     ///
     /// # Errors
     /// Every value that is refused and every id that is unknown; the name of a [part](parts) that
     /// is not among the `loaded` ones.
     pub fn set(&mut self, ids: Array, values: Option<Array>, loaded: &Set) -> Result<(), JsValue> {
-        if let Some(values) = values {
-            return self.change(&Change::Set(&columns(&ids, &values)), loaded);
-        }
-        if ids.length() == 0 {
-            return self.change(&Change::Preset(Preset::all()[0].name), loaded);
-        }
-        let ids: Vec<_> = ids.iter().map(|id| values::scalar(&id)).collect();
-        self.change(&Change::Restore(&ids), loaded)
+        let values = values.map(|values| columns(&ids, &values));
+        let change = match &values {
+            Some(values) => Change::Set(values),
+            None => Change::Preset(Preset::all()[0].name),
+        };
+        self.change(&change, loaded)
     }
 
     /// The objects as plain data.
@@ -253,7 +250,8 @@ fn affordable(
     settings: &Settings,
     loaded: &Set,
 ) -> Result<Scene, JsValue> {
-    let scene = settings.at(settings.resolution().number());
+    let mut scene = settings.scene().clone();
+    scene.set_settings(settings.completed());
     if let Some(part) = parts::missing(&scene, loaded) {
         return Err(part.into());
     }

@@ -28,8 +28,6 @@ export const CHOICES = {
   loading: ['auto', 'lazy', 'eager'],
   /** @type {readonly ['auto', 'ignore']} */
   'reduced-motion': ['auto', 'ignore'],
-  /** @type {readonly ['true', 'false', '']} */
-  autoplay: ['true', 'false', ''],
 };
 
 /**

@@ -3,7 +3,7 @@
  * warnings about unknown attributes.
  */
 
-import { CHOICES, OBSERVED } from './attributes.js';
+import { CHOICES, OBSERVED, isFlag } from './attributes.js';
 import { alignment, panning } from '../view/viewport.js';
 
 const LIMITS = ['fps-limit', 'max-pixels'];
@@ -109,7 +109,9 @@ export class PagePolicies {
   change(name, value) {
     const choices = hasChoices(name) ? CHOICES[name] : undefined;
     if (choices && value !== null && !choices.some((choice) => choice === value)) {
-      this.#reports.refuse(name, value, `one of ${choices.filter(Boolean).join(', ')}`);
+      this.#reports.refuse(name, value, `one of ${choices.join(', ')}`);
+    } else if (name === 'autoplay' && value && value !== 'false' && !isFlag(value)) {
+      this.#reports.refuse(name, value, 'true or false');
     } else if (LIMITS.includes(name)) {
       if (this.#open) this.#limit(name);
       else this.#limits.delete(name);

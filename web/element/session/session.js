@@ -123,8 +123,7 @@ export class FireSession {
     const { begun } = this;
     if (id !== undefined) {
       if (name === 'model' && !begun) return;
-      if (value !== null) this.set({ [id]: value }, 'attribute');
-      else this.call('restore', [id], 'attribute');
+      this.set({ [id]: value }, 'attribute');
     } else if (name === 'objects') {
       this.#setObjects(value);
     } else if (name === 'preset') {
@@ -151,8 +150,7 @@ export class FireSession {
   /** Sets the objects of the attribute, which are JSON. @param {string | null} value */
   #setObjects(value) {
     try {
-      if (value === null) this.call('restore', ['objects'], 'attribute');
-      else this.set({ objects: reportedSettings(value, 'objects', this.reports) }, 'attribute');
+      this.set({ objects: value && reportedSettings(value, 'objects', this.reports) }, 'attribute');
     } catch {
       // It is reported.
     }

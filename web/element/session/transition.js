@@ -71,8 +71,8 @@ class Transitions {
       this.#all.set(answer, { to: given, ids: new Set(Object.keys(given ?? {})), held: [], whole: true, end() {} });
       return 0;
     }
-    if (source === 'to' || !['set', 'restore', 'preset', 'import'].includes(method)) return 0;
-    const named = method === 'restore' ? given : method === 'set' && Object.keys(given);
+    if (source === 'to' || !['set', 'preset', 'import'].includes(method)) return 0;
+    const named = method === 'set' && Object.keys(given);
     // Another model has other values.
     const all = !named || named.includes('model');
     for (const transition of this.#all.values()) {

@@ -26,6 +26,7 @@ impl Param {
     }
 
     /// The parameter with this id.
+    #[inline(never)]
     pub fn find(id: &str) -> Option<&'static Param> {
         PARAMETERS.iter().find(|param| param.id == id)
     }

@@ -113,6 +113,7 @@ impl Parameters {
     }
 
     /// Sets a number, clamped to the range of its parameter.
+    #[inline(never)]
     pub(crate) fn set_within(&mut self, id: &'static str, number: f64) {
         if let Some(param) = Param::find(id) {
             let (min, max) = param.any_domain(self.model).range;

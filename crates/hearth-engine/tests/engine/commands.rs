@@ -23,8 +23,6 @@ fn refused(name: &str, arguments: &[Untrusted]) -> ValidationError {
 fn every_command_is_parsed() {
     let viscosity = sent([("viscosity", number(0.01))]);
     let values = Untrusted::Object(viscosity.clone());
-    let seed = [text("seed")];
-    let list = Untrusted::List(seed.to_vec());
     let source = "test";
     let config = object([("preset", text("seed"))]);
     for (name, arguments, command) in [
@@ -40,11 +38,6 @@ fn every_command_is_parsed() {
             "check",
             vec![values],
             Command::CheckValues { values: &viscosity },
-        ),
-        (
-            "restore",
-            vec![list, text(source)],
-            Command::Restore { ids: &seed, source },
         ),
         (
             "preset",
@@ -143,7 +136,6 @@ fn errors_name_the_argument_that_fails_its_check() {
         Form::Flag => Untrusted::Flag(true),
         Form::Text => text("words"),
         Form::OneOf(names) => text(names[0]),
-        Form::Ids => Untrusted::List(vec![]),
         Form::Values => Untrusted::Object(vec![]),
     };
     for command in COMMANDS {
@@ -189,11 +181,6 @@ fn unknown_names_and_wrong_types_are_refused() {
         ("set", vec![number(1.0), source()]),
         ("set", vec![Untrusted::List(vec![]), source()]),
         ("check", vec![]),
-        ("restore", vec![text("seed"), source()]),
-        (
-            "restore",
-            vec![Untrusted::List(vec![number(1.0)]), source()],
-        ),
         ("preset", vec![Untrusted::Missing, source()]),
         ("visible", vec![text("yes")]),
         ("burn", vec![]),

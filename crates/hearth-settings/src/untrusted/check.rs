@@ -4,7 +4,7 @@
 //! [`Argument`] read checked values.
 
 use super::error::ValidationError;
-use super::value::{Ids, Untrusted, Values};
+use super::value::{Untrusted, Values};
 use hearth_core::params::Input;
 
 /// The required form of an argument.
@@ -40,8 +40,6 @@ pub enum Form {
     Text,
     /// One of these texts.
     OneOf(&'static [&'static str]),
-    /// An array of ids.
-    Ids,
     /// An object of values by their ids.
     Values,
 }
@@ -103,16 +101,6 @@ impl Check {
                     return Ok(());
                 }
                 return Err(one_of(id, value, &mut names.iter().copied()));
-            }
-            Form::Ids => {
-                const ALLOWED: &str = "an array of ids";
-                let Untrusted::List(ids) = value else {
-                    return Err(ValidationError::new(id, value, ALLOWED));
-                };
-                let invalid = ids.iter().find(|id| !matches!(id, Untrusted::Text(_)));
-                return invalid.map_or(Ok(()), |invalid| {
-                    Err(ValidationError::new(id, invalid, ALLOWED))
-                });
             }
             Form::Values => (
                 matches!(value, Untrusted::Object(_)),
@@ -234,14 +222,6 @@ impl<'a> Argument<'a> for &'a str {
 
     fn read(value: &'a Untrusted) -> &'a str {
         value.text()
-    }
-}
-
-impl<'a> Argument<'a> for Ids<'a> {
-    const CHECK: Check = Check::required(Form::Ids);
-
-    fn read(value: &'a Untrusted) -> Ids<'a> {
-        value.list()
     }
 }
 

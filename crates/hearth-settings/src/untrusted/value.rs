@@ -17,9 +17,6 @@ pub const MAX_BYTES: u32 = 65_536;
 /// Values by their ids, in the order in which they were sent.
 pub type Values<'a> = &'a [(String, Untrusted)];
 
-/// Ids, which are texts after the check.
-pub type Ids<'a> = &'a [Untrusted];
-
 /// A value as it was sent.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Untrusted {

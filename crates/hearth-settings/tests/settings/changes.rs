@@ -1,6 +1,6 @@
 //! Changes of settings and the level's number of particles.
 
-use crate::harness::{after, at_level, sent, text};
+use crate::harness::{after, at_level, sent, set};
 use hearth_core::Simulation;
 use hearth_core::params::{Model, PARAMETERS};
 use hearth_core::preset::Preset;
@@ -23,7 +23,7 @@ fn with<const N: usize>(settings: &Settings, values: [(&str, Untrusted); N]) -> 
 
 /// The settings with the default of this parameter.
 fn without(settings: &Settings, id: &str) -> Settings {
-    after(settings, Change::Restore(&[text(id)]))
+    set(settings, id, Untrusted::Null)
 }
 
 /// Number of particles at each level.
@@ -67,11 +67,10 @@ fn undefined_states_nothing_and_null_restores() {
             after(&settings, Change::Set(&ids.collect::<Vec<_>>()))
         };
         assert_eq!(all(Untrusted::Missing), settings);
-        let ids: Vec<_> = PARAMETERS.iter().map(|param| text(param.id)).collect();
-        assert_eq!(
-            all(Untrusted::Null),
-            after(&settings, Change::Restore(&ids))
-        );
+        let one_by_one = PARAMETERS.iter().fold(settings.clone(), |settings, param| {
+            set(&settings, param.id, Untrusted::Null)
+        });
+        assert_eq!(all(Untrusted::Null), one_by_one);
         let x = sent([("x", Untrusted::Missing)]);
         assert_eq!(after(&settings, Change::ChangeObject(1, &x)), settings);
     }

@@ -3,7 +3,7 @@
 use hearth_core::params::{Input, Model, PARAMETERS};
 use hearth_core::preset::Preset;
 use hearth_settings::untrusted::Untrusted;
-use hearth_settings::{Change, Settings, export};
+use hearth_settings::{Change, FIELDS, Settings, export};
 
 use crate::harness::{after, imported, set, text};
 
@@ -304,6 +304,11 @@ fn errors_name_the_invalid_object_and_no_object_changes() {
 fn restoring_the_objects_gives_one_source_with_the_values_of_the_settings() {
     let settings = set(&Settings::default(), "source_x", Untrusted::Number(0.2));
     let two = set(&settings, "objects", sources(&[&[], &[]]));
-    let ids = &[text("objects")];
-    assert_eq!(after(&two, Change::Restore(ids)), settings);
+    assert_eq!(set(&two, "objects", Untrusted::Null), settings);
+}
+
+#[test]
+fn a_field_that_is_undefined_states_nothing() {
+    let fields = FIELDS.map(|field| (field, Untrusted::Missing));
+    assert_eq!(imported(&object(fields.to_vec())), Settings::default());
 }

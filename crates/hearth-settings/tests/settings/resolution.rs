@@ -235,10 +235,10 @@ fn without_a_spacing_the_resolution_follows_the_frame_again() {
     let [settings, ..] = opened("spacing=0.02");
     let wide = set(&settings, "domain_width", Untrusted::Number(2.4));
     assert_eq!(wide.completed().spacing, 0.02);
-    let free = after(&wide, Change::Restore(&[text("spacing")]));
+    let free = set(&wide, "spacing", Untrusted::Null);
     assert_eq!(free.resolution(), Resolution::Level);
     assert_opens_as(&free, (2.4, 1.8, IN_DOMAIN), "restored");
-    let back = after(&free, Change::Restore(&[text("domain_width")]));
+    let back = set(&free, "domain_width", Untrusted::Null);
     assert_eq!(back.parameters().spacing, Parameters::default().spacing);
 }
 

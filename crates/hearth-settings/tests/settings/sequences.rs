@@ -69,7 +69,7 @@ fn changed(random: &mut Random, settings: &Settings) -> Settings {
             (param.id.to_owned(), value(random, param))
         })
         .collect();
-    let names = [text(parameter(random).id)];
+    let null = [(parameter(random).id.to_owned(), Untrusted::Null)];
     let presets = Preset::all();
     let list = [(
         "objects".to_owned(),
@@ -81,7 +81,7 @@ fn changed(random: &mut Random, settings: &Settings) -> Settings {
         2 => Change::ChangeObject(id, &fields[1..]),
         3 => Change::RemoveObject(id),
         4 => Change::Set(&list),
-        5 | 6 => Change::Restore(&names),
+        5 | 6 => Change::Set(&null),
         _ => Change::Set(&values),
     };
     settings.after(&change).unwrap_or_else(|_| settings.clone())

@@ -28,7 +28,9 @@ fn with_defaults<const N: usize>(
     old: &Settings,
     ids: [&str; N],
 ) -> Result<Settings, Vec<ValidationError>> {
-    old.after(&Change::Restore(&ids.map(text)))
+    old.after(&Change::Set(
+        &ids.map(|id| (id.to_owned(), Untrusted::Null)),
+    ))
 }
 
 /// The default settings of a model.

@@ -77,5 +77,12 @@ void main() {
     vec2 inside = clamp((0.5 - abs(uv - 0.5)) / EDGE, 0.0, 1.0);
     lit = mix(lit, adapted(lit, peak, ADAPTED) * (inside.x * inside.y * peak / (peak + PAGE_DIM)), page);
     cover = max(cover, max(lit.r, max(lit.g, lit.b)));
-    pixel = dither(fire + (vec4(lit, cover) + background * (1.0 - cover)) * (1.0 - fire.a));
+    vec4 whole = vec4(lit, cover) + background * (1.0 - cover);
+    // Displayed colours are about roots of light. Flame adds its light to that of a wall, and hides only what it covers
+    // beyond that.
+    float shine = max(fire.r, max(fire.g, fire.b));
+    float clear = 1.0 - (fire.a - shine) / max(1.0 - shine, 1e-3);
+    vec3 seen_through = whole.rgb * clear;
+    vec3 added = min(sqrt(fire.rgb * fire.rgb + seen_through * seen_through), 1.0);
+    pixel = dither(mix(fire + whole * (1.0 - fire.a), vec4(added, 1.0), wall));
 }

@@ -9,15 +9,16 @@ uniform float share;     // of the sharper one
 
 out vec4 glow;
 
-vec3 at(float x, float y) {
-    vec3 root = texture(wider, uv + vec2(x, y) * texel).rgb;
-    return root * root;
+vec4 at(float x, float y) {
+    vec4 copy = texture(wider, uv + vec2(x, y) * texel);
+    return vec4(copy.rgb * copy.rgb, copy.a);
 }
 
 // Eight reads of a tent filter without its middle; the weights sum to 12.
 void main() {
-    vec3 sum = at(-1.0, 0.0) + at(1.0, 0.0) + at(0.0, -1.0) + at(0.0, 1.0)
+    vec4 sum = at(-1.0, 0.0) + at(1.0, 0.0) + at(0.0, -1.0) + at(0.0, 1.0)
              + 2.0 * (at(-0.5, -0.5) + at(0.5, -0.5) + at(-0.5, 0.5) + at(0.5, 0.5));
-    vec3 root = texture(blur, uv).rgb;
-    glow = vec4(sqrt(mix(sum / 12.0, root * root, share)), 1.0);
+    vec4 copy = texture(blur, uv);
+    glow = mix(sum / 12.0, vec4(copy.rgb * copy.rgb, copy.a), share);
+    glow.rgb = sqrt(glow.rgb);
 }

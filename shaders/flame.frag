@@ -61,6 +61,10 @@ const float COOLING = 1.1;
 // grey rim around the flame.
 const float ALOFT = 0.2;
 const float HIGH = 1.4;
+// Noise of the smoke: its levels above that of the flame, its displacement, and its contrast.
+const float SMOKE_LEVEL = 1.5;
+const float SMOKE_WARP = 0.8;
+const float SMOKE_CONTRAST = 0.6;
 const float FINE_SHARE = 0.4;    // displacement by the fine noise relative to the broad noise
 // The base of the flame is higher at its rim than in its middle, by this share of the squared
 // distance in half source widths, up to a maximum.
@@ -129,9 +133,10 @@ void main() {
     float share = min(FULL * weight, 1.0);
     float kilokelvin = mix(air, gas.y / weight, share);
     float up = domain_height(uv);
-    float soot = gas.z / weight * share * smoothstep(INVISIBLE, VISIBLE, around)
+    float fade = smoothstep(INVISIBLE, VISIBLE, around)
                * (1.0 - closed * smoothstep(SIDE, SIDE_END, abs(place.x) * per_domain_width))
                * (1.0 - closed * smoothstep(TOP, TOP_END, max(up, (up - picture_bottom) / picture_height))) * clamp(up * per_soft_floor, 0.0, 1.0);
+    float soot = gas.z / weight * share * fade;
 
     float rim = 2.0 * (place.x - source.x) / source_width;
     float base = smoothstep(0.0, BASE, above - BOWL * min(rim * rim, MAX_BOWL) + RAGGED_BASE * broad.w * min(detail, 1.0));
@@ -182,8 +187,17 @@ void main() {
     float glowing = smoothstep(DARK, GLOWING, kilokelvin) * fire_share;
     float covered = 1.0 - exp(-OPTICAL_DEPTH * depth * left);
     vec3 emitted = radiance(kilokelvin) * (gain * covered * glowing) + blue * (gain * fire_share);
-    float aloft = smoothstep(ALOFT, HIGH, above);
-    float hidden = 1.0 - exp(-smoke * soot * aloft * (1.0 - smoothstep(COLD, COOLING, kilokelvin)));
+    float aloft = smoke * smoothstep(ALOFT, HIGH, above);
+    float hidden = 0.0;
+    if (aloft > 0.0) {
+        // Smoke is softer than flame.
+        vec4 soft = pattern(places, level + SMOKE_LEVEL, 1.0);
+        vec4 cold = field_at(uv + soft.xy * (warp * SMOKE_WARP) / picture_size) * field_range;
+        float there = min(FULL * cold.x, 1.0);
+        float cold_soot = cold.z / max(cold.x, 1e-4) * there * fade;
+        float smoke_kilokelvin = mix(air, cold.y / max(cold.x, 1e-4), there);
+        hidden = 1.0 - exp(-aloft * cold_soot * exp(-SMOKE_CONTRAST * detail * soft.w) * (1.0 - smoothstep(COLD, COOLING, smoke_kilokelvin)));
+    }
     // The brightness of a single slice decides what hides the background.
     float opaque = covered * glowing * opacity_of(emitted / depth);
     light = vec4(encode_light(emitted), 1.0 - (1.0 - opaque) * (1.0 - hidden));

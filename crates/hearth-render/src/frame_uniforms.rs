@@ -206,7 +206,8 @@ impl<'a> FrameUniforms<'a> {
     pub fn blooms(&self) -> bool {
         self.has_backdrop()
             || self.lights_solids()
-            || self.shows(DisplayMode::Fire) && self.parameters.bloom > 0.0
+            || self.shows(DisplayMode::Fire)
+                && (self.parameters.bloom > 0.0 || self.smoke_opacity() > 0.0)
     }
 
     /// Level of the widest copy of the bloom.

@@ -1,6 +1,6 @@
 //! Maps light and glow to displayed colours.
 
-use hearth_core::params::{DisplayMode, Layers, Model};
+use hearth_core::params::{DisplayMode, Layers};
 
 use crate::frame_uniforms::{FrameUniforms, exp2};
 use crate::image::Image;
@@ -10,8 +10,8 @@ use crate::shaders::uniforms;
 
 /// Factor on the light on smoke that is shown without fire.
 const SMOKE_ALONE_LIGHT: f32 = 1.6;
-/// Additional share of the glow that opaque smoke scatters.
-const SCATTERED_GLOW: f32 = 4.0;
+/// Extinction of opaque smoke that is as deep as the source is wide, times that width.
+const EXTINCTION: f32 = 1.5;
 
 /// The tone map.
 pub struct ToneMap;
@@ -40,10 +40,8 @@ impl Pass for ToneMap {
             rooted: f32::from(frame.format.is_rooted()),
             bloom: light_range * parameters.bloom,
             soot,
-            scattered: match parameters.model() {
-                Model::Classic => 0.0,
-                Model::Combustion => SCATTERED_GLOW,
-            },
+            size: frame.viewport.heights(),
+            extinction: EXTINCTION * parameters.domain_height / frame.source.width,
             pale,
             yellow,
         }

@@ -81,8 +81,7 @@ void main() {
     // Displayed colours are about roots of light. Flame adds its light to that of a wall, and hides only what it covers
     // beyond that.
     float shine = max(fire.r, max(fire.g, fire.b));
-    float clear = 1.0 - (fire.a - shine) / max(1.0 - shine, 1e-3);
-    vec3 seen_through = whole.rgb * clear;
+    vec3 seen_through = whole.rgb * (1.0 - fire.a + shine * (1.0 - shine));
     vec3 added = min(sqrt(fire.rgb * fire.rgb + seen_through * seen_through), 1.0);
     pixel = dither(mix(fire + whole * (1.0 - fire.a), vec4(added, 1.0), wall));
 }

@@ -52,8 +52,11 @@ const float SIDE_END = 0.48;
 const float TOP = 0.72;
 const float TOP_END = 0.96;
 // Glow starts at the first temperature and is complete at the second [kK].
-const float DARK = 0.85;
-const float GLOWING = 1.1;
+const float DARK = 0.9;
+const float GLOWING = 1.35;
+// The mean of gas below this temperature is of thin hot sheets and cold gas, and the sheets shine [kK].
+const float SHEETS = 1.5;
+const float SHEET_SHARE = 0.5;
 // Smoke forms where gas cools from the second to the first temperature [kK],
 const float COLD = 0.5;
 const float COOLING = 1.1;
@@ -61,6 +64,7 @@ const float COOLING = 1.1;
 // grey rim around the flame.
 const float ALOFT = 0.2;
 const float HIGH = 1.4;
+const float ROUND_HIGH = 1.5;    // additional share for round flames, which are narrow
 // Noise of the smoke: its levels above that of the flame, its displacement, and its contrast.
 const float SMOKE_LEVEL = 1.5;
 const float SMOKE_WARP = 0.8;
@@ -186,8 +190,8 @@ void main() {
 
     float glowing = smoothstep(DARK, GLOWING, kilokelvin) * fire_share;
     float covered = 1.0 - exp(-OPTICAL_DEPTH * depth * left);
-    vec3 emitted = radiance(kilokelvin) * (gain * covered * glowing) + blue * (gain * fire_share);
-    float aloft = smoke * smoothstep(ALOFT, HIGH, above);
+    vec3 emitted = radiance(mix(kilokelvin, max(kilokelvin, SHEETS), SHEET_SHARE)) * (gain * covered * glowing) + blue * (gain * fire_share);
+    float aloft = smoke * smoothstep(ALOFT, HIGH, above / (1.0 + ROUND_HIGH * roundness));
     float hidden = 0.0;
     if (aloft > 0.0) {
         // Smoke is softer than flame.

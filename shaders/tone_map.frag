@@ -56,7 +56,7 @@ void main() {
         float between = 0.0;
         for (int i = 1; i <= STEPS; i++) between += casts(uv + to * (float(i) / float(STEPS + 1)));
         vec3 lit = fire_light * (light_range * exp(-extinction * way / float(STEPS) * between) / (NEAREST + way * way));
-        sum += ALBEDO * lit * sharp.a / (1.0 + dot(sum, sum) / CLEAR);
+        sum += ALBEDO * lit * (sharp.a - SMOKY) / (1.0 + dot(sum, sum) / CLEAR);
         vec3 over = vec3(casts(uv + vec2(0.0, ABOVE.x / size.y)), casts(uv + vec2(0.0, ABOVE.y / size.y)), casts(uv + vec2(0.0, ABOVE.z / size.y)));
         sky = exp(-OVERCAST * dot(over, vec3(1.0)));
     }

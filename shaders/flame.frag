@@ -89,17 +89,19 @@ const float SHEET_COOLING = 0.14; // [kK]
 // which averages the noise of single particles, in source widths.
 const int SAMPLES = 40;
 const float HALF_WIDTH = 1.6;
-const float AVERAGED = 0.5;
+const float AVERAGED = 1.0;
 const float EDGE = 1.15;         // temperature at its edge [kK]
 const float SOFT_EDGE = 0.25;    // softness of that edge, in squared radii
 const float CORE = 0.85;         // radius of the fuel in its middle, in radii
 const float THIN = 0.55;         // optical depth relative to that of a plane flame: a small flame is thin
-// Mean time since the soot's fuel burnt in which soot forms at the sheet, and in which the fuel in the middle burns [s].
-const float FORMATION = 0.14;
+// Time in which soot forms above the source, and mean time since the soot's fuel burnt in which the fuel in the middle
+// burns [s].
+const float FORMATION = 0.03;
 const float BURNOUT = 0.4;
+const float GRAVITY = 9.81;      // [m/s²]
 const float ROOT = 0.2;          // height over which the flame begins, in source widths
 // Light of CH* (431 nm) and C2* (473, 516 nm) of gas that burns at 1/s.
-const vec3 BLUE = vec3(0.04, 0.2, 1.0) * 0.1;
+const vec3 BLUE = vec3(0.03, 0.18, 1.0) * 0.2;
 
 // Half the chord of a ball of radius 1 whose square is `squared` from the line of sight.
 float half_chord(float squared) {
@@ -177,9 +179,9 @@ void main() {
         float away = (place.x + moved.x - source.x) / source_width - axis;
         float squared = away * away / edge;
         float age = (burning.x + 1e-3) / (soot_per_fuel * burning.y + 1e-4);
-        float formed = age / FORMATION;
-        formed *= formed * formed;
-        formed = 1.0 - exp(-formed * formed);
+        // Hot gas rises by a t² / 2 with the buoyant acceleration a = g (T / air - 1).
+        float formed = max(above, 0.0) * source_width / (0.5 * FORMATION * FORMATION * GRAVITY * max(hottest / air - 1.0, 0.1));
+        formed = 1.0 - exp(-formed * formed * formed);
         float core = exp(-age * age / (BURNOUT * BURNOUT));
         float begun = max(smoothstep(-0.5 * ROOT, 0.5 * ROOT, above - ROOT * squared), on_solid) * step(EDGE, hottest);
         float chord = (half_chord(1.0 - squared) - core * half_chord(CORE * CORE - squared)) * begun;

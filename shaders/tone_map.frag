@@ -24,7 +24,7 @@ const float SMOKY = 0.02;   // coverage from which smoke is lit
 const float ADAPTED = 0.7; // share of the adapted hue in the faintest glow
 // The light of the fire on smoke: its share that is scattered, its least squared distance in heights of the domain, and
 // squared radiance of gas that casts half a shadow.
-const vec3 ALBEDO = vec3(0.075, 0.07, 0.065);
+const vec3 ALBEDO = vec3(0.12, 0.115, 0.11);
 const float NEAREST = 0.02;
 const float CLEAR = 0.05;
 const int STEPS = 7;
@@ -48,6 +48,7 @@ void main() {
         return;
     }
     vec3 sum = sharp.rgb * (rooted > 0.0 ? sharp.rgb * light_range : vec3(1.0)) + soft * soft * bloom;
+    vec3 colour_of_smoke = vec3(0.0);
     float sky = 1.0;
     if (sharp.a > SMOKY) {
         // The light of the fire reaches smoke through the smoke between.
@@ -56,7 +57,8 @@ void main() {
         float between = 0.0;
         for (int i = 1; i <= STEPS; i++) between += casts(uv + to * (float(i) / float(STEPS + 1)));
         vec3 lit = fire_light * (light_range * exp(-extinction * way / float(STEPS) * between) / (NEAREST + way * way));
-        sum += ALBEDO * lit * (sharp.a - SMOKY) / (1.0 + dot(sum, sum) / CLEAR);
+        lit = displayed(ALBEDO * lit);
+        colour_of_smoke = lit * lit;
         vec3 over = vec3(casts(uv + vec2(0.0, ABOVE.x / size.y)), casts(uv + vec2(0.0, ABOVE.y / size.y)), casts(uv + vec2(0.0, ABOVE.z / size.y)));
         sky = exp(-OVERCAST * dot(over, vec3(1.0)));
     }
@@ -68,6 +70,8 @@ void main() {
     colour = adapted(colour, peak, ADAPTED * bare * bare);
     float alpha = clamp(sharp.a, peak, 1.0);
     float dark = alpha - peak;
-    colour += SOOT * (soot * sky * dark * dark / max(alpha, 1e-4));
+    vec3 grey = SOOT * (soot * sky);
+    // Smoke shows its colour as far as it covers: thin smoke must not redden a page.
+    colour += sqrt(colour_of_smoke + grey * grey) * (dark * dark / max(alpha, 1e-4));
     shown = dither(vec4(colour, alpha));
 }

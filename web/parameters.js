@@ -18,7 +18,7 @@ const TEXTS = [
   "A fire of logs on a grate of iron, in an opening of bricks below its flue.",
   "A campfire on a stone floor before a wall of bricks, which it lights.",
   "Low, wide and white-hot before a wall of bricks, full of sparks.",
-  "A blue cone of gas that was mixed with air before it burns.",
+  "Small blue flames of gas that was mixed with air before it burns, on five nozzles.",
   "Pale flames that rise slowly, as no fire does.",
   "A house of cards that a small flame sets on fire at a corner, and that falls as it burns.",
   "A small flame that flickers, leans and smokes a little.",

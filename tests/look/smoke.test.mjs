@@ -29,7 +29,7 @@ test('smoke is at least twice as bright near its flame as far from it', async ()
     }
     return sum / without;
   };
-  const near = lit(Math.round(0.6 * height), Math.round(0.8 * height));
+  const near = lit(Math.round(0.65 * height), Math.round(0.8 * height));
   const far = lit(0, Math.round(0.2 * height));
   assert.ok(near >= 2 * far, `${near} against ${far}`);
 });

@@ -2,7 +2,7 @@
 
 use hearth_core::params::{DisplayMode, Layers};
 
-use crate::frame_uniforms::{FrameUniforms, exp2};
+use crate::frame_uniforms::{FrameUniforms, background, exp2};
 use crate::image::Image;
 use crate::palette::Tint;
 use crate::pass::{Draw, Load, Pass};
@@ -11,7 +11,9 @@ use crate::shaders::uniforms;
 /// Factor on the light on smoke that is shown without fire.
 const SMOKE_ALONE_LIGHT: f32 = 1.6;
 /// Extinction of opaque smoke that is as deep as the source is wide, times that width.
-const EXTINCTION: f32 = 1.5;
+const EXTINCTION: f32 = 3.0;
+/// Share of the light on smoke that an opaque dark background, or a wall, takes away.
+const NIGHT: f32 = 0.65;
 
 /// The tone map.
 pub struct ToneMap;
@@ -34,6 +36,9 @@ impl Pass for ToneMap {
         if parameters.layers == Layers::Smoke {
             soot *= SMOKE_ALONE_LIGHT;
         }
+        let [r, g, b, cover] = background(parameters.background);
+        let bright = r.max(g).max(b) + 1.0 - cover;
+        soot *= 1.0 - NIGHT * (1.0 - bright * (1.0 - frame.wall()));
         let (pale, yellow) = Tint::of(parameters).pale();
         uniforms::ToneMap {
             light_range,

@@ -20,14 +20,14 @@ out vec4 shown;
 // Coverage, the root of the glow, and light below one step of eight bits.
 const float INVISIBLE = 0.004;
 const float DARK = 0.0003;
-const float SMOKY = 0.02;   // coverage from which smoke is lit
+const float SMOKY = 0.02;   // coverage beyond the light from which smoke is lit
 const float ADAPTED = 0.7; // share of the adapted hue in the faintest glow
 // The light of the fire on smoke: its share that is scattered, its least squared distance in heights of the domain, and
 // squared radiance of gas that casts half a shadow.
 const vec3 ALBEDO = vec3(0.12, 0.115, 0.11);
 const float NEAREST = 0.02;
 const float CLEAR = 0.05;
-const int STEPS = 7;
+const int STEPS = 6;
 // The sky on smoke: ways up at which smoke darkens it, in heights of the domain, and its shadow.
 const vec3 ABOVE = vec3(0.015, 0.04, 0.1);
 const float OVERCAST = 0.4;
@@ -50,7 +50,7 @@ void main() {
     vec3 sum = sharp.rgb * (rooted > 0.0 ? sharp.rgb * light_range : vec3(1.0)) + soft * soft * bloom;
     vec3 colour_of_smoke = vec3(0.0);
     float sky = 1.0;
-    if (sharp.a > SMOKY) {
+    if (sharp.a - (1.0 - exp(-max(sum.r, max(sum.g, sum.b)))) > SMOKY) {
         // The light of the fire reaches smoke through the smoke between.
         vec2 to = fire.xy + clamp(uv - fire.xy, -fire.zw, fire.zw) - uv;
         float way = length(to * size);

@@ -30,6 +30,7 @@ export const TEXTS = {
     ember: 'Sparks',
     bloom_downsample: 'The glow, blurred in ever wider copies',
     bloom_upsample: 'The copies of the glow, joined',
+    smoke_light: 'The light on smoke, through the smoke between',
     tone_map: 'The tone map',
     composite: 'The picture, over the background',
   },

@@ -30,6 +30,8 @@ pub enum Image {
     Light,
     /// Light of the slices behind the front one.
     Behind,
+    /// Light of the fire on smoke, and the share of the sky that reaches it.
+    SmokeLight,
     /// Displayed colours.
     Shown,
     /// The backdrop in white light.
@@ -61,7 +63,8 @@ pub const SCENERY: usize = 5;
 const IRRADIANCE: usize = 6;
 const BEHIND: usize = 7;
 const OFFSETS_BEHIND: usize = 8;
-const BLUR: usize = 9;
+const SMOKE_LIGHT: usize = 9;
+const BLUR: usize = 10;
 const GLOW: usize = BLUR + MAX_BLURS;
 /// A target for each slice.
 const FLOW: usize = GLOW + MAX_BLURS - 1;
@@ -104,6 +107,7 @@ impl Image {
             Image::Behind => BEHIND,
             Image::Light if slice > 0 => BEHIND,
             Image::Light => LIGHT,
+            Image::SmokeLight => SMOKE_LIGHT,
             Image::Shown => SHOWN,
             Image::Scenery => SCENERY,
             Image::Irradiance => IRRADIANCE,
@@ -135,11 +139,13 @@ pub fn format_and_size(
         SCENERY => layout.scenery,
         IRRADIANCE => layout.irradiance,
         FLOW.. => layout.flow,
+        // Smoke scatters light softly.
+        SMOKE_LIGHT => layout.blurs()[1],
         GLOW.. => layout.blurs()[target - GLOW],
         _ => layout.blurs()[target - BLUR],
     };
     let format = match target {
-        SHOWN | SCENERY => TargetFormat::Rgba8,
+        SHOWN | SCENERY | SMOKE_LIGHT => TargetFormat::Rgba8,
         _ => format,
     };
     (format, size)

@@ -20,6 +20,7 @@ mod paper;
 mod scenery;
 mod shade;
 mod shadow;
+mod smoke_light;
 mod solid;
 mod splat;
 mod spread;
@@ -30,7 +31,7 @@ mod velocity;
 use crate::pass::Row;
 
 /// Every pass, in the order of a frame.
-pub static PASSES: [Row; 25] = [
+pub static PASSES: [Row; 26] = [
     // Fire of the classic model: particles, field, light.
     Row::of::<splat::Splat>("splat"),
     Row::of::<spread::Spread>("spread"),
@@ -46,6 +47,7 @@ pub static PASSES: [Row; 25] = [
     // Light to the picture.
     Row::of::<bloom_downsample::BloomDownsample>("bloom_downsample"),
     Row::of::<bloom_upsample::BloomUpsample>("bloom_upsample"),
+    Row::of::<smoke_light::SmokeLight>("smoke_light"),
     Row::of::<tone_map::ToneMap>("tone_map"),
     Row::of::<sprite::Sprite>("sprite"),
     Row::of::<composite::Composite>("composite"),

@@ -197,7 +197,7 @@ test('with quality auto, a fire that does not fit its frames gets a lower qualit
 });
 
 /** The passes from light to the picture. */
-const LIGHT_TO_PICTURE = ['bloom_downsample', 'bloom_upsample', 'tone_map', 'composite'];
+const LIGHT_TO_PICTURE = ['bloom_downsample', 'bloom_upsample', 'smoke_light', 'tone_map', 'composite'];
 
 test('the stages of a step add up, and every pass is reported', async () => {
   for (const [model, passes] of [

@@ -10,8 +10,6 @@ use crate::shaders::uniforms;
 
 /// Factor on the light on smoke that is shown without fire.
 const SMOKE_ALONE_LIGHT: f32 = 1.6;
-/// Extinction of opaque smoke that is as deep as the source is wide, times that width.
-const EXTINCTION: f32 = 3.0;
 /// Share of the light on smoke that an opaque dark background, or a wall, takes away.
 const NIGHT: f32 = 0.65;
 
@@ -45,8 +43,6 @@ impl Pass for ToneMap {
             rooted: f32::from(frame.format.is_rooted()),
             bloom: light_range * parameters.bloom,
             soot,
-            size: frame.viewport.heights(),
-            extinction: EXTINCTION * parameters.domain_height / frame.source.width,
             pale,
             yellow,
         }

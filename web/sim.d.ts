@@ -203,6 +203,11 @@ export interface Simulation {
   /** The solids with `motion` "free" as they are now, in the order of the objects, then what has broken off them. */
   freeSolids(): HearthFreeSolid[];
   /**
+   * Twelve numbers of each step since the last call, from which `hearth-fire/sound` computes a sound: see
+   * [sound.md](docs/sound.md#series). The first call starts to record and returns none.
+   */
+  series(): Float32Array;
+  /**
    * Lights a solid with fuel: all of its surface, by its id, or what is within 0.1 m of a point [m].
    * Dries the sources there too, so that those that water has put out burn again. Throws a `RangeError` if there is
    * neither.

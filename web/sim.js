@@ -285,6 +285,11 @@ class Simulation {
     return freeSolidsOf(this.#read('freeSolids'));
   }
 
+  /** The numbers of each step since the last call, from which `hearth-fire/sound` computes a sound. */
+  series() {
+    return this.#use((fire) => fire.series());
+  }
+
   /**
    * Lights a solid with fuel: all of its surface, by its id, or what is within 0.1 m of a point.
    * Dries the sources there too, so that those that water has put out burn again.

@@ -22,6 +22,7 @@ mod paper;
 mod parameters;
 mod plain;
 mod scenes;
+mod series;
 mod simulation;
 mod solid_heat;
 mod solids;

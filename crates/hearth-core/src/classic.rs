@@ -25,6 +25,7 @@ use crate::particle::Particle;
 use crate::random::Random;
 use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
+use crate::series::Totals;
 use crate::solids::Solids;
 use crate::solver::Solver;
 
@@ -211,6 +212,15 @@ impl Solver for Classic {
             max_speed: self.motion.max_speed,
             length: self.length(values),
             ..StepReport::default()
+        }
+    }
+
+    fn totals(&self) -> Totals {
+        let births = self.particles.births() as f64;
+        Totals {
+            births,
+            deaths: births - self.particles.len() as f64,
+            ..Totals::default()
         }
     }
 

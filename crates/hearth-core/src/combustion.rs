@@ -26,6 +26,7 @@ use crate::particle::Particle;
 use crate::random::Random;
 use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
+use crate::series::Totals;
 use crate::solids::Solids;
 use crate::solids::free::FreeBodies;
 use crate::solver::Solver;
@@ -282,6 +283,18 @@ impl Solver for Combustion {
             preheat: Some(self.reaction.preheat),
             asleep: self.domain.asleep(),
         }
+    }
+
+    fn totals(&self) -> Totals {
+        let mut totals = Totals::default();
+        (totals.sparks, totals.moment) = self.reaction.embers.thrown;
+        if let Some(fuels) = self.fuels.as_ref() {
+            fuels.add_totals(&self.obstacles.solids, &mut totals);
+        }
+        if let Some(water) = self.water.as_ref() {
+            totals.steam = water.steamed();
+        }
+        totals
     }
 
     fn count(&self) -> usize {

@@ -7,6 +7,7 @@ mod measure;
 mod model;
 mod place;
 mod readers;
+mod series;
 mod water;
 
 use glam::Vec2;
@@ -20,6 +21,7 @@ use crate::params::{DisplayMode, Edges, Floor, Input, Model, ParamError, Paramet
 use crate::particle::Particle;
 use crate::random::Random;
 use crate::scene::{Pose, Scene};
+use crate::series::Recorder;
 use model::AnySolver;
 
 pub use crate::particle::ParticleError;
@@ -36,6 +38,8 @@ pub struct Simulation {
     time: f64,
     /// The part of the world that is seen.
     seen: Option<Seen>,
+    /// The steps that wait for a reader, if they are recorded.
+    recorder: Option<Box<Recorder>>,
 }
 
 impl Simulation {
@@ -52,6 +56,7 @@ impl Simulation {
             scene,
             time: 0.0,
             seen: None,
+            recorder: None,
         }
     }
 
@@ -79,7 +84,9 @@ impl Simulation {
     ) {
         let (scene, random) = (&self.scene, &mut self.random);
         let solver = &mut self.solver;
-        self.time += solver.step(scene, random, self.time, force, on_stage);
+        let length = solver.step(scene, random, self.time, force, on_stage);
+        self.time += length;
+        self.record(length);
     }
 
     /// Starts again: time zero, the generator at its seed.

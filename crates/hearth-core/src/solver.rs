@@ -8,6 +8,7 @@ use crate::particle::Particle;
 use crate::random::Random;
 use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
+use crate::series::Totals;
 use crate::solids::Solids;
 
 /// The gas of a model and its time step.
@@ -46,6 +47,9 @@ pub(crate) trait Solver {
 
     /// A report of the last step.
     fn report(&self, values: &Physics) -> StepReport;
+
+    /// What has happened since the fire began.
+    fn totals(&self) -> Totals;
 
     /// Number of particles.
     fn count(&self) -> usize;

@@ -188,6 +188,8 @@ commands! { 'a
     "play" Play {}
     /// Pauses.
     "pause" Pause {}
+    /// Sets whether each frame in which the fire plays posts its `series`.
+    "series" Series { on: bool }
     /// Restarts the simulation with the same settings.
     "reset" Reset {}
     /// Makes a number of steps, even if paused. The answer follows when they are drawn.

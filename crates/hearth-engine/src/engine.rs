@@ -338,6 +338,7 @@ impl Engine {
             Command::Quality { quality } => fire.request_quality(quality.0, events),
             Command::Play {} => fire.set_playing(true, events),
             Command::Pause {} => fire.set_playing(false, events),
+            Command::Series { on } => fire.simulation.record_series(on),
             Command::Reset {} => fire.reset(events),
             Command::Warm { seconds } => {
                 fire.set_warm_up(seconds.map(|seconds| seconds.0), request);

@@ -7,6 +7,7 @@
 //! | `changed` | as `ready`, but what changed, `undefined` for a field that `config` has no longer; `source`; `replaced`: whether a preset or a file replaced all |
 //! | `refused` | `fire`, `request`; `errors`: id, value, message and, for a number, min and max |
 //! | `stats` | `fire`; `stats`: see [`stats`](crate::stats) |
+//! | `series` | `fire`; `seconds` of the clock since the last frame; `series`: the [numbers](hearth_core::StepRecord) of each step |
 //! | `quality` | `fire`; `requested`: auto or a level; `quality`: the level; `reason` |
 //! | `state` | `fire`, `playing` |
 //! | `warming` | `fire`: a new fire warms up and replaces the picture then |
@@ -17,6 +18,7 @@ use hearth_bindings::{Record, values};
 use hearth_core::params::PARAMETERS;
 use hearth_settings::untrusted::ValidationError;
 use hearth_settings::{FIELDS, OBJECTS, Settings, export, objects};
+use js_sys::Float32Array;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -135,6 +137,14 @@ impl Events {
     pub fn stats(&self, fire: u32, stats: &Record) {
         let event = event("stats", fire);
         event.set_object("stats", stats);
+        self.post(&event);
+    }
+
+    /// The steps of a fire in a frame, so many seconds after the last one.
+    pub fn series(&self, fire: u32, seconds: f64, series: &[f32]) {
+        let event = event("series", fire);
+        event.set_number("seconds", seconds);
+        event.set_any("series", &Float32Array::from(series));
         self.post(&event);
     }
 

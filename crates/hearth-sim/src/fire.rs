@@ -205,6 +205,12 @@ impl Fire {
         particles::property(&self.simulation, name)
     }
 
+    /// The steps since the last call; the first call starts to record them.
+    pub fn series(&mut self) -> Vec<f32> {
+        self.simulation.record_series(true);
+        self.simulation.series_numbers()
+    }
+
     /// Replaces all particles with these, of [`particles::NUMBERS`] numbers each.
     ///
     /// # Errors

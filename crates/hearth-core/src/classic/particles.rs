@@ -101,6 +101,11 @@ impl Particles {
         self.next_id += 1;
     }
 
+    /// Count of all particles that were ever pushed.
+    pub fn births(&self) -> u64 {
+        self.next_id
+    }
+
     /// Keeps the particles for which `alive` is true, in their order.
     pub fn retain(&mut self, alive: impl Fn(&ParticleState) -> bool) {
         self.states.retain(alive);

@@ -71,7 +71,12 @@ impl Fire {
             self.stale = true;
             self.measure(made.stages.iter().sum::<f64>() / steps, events);
         }
+        let series = self.simulation.series_numbers();
         if let Some(passed) = passed {
+            // Requested steps and those of a warm-up are silent.
+            if !series.is_empty() {
+                events.series(self.id, passed, &series);
+            }
             let dropped = if self.clock.due(self.last_step) {
                 self.clock.drop_rest()
             } else {

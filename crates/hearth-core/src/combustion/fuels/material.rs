@@ -96,6 +96,11 @@ impl Material {
         })
     }
 
+    /// Char that forms with a kilogram of gas [kg].
+    pub fn char_per_gas(&self) -> f32 {
+        self.char / (1.0 - self.char)
+    }
+
     /// Heat of combustion of its gas [kJ/kg]: what the char does not have.
     pub fn gas_heat(&self) -> f32 {
         (self.heat - CHAR_HEAT * (self.char - self.ash)) / (1.0 - self.char)

@@ -3,6 +3,7 @@
 use super::cells::{Account, Burning, Cell, NONE};
 use super::state::Fuels;
 use crate::combustion::charred::{Charred, CharredSolid};
+use crate::series::Totals;
 use crate::solids::Solids;
 
 /// Power below which a solid is out [kW/m].
@@ -218,6 +219,26 @@ impl Fuels {
             state: state.name(),
             unbroken: self.all.iter().map(|burning| burning.unbroken).sum(),
         }
+    }
+
+    /// Adds what all of them have given off and where they burn.
+    // An entry of the part `bodies` of the wasm.
+    #[inline(never)]
+    pub fn add_totals(&self, solids: &Solids, totals: &mut Totals) {
+        let (mut power, mut moment, mut load) = (0.0, 0.0, 0.0);
+        for burning in &self.all {
+            let account = &burning.account;
+            totals.dried += account.steam;
+            totals.charred += account.gas * f64::from(burning.material.char_per_gas());
+            totals.broken += f64::from(u8::from(burning.id != burning.object));
+            power += account.power;
+            load += account.power * burning.load;
+            if let Some(body) = solids.first(burning.id) {
+                moment += account.power * body.surface.frame.centre.x;
+            }
+        }
+        totals.place = moment / power.max(1e-6);
+        totals.load = load / power.max(1e-6);
     }
 
     /// Adds all of them to a picture.

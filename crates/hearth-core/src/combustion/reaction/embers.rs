@@ -59,6 +59,8 @@ pub(crate) struct Embers {
     alive: Vec<Ember>,
     /// Births that are due.
     backlog: f32,
+    /// Count of all births, and the sum of their places \[m\].
+    pub thrown: (f64, f64),
 }
 
 impl Embers {
@@ -66,7 +68,7 @@ impl Embers {
     pub fn of(alive: Vec<Ember>) -> Embers {
         Embers {
             alive,
-            backlog: 0.0,
+            ..Embers::default()
         }
     }
 
@@ -129,6 +131,8 @@ impl Embers {
     }
 
     fn spawn(&mut self, position: Vec2, velocity: Vec2, values: &Physics, random: &mut Random) {
+        let (count, moment) = self.thrown;
+        self.thrown = (count + 1.0, moment + f64::from(position.x));
         let longest = values.ember_life_max.max(values.ember_life_min);
         self.alive.push(Ember {
             position,

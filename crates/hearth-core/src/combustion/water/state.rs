@@ -25,6 +25,11 @@ impl Water {
         &self.parcels
     }
 
+    /// Mass of all that has become steam in the air, at solids without fuel and at sources [kg/m].
+    pub(crate) fn steamed(&self) -> f64 {
+        self.account.evaporated + self.account.boiled
+    }
+
     /// The account with what is in the air and in sources now.
     pub(crate) fn sprayed(&self) -> SprayTotals {
         let flying = self.parcels.iter().map(|parcel| f64::from(parcel.mass));

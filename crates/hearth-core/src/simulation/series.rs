@@ -1,0 +1,64 @@
+//! The series of steps that sound follows from.
+
+use super::Simulation;
+use crate::params::Physics;
+use crate::series::{Recorder, StepRecord};
+
+/// Width of a source up to which it is a nozzle \[m\].
+const MAX_NOZZLE_WIDTH: f32 = 0.12;
+
+impl Simulation {
+    /// Starts to record each step, or ends that. A fire that is not recorded takes no time or memory for it. The
+    /// record of a fire changes none of its bits.
+    pub fn record_series(&mut self, on: bool) {
+        if on != self.recorder.is_some() {
+            self.recorder = on.then(|| Box::new(Recorder::new(self.solver.totals())));
+        }
+    }
+
+    /// The steps since the last call, if they are [recorded](Simulation::record_series): the last 1024 at
+    /// least. `read` gets them.
+    ///
+    /// ```
+    /// # use hearth_core::{Parameters, Simulation};
+    /// let mut fire = Simulation::new(Parameters::default());
+    /// fire.record_series(true);
+    /// for _ in 0..100 {
+    ///     fire.step();
+    /// }
+    /// let seconds: f32 = fire.read_series(|steps| steps.iter().map(|step| step.length).sum());
+    /// assert!((f64::from(seconds) - fire.time()).abs() < 1e-4);
+    /// ```
+    pub fn read_series<T>(&mut self, read: impl FnOnce(&[StepRecord]) -> T) -> T {
+        let Some(recorder) = self.recorder.as_mut() else {
+            return read(&[]);
+        };
+        let result = read(recorder.records());
+        recorder.clear();
+        result
+    }
+
+    /// All numbers of one such step, then of the next, for bindings.
+    pub fn series_numbers(&mut self) -> Vec<f32> {
+        self.read_series(|steps| steps.iter().flat_map(StepRecord::numbers).collect())
+    }
+
+    /// Records a step of a length \[s\].
+    pub(super) fn record(&mut self, length: f64) {
+        if let Some(recorder) = self.recorder.as_mut() {
+            let power = self.solver.combustion().map_or(0.0, |fire| fire.power());
+            let nozzle = |source: &&crate::Parameters| {
+                let values: &Physics = source;
+                values.fuel_power > 0.0 && values.source_width <= MAX_NOZZLE_WIDTH
+            };
+            let nozzles = self.scene.sources().filter(nozzle);
+            let fastest = nozzles.map(|source| source.emission_speed);
+            let jet = if power > 0.0 {
+                fastest.fold(0.0, f32::max)
+            } else {
+                0.0
+            };
+            recorder.add(length, power, jet, self.solver.totals());
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! Laws of the series of steps that sound follows from: recording changes no fire, and what the records have adds up to
+//! what the fire has.
+
+use hearth_core::params::{Input, Model, Parameters};
+use hearth_core::preset::Preset;
+use hearth_core::{Simulation, StepRecord, Vec2};
+use hearth_tests::fires::combustion;
+
+/// A recorded fire.
+fn recorded(mut fire: Simulation) -> Simulation {
+    fire.record_series(true);
+    fire
+}
+
+fn scene(name: &str) -> Simulation {
+    Simulation::new(Preset::find(name).unwrap().scene())
+}
+
+/// The records of so many steps.
+fn records(fire: &mut Simulation, steps: u32) -> Vec<StepRecord> {
+    let mut all = Vec::new();
+    for _ in 0..steps {
+        fire.step();
+        fire.read_series(|some| all.extend_from_slice(some));
+    }
+    all
+}
+
+fn sum(records: &[StepRecord], number: impl Fn(&StepRecord) -> f32) -> f64 {
+    records.iter().map(|record| f64::from(number(record))).sum()
+}
+
+#[test]
+fn a_recorded_fire_has_the_bits_of_any_other() {
+    for name in ["burning-logs", "classic"] {
+        let (mut fire, mut other) = (recorded(scene(name)), scene(name));
+        assert_eq!(records(&mut fire, 60).len(), 60);
+        assert_eq!(records(&mut other, 60), []);
+        assert_eq!(fire.particles(), other.particles(), "{name}");
+        assert_eq!(fire.embers(), other.embers(), "{name}");
+    }
+}
+
+#[test]
+fn lengths_add_up_to_the_age_and_the_power_is_that_of_each_step() {
+    let mut fire = recorded(scene("candle"));
+    for _ in 0..50 {
+        fire.step();
+        let (length, power) = (fire.step_length(), fire.power());
+        fire.read_series(|steps| {
+            assert_eq!(steps.len(), 1);
+            assert!((f64::from(steps[0].length) - length).abs() < 1e-9);
+            assert_eq!(Some(steps[0].power), power);
+        });
+    }
+    let mut fire = recorded(scene("candle"));
+    let seconds = sum(&records(&mut fire, 50), |step| step.length);
+    assert!((seconds - fire.time()).abs() < 1e-6, "{seconds} s");
+}
+
+#[test]
+fn solids_dry_and_char_by_what_they_lose() {
+    let mut fire = recorded(scene("burning-logs"));
+    let all = records(&mut fire, 600);
+    let solids = fire.burning_solids();
+    let steam: f64 = solids.iter().map(|solid| solid.steam).sum();
+    let gas: f64 = solids.iter().map(|solid| solid.gas).sum();
+    assert!(steam > 0.0 && gas > 0.0, "the logs burn");
+    let dried = sum(&all, |step| step.dried);
+    assert!(
+        (dried / steam - 1.0).abs() < 1e-3,
+        "{dried} of {steam} kg/m"
+    );
+    // A fifth of wood is char.
+    let charred = sum(&all, |step| step.charred);
+    assert!(
+        (charred / gas / 0.25 - 1.0).abs() < 1e-3,
+        "{charred} for {gas} kg/m"
+    );
+    assert_eq!(all.last().map(|step| step.load), Some(12.0));
+}
+
+#[test]
+fn sparks_have_a_number_and_a_place() {
+    let mut fire = recorded(Simulation::new(combustion(&[("ember_rate", 0.0)])));
+    assert_eq!(sum(&records(&mut fire, 5), |step| step.sparks), 0.0);
+    fire.throw_embers(Vec2::new(0.3, 0.5), 20);
+    let all = records(&mut fire, 1);
+    assert_eq!(all[0].sparks, 20.0);
+    assert!((all[0].place - 0.3).abs() < 1e-6, "{} m", all[0].place);
+}
+
+#[test]
+fn steam_is_the_water_that_evaporates() {
+    let mut fire = recorded(scene("campfire"));
+    let mut all = records(&mut fire, 100);
+    assert_eq!(sum(&all, |step| step.steam), 0.0);
+    assert_eq!(
+        fire.spray(Vec2::new(0.0, 0.8), Vec2::new(0.0, -3.0), 0.02),
+        Ok(())
+    );
+    all = records(&mut fire, 100);
+    let totals = fire.sprayed().unwrap();
+    let steam = totals.evaporated + totals.boiled;
+    assert!(steam > 0.0);
+    assert!((sum(&all, |step| step.steam) / steam - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn only_a_narrow_source_that_burns_is_a_jet() {
+    for (width, speed) in [(0.1, 0.6), (0.4, 0.0)] {
+        let values = [("source_width", width), ("emission_speed", 0.6)];
+        let mut fire = recorded(Simulation::new(combustion(&values)));
+        let last = *records(&mut fire, 5).last().unwrap();
+        assert_eq!(last.jet, speed);
+        assert_eq!(fire.set("fuel_power", Input::Number(0.0)), Ok(()));
+        assert_eq!(records(&mut fire, 1)[0].jet, 0.0);
+    }
+}
+
+#[test]
+fn births_less_deaths_are_the_particles() {
+    let mut fire = recorded(Simulation::new(Parameters::new(Model::Classic)));
+    let all = records(&mut fire, 600);
+    let alive = sum(&all, |step| step.births - step.deaths);
+    assert!(sum(&all, |step| step.deaths) > 0.0);
+    assert_eq!(alive, fire.count() as f64);
+}
+
+#[test]
+fn what_nobody_reads_is_dropped_and_a_reset_gives_nothing() {
+    let mut settings = Parameters::new(Model::Classic);
+    assert_eq!(settings.set("max_particles", Input::Number(100.0)), Ok(()));
+    let mut fire = recorded(Simulation::new(settings));
+    for _ in 0..5000 {
+        fire.step();
+    }
+    let kept = fire.series_numbers().len() / StepRecord::NUMBERS;
+    assert!((1024..=2048).contains(&kept), "{kept} records");
+    assert!(fire.series_numbers().is_empty());
+    fire.reset();
+    let first = records(&mut fire, 1)[0];
+    assert!(first.births <= 100.0 && first.deaths == 0.0, "{first:?}");
+    fire.record_series(false);
+    assert_eq!(records(&mut fire, 3), []);
+}

@@ -15,6 +15,7 @@ import type {
   HearthPicture,
   HearthQualityDetail,
   HearthRangeError,
+  HearthSoundDetail,
   HearthStats,
   HearthTransition,
   HearthValues,
@@ -55,6 +56,8 @@ export interface FrameFireEventMap {
   'objects-change': CustomEvent<HearthObjectsDetail>;
   /** The quality has changed, to fit the speed of the device or on request. */
   'quality-change': CustomEvent<HearthQualityDetail>;
+  /** The sound plays, waits for a gesture of the visitor, or has ended. */
+  'sound-change': CustomEvent<HearthSoundDetail>;
   /** Measurements of the fire, about four times a second. */
   stats: CustomEvent<HearthStats>;
   /** A value is refused, a file could not be loaded, the fire has stopped, or the browser cannot show it. */
@@ -75,6 +78,8 @@ export interface FrameFire extends EventTarget {
   stats(): Promise<HearthStats | null>;
   /** Resolves when the fire's picture is shown or, out of sight, when the fire can be drawn; rejects if it cannot. An element that is removed from the page gets a new promise. */
   ready(): Promise<void>;
+  /** Whether the visitor has muted the fires of this origin. It is kept for the next visit. */
+  muted(): Promise<boolean>;
   /** Returns the value of one parameter. */
   get<Id extends ParameterId>(id: Id): Promise<HearthParameters[Id]>;
   /** Sets one parameter. Rejects with a {@link HearthRangeError}. */

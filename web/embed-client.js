@@ -17,6 +17,7 @@ const METHODS = [
   'objects',
   'stats',
   'ready',
+  'muted',
   'get',
   'set',
   'addObject',

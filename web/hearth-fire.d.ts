@@ -14,6 +14,7 @@ import type {
   HearthQualityDetail,
   HearthRangeError,
   HearthSolidElement,
+  HearthSoundDetail,
   HearthSourceElement,
   HearthTransition,
 } from './element/types.js';
@@ -44,6 +45,8 @@ export interface HearthFireEventMap extends Omit<HTMLElementEventMap, 'error'> {
   'objects-change': CustomEvent<HearthObjectsDetail>;
   /** The quality has changed, to fit the speed of the device or on request. */
   'quality-change': CustomEvent<HearthQualityDetail>;
+  /** The sound plays, waits for a gesture of the visitor, or has ended. */
+  'sound-change': CustomEvent<HearthSoundDetail>;
   /** Measurements of the fire, about four times a second. */
   stats: CustomEvent<HearthStats>;
   /** A value is refused, a file could not be loaded, the fire has stopped, or the browser cannot show it. */
@@ -77,6 +80,10 @@ export class HearthFire extends HTMLElement {
   readonly ready: Promise<void>;
   /** Whether the fire is paused. */
   paused: boolean;
+  /** Whether the visitor has muted the fires of this origin. It is kept for the next visit. */
+  muted: boolean;
+  /** The node through which the sound of this fire goes to the loudspeakers, for a mix of your own in its `context`; null while there is no sound. */
+  readonly audio: AudioNode | null;
   /** `false`: the fire is paused until `play()`. */
   autoplay: boolean;
   /** The URL of a JSON file with settings, as `exportConfig()` returns them; empty without one. A fire begins without a file that takes longer than two seconds, and takes it over when it arrives. */
@@ -106,6 +113,10 @@ export class HearthFire extends HTMLElement {
   zoom: number;
   /** Which part of the enlarged picture is seen: two numbers from 0 to 1, its position from the left and from below. The default is `0.5 0.5`, the middle. */
   pan: string;
+  /** The volume of the fire's sound, from 0 to 1; 0 is silent. It begins with the visitor's first click, tap or key on the page. Its code is loaded on request. */
+  sound: number;
+  /** How loud the fire crackles, from 0 to 1, beside its roar. */
+  crackle: number;
   /** What touches of an interactive fire do to the page, as CSS's `touch-action`. The default is `pan-y`. */
   touchAction: string;
   /** Shows the panel of sliders inside the element, for all parameters or for a list of them. Its code is loaded on request. */

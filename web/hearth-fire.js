@@ -34,6 +34,7 @@ import {
   upgradeProperties,
 } from './element/attributes/attributes.js';
 import { reportedSettings } from './element/attributes/settings.js';
+import { isMuted, mute } from './element/session/muted.js';
 import { postable, quiet } from './element/session/requests.js';
 import { FireSession } from './element/session/session.js';
 import { seedOf } from './element/attributes/values.js';
@@ -48,6 +49,7 @@ import { VERSION } from './generated/version.js';
  * @fires {HearthChangeDetail} params-change  A parameter has changed, from any source.
  * @fires {HearthObjectsDetail} objects-change  An object was added, changed or removed.
  * @fires {HearthQualityDetail} quality-change  The quality has changed, to fit the speed of the device or on request.
+ * @fires {HearthSoundDetail} sound-change  The sound plays, waits for a gesture of the visitor, or has ended.
  * @fires {HearthStats} stats  Measurements of the fire, about four times a second.
  * @fires {HearthErrorDetail} error  A value is refused, a file could not be loaded, the fire has stopped, or the
  *   browser cannot show it.
@@ -58,6 +60,7 @@ import { VERSION } from './generated/version.js';
  * @csspart message  The message that explains why there is no fire.
  * @csspart retry  The button in that message that tries again.
  * @csspart play  The button that plays a fire that is paused for reduced motion, and pauses it again.
+ * @csspart speaker  The button that starts a sound that waits for a gesture.
  * @csspart panel  The panel of sliders of the attribute `controls`.
  * @csspart scale  The colour bar of a display mode that shows a quantity.
  * @cssproperty --hearth-light  The power relative to its mean, from 0 to 1; 0.5 is the mean.
@@ -177,6 +180,28 @@ class HearthFire extends FireAttributes {
   set paused(paused) {
     const given = stated(this, 'paused', paused);
     if (given !== undefined) this.#session.playback.set(isOn(given));
+  }
+
+  /**
+   * Whether the visitor has muted the fires of this origin. It is kept for the next visit.
+   * @posted
+   * @returns {boolean}
+   */
+  get muted() {
+    return isMuted();
+  }
+
+  set muted(muted) {
+    mute(Boolean(muted));
+  }
+
+  /**
+   * The node through which the sound of this fire goes to the loudspeakers, for a mix of your own in its `context`;
+   * null while there is no sound.
+   * @returns {AudioNode | null}
+   */
+  get audio() {
+    return this.#session.code.player?.audio ?? null;
   }
 
   /**

@@ -15,6 +15,7 @@ import { listenToDrops } from './panel/own-scenes.js';
 import { addSheet } from './panel/sheet.js';
 import { addStyle } from './panel/style.js';
 import { zoomKey } from './panel/zoom-keys.js';
+import { speakerControls } from './sound/speaker.js';
 
 /** The maximum time until the panel's wasm arrives [ms]. */
 const WASM_MS = 120_000;
@@ -137,6 +138,11 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
   atEnd(() => accessible.destroy());
   const fold = inside ? addFold(host) : undefined;
   atEnd(fold?.remove ?? stayAboveKeyboard(host));
+  if (inside) {
+    const speaker = speakerControls(fire, 'hearth-fold hearth-speaker');
+    host.append(...speaker.parts);
+    atEnd(speaker.remove);
+  }
   if (inside || page !== undefined) atEnd(addSheet(host, inside ? fire : undefined));
   atEnd(listenToKeys({ own: [host, fire], page: page !== undefined, fire, controller, hide: fold?.toggle, zoomKey }));
   atEnd(listenToDrops(host, page === undefined ? [fire, host] : [document], (file) => controller.open(file)));

@@ -115,7 +115,7 @@ export function iframeCode(config, embedUrl) {
     attribute('width', String(SIZE.width)),
     attribute('height', String(SIZE.height)),
     // An iframe with another colour scheme than its page gets an opaque background.
-    'style="border: 0; color-scheme: light" loading="lazy" title="A fire"',
+    'style="border: 0; color-scheme: light" loading="lazy" allow="autoplay" title="A fire"',
   ];
   return `<iframe ${attributes.join(' ')}></iframe>`;
 }

@@ -8,6 +8,7 @@ import { element } from './element/controls/icon-button.js';
 import { editingOf, isOn } from './panel/editing.js';
 import { objectsOf } from './panel/objects.js';
 import { addStyle } from './panel/style.js';
+import { bindSpeaker } from './sound/speaker.js';
 import { Bar } from './tools/bar.js';
 import { Cross } from './tools/cross.js';
 import { Edits } from './tools/edits.js';
@@ -81,6 +82,8 @@ class Toolbar {
   #status = element('p', { class: 'hearth-status', role: 'status' });
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #statusEnds;
+  /** Ends what the speaker button follows. */
+  #unbind;
 
   /** @param {HTMLElement} host @param {HearthFire} fire @param {() => void} closed */
   constructor(host, fire, closed) {
@@ -122,6 +125,7 @@ class Toolbar {
       redo: () => this.#edits.attempt(() => history.redo()),
       close: closed,
     });
+    this.#unbind = bindSpeaker(this.#bar.speaker, fire);
     host.classList.add('hearth-tools');
     host.append(this.#overlay.element, this.#bar.element, this.#bar.align, this.#status);
     this.#choose('select');
@@ -209,6 +213,7 @@ class Toolbar {
 
   remove() {
     clearTimeout(this.#statusEnds);
+    this.#unbind();
     this.#cross.remove();
     this.#pointers.cancelAll();
     this.#host.classList.remove('hearth-tools');

@@ -185,6 +185,12 @@ export interface HearthQualityDetail {
   reason: string;
 }
 
+/** The detail of a `sound-change` event. */
+export interface HearthSoundDetail {
+  /** `waiting`: the browser refuses to start sound until the visitor clicks, taps or presses a key. */
+  state: 'silent' | 'waiting' | 'playing';
+}
+
 /**
  * The properties that reflect an attribute of the same name with hyphens. `element/attributes/attributes.js` defines
  * them on the prototype.
@@ -248,6 +254,17 @@ export interface HearthReflected {
    * from below. The default is `0.5 0.5`, the middle.
    */
   pan: string;
+  /**
+   * The volume of the fire's sound, from 0 to 1; 0 is silent. It begins with the visitor's first click, tap or key on
+   * the page. Its code is loaded on request.
+   * @default 0
+   */
+  sound: number;
+  /**
+   * How loud the fire crackles, from 0 to 1, beside its roar.
+   * @default 0.5
+   */
+  crackle: number;
   /** What touches of an interactive fire do to the page, as CSS's `touch-action`. The default is `pan-y`. */
   touchAction: string;
   /**

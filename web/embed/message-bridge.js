@@ -15,13 +15,16 @@
  */
 
 import { POSTED_EVENTS, POSTED_MEMBERS } from '../generated/iframe-methods.js';
-import { OPTIONS } from '../pages/url-parameters.js';
+import { OPTIONS as OF_ADDRESSES } from '../pages/url-parameters.js';
 
 /** The version of these messages. */
 const VERSION = 1;
 
 /** The maximum number of allowed origins. */
 const MAX_ORIGINS = 16;
+
+/** The attributes that a page may set: more than an address, which never turns sound on. */
+const OPTIONS = [...OF_ADDRESSES, 'sound', 'crackle'];
 
 /** The methods that a page may call. `option` reads and sets attributes of the element. */
 const METHODS = [...POSTED_MEMBERS, 'option'];

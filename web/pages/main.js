@@ -134,6 +134,18 @@ async function showScenes() {
   }
 }
 
+/** Shows the speaker button and its sliders. */
+async function showSpeaker() {
+  try {
+    const { speakerControls } = await import('../sound/speaker.js');
+    const { parts } = speakerControls(fire, '');
+    parts[0].id = 'speaker';
+    document.getElementById('head')?.append(...parts);
+  } catch (error) {
+    console.warn('Hearth: the speaker button could not be loaded.', error);
+  }
+}
+
 applyLocation();
 frameScenes(fire);
 fadeChrome(document.documentElement);
@@ -151,6 +163,7 @@ fire.ready.then(
     };
     offerTools({ button, host, fire, page: true, shown, failed });
     button.hidden = false;
+    showSpeaker();
     showHint(/** @type {HTMLElement} */ (document.getElementById('hint')), fire);
     return showScenes();
   },

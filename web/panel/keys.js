@@ -6,6 +6,7 @@
  * root element.
  */
 
+import { toggleSound } from '../sound/speaker.js';
 import { remembered } from './memory.js';
 
 /** The names of the keys, and their effects. @type {[string[], string][]} */
@@ -15,6 +16,7 @@ export const KEYS = [
   [['H'], 'hide or show the controls'],
   [['F'], 'full screen'],
   [['S'], 'save an image'],
+  [['M'], 'sound on or off'],
   [['+', '-'], 'enlarge, reduce the picture'],
   [['0'], 'the whole picture'],
   [['Shift arrow keys'], 'move an enlarged picture'],
@@ -49,6 +51,7 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
       r: () => controller.reset(),
       f: () => controller.state.fullscreen && controller.fullscreen(),
       s: () => controller.picture(),
+      m: () => toggleSound(fire),
       '?': () => controller.help(),
       '/': () => controller.search(),
       ...(hide && { h: hide }),

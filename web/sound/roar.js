@@ -60,7 +60,7 @@ export class Roar {
     const coefficients = [highPass(at), section(0.5 * at, Infinity)];
     for (let pole = at; coefficients.length < SECTIONS + 2; pole *= ratio)
       coefficients.push(section(pole, pole * ratio ** ((NOISE_EXPONENT - 2) / 2)));
-    coefficients.forEach((values, index) => (this.#noise[index].set(values)));
+    for (const [index, values] of coefficients.entries()) this.#noise[index].set(values);
     this.#match(at);
   }
 

@@ -51,7 +51,7 @@ const SILENCE = 1e-5;
 const HISS_TIME = 0.04;
 
 /** The strike that lights a narrow source: its level, and the times of the scratch and of the flare [s]. */
-const STRIKE_LEVEL = 0.25;
+const STRIKE_LEVEL = 0.5;
 const SCRATCH_TIME = 0.13;
 const FLARE_TIME = 0.12;
 /** Grains of the scratch in a second. */
@@ -103,6 +103,7 @@ export class Synthesis {
   #fuelCracks = 0;
   #sparkCracks = 0;
   #stepRate = 0;
+  #gain = 0;
   #hiss = 0;
   #jet = 0;
   #steamBand;
@@ -113,8 +114,7 @@ export class Synthesis {
   #presence = new Ramp();
   #volume = new Ramp();
   #crackle = new Ramp();
-  /** Whether the present segment is the first after a pause. */
-  /** @type {Segment | undefined} */
+  /** What is heard now. @type {Segment | undefined} */
   #segment;
 
   /**
@@ -172,7 +172,10 @@ export class Synthesis {
    */
   push(series, speed = 1) {
     for (let at = 0; at + STEP_NUMBERS <= series.length; at += STEP_NUMBERS)
-      this.#step(Array.from({ length: STEP_NUMBERS }, (_, number) => series[at + number]), speed);
+      this.#step(
+        Array.from({ length: STEP_NUMBERS }, (_, number) => series[at + number]),
+        speed,
+      );
   }
 
   /** @type {(numbers: number[], speed: number) => void} */
@@ -222,7 +225,9 @@ export class Synthesis {
       this.#presence.target = segment ? 1 : 0;
       const presence = this.#presence.next(fade) * this.#volume.next(fade);
       const crackle = this.#crackle.next(fade);
-      const all = (segment?.gain ?? 0) * this.#roar.run(slope) + this.#hissing(segment, dt);
+      // The roar fades when the series ends.
+      this.#gain = segment?.gain ?? this.#gain;
+      const all = this.#gain * this.#roar.run(slope) + this.#hissing(segment, dt);
       this.#cracks.advance(segment?.rate ?? 0, segment?.load ?? 0, segment?.pan ?? 0);
       const channels = [this.#cracks.left, this.#cracks.right];
       left[at] = limited(presence * this.#air[0].run(all + crackle * channels[0]));
@@ -268,7 +273,8 @@ export class Synthesis {
   /** The level of the strike. @param {number} dt */
   #striking(dt) {
     if (this.#strike > SCRATCH_TIME + 8 * FLARE_TIME) return 0;
-    const time = (this.#strike += dt);
+    this.#strike += dt;
+    const time = this.#strike;
     if (time < SCRATCH_TIME) return STRIKE_LEVEL * (time / SCRATCH_TIME) * Math.sin(Math.PI * GRAIN_RATE * time) ** 2;
     return STRIKE_LEVEL * Math.exp((SCRATCH_TIME - time) / FLARE_TIME);
   }

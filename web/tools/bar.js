@@ -19,6 +19,7 @@
 
 import { element, iconButton } from '../element/controls/icon-button.js';
 import { isBody, nameOf } from '../panel/objects.js';
+import { SPEAKER } from '../sound/speaker.js';
 import { ALIGNMENTS, ARROWS, ICONS, TOOLS } from './table.js';
 
 /** Materials of new solids. */
@@ -80,6 +81,8 @@ export class Bar {
     this.#button('front', 'To front', ICONS.front, () => acts.order(true)).title = 'Draw the solid before the others';
     this.#button('plots', 'Plots (G)', ICONS.plots, acts.plots);
     this.mark('plots', false);
+    this.speaker = this.#button('speaker', 'Sound', SPEAKER, () => {});
+    this.speaker.title = 'Sound on or off (M)';
     this.#button('undo', 'Undo (Ctrl Z)', ICONS.undo, acts.undo);
     this.#button('redo', 'Redo (Ctrl Y)', ICONS.redo, acts.redo);
     this.#button('close', 'Close the tools', ICONS.close, acts.close);

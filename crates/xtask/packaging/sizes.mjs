@@ -28,7 +28,8 @@ const loaded = async (entry) => (await reached(folder, [entry], onRequest)).filt
 
 const ELEMENT = 'hearth-fire.js';
 const always = await loaded(ELEMENT);
-const requested = (await reached(folder, [ELEMENT], isEntry)).filter((file) => !always.includes(file));
+const sound = (await reached(folder, ['sound/player.js'])).filter((file) => !always.includes(file));
+const requested = (await reached(folder, [ELEMENT], isEntry)).filter((file) => ![...always, ...sound].includes(file));
 const library = await reached(folder, ['sim.js']);
 const tools = await loaded('tools.js');
 const plots = (await reached(folder, ['tools.js'], isEntry)).filter(
@@ -41,6 +42,7 @@ const DOWNLOADS = [
   { name: 'classic model, on request', files: ['wasm/hearth-engine_classic.wasm'] },
   { name: 'fuels, water and free solids, on request', files: ['wasm/hearth-engine_bodies.wasm'] },
   { name: 'other scripts of the element, each on request', files: requested.filter((file) => !isPart(file)) },
+  { name: 'sound, on request', files: sound, ceiling: 8_000 },
   { name: 'panel, on request', files: await loaded('panel.js'), ceiling: 900_000 },
   { name: 'tools, on request', files: tools },
   { name: 'probe and plots of the tools, on request', files: plots },

@@ -152,6 +152,22 @@ reflect(
   (element) => Number(element.getAttribute('zoom')) || 1,
   (element, value) => setOrRemove(element, 'zoom', value),
 );
+/** A number from 0 to 1; NaN for any other text. @param {string} text */
+export const share = (text) => (text.trim() && Number(text) >= 0 && Number(text) <= 1 ? Number(text) : NaN);
+
+for (const [name, initial] of /** @type {const} */ ([
+  ['sound', 0],
+  ['crackle', 0.5],
+])) {
+  reflect(
+    name,
+    (element) => {
+      const value = share(element.getAttribute(name) ?? '');
+      return Number.isNaN(value) ? initial : value;
+    },
+    (element, value) => setOrRemove(element, name, value),
+  );
+}
 reflect('interactive', (element) => isOn(element.getAttribute('interactive')), setFlag('interactive'));
 // A flag, or a list of parameters.
 reflect(

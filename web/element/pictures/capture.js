@@ -50,7 +50,7 @@ export async function toBlob(session, how, share) {
 }
 
 /**
- * The frames as a stream. It goes on when a lost context is restored.
+ * The frames as a stream, with the sound if there is any. It goes on when a lost context is restored.
  * @param {import('../session/session.js').FireSession} session
  * @param {number} [fps]
  * @returns {Promise<MediaStream>}
@@ -58,5 +58,8 @@ export async function toBlob(session, how, share) {
 export async function captureStream(session, fps) {
   const canvas = await framed(session.view.drawn());
   if (!canvas.captureStream) throw new Error('this browser cannot capture a canvas');
-  return fps === undefined ? canvas.captureStream() : canvas.captureStream(fps);
+  const stream = fps === undefined ? canvas.captureStream() : canvas.captureStream(fps);
+  const track = session.code.player?.track();
+  if (track) stream.addTrack(track);
+  return stream;
 }

@@ -22,6 +22,10 @@ export class OnDemandCode {
   #children;
   /** @type {Promise<void> | undefined} */
   #childrenLoading;
+  /** The sound, once its code is loaded. @type {import('../../sound/player.js').Player | undefined} */
+  #player;
+  /** @type {Promise<void> | undefined} */
+  #playerLoading;
   /** The calls since the first transition. @type {import('./transition.js').Calls | undefined} */
   #calls;
 
@@ -108,6 +112,31 @@ export class OnDemandCode {
       );
     }
     this.#css?.burning(burning);
+  }
+
+  /** The sound may be another. Its code is loaded with the first volume above 0. @param {boolean} [renew] */
+  sound(renew) {
+    const session = this.#session;
+    if (session.fire.sound > 0) {
+      this.#playerLoading ??= session.reports.loads(import('../../sound/player.js'), 'The code for sound').then(
+        ({ Player }) => {
+          this.#player = new Player(session);
+        },
+        () => {},
+      );
+    }
+    if (renew) this.#player?.renew();
+    else this.#player?.update();
+  }
+
+  /** Passes the steps of a frame to the sound. @param {Message} message */
+  hear({ seconds, series }) {
+    this.#player?.receive(seconds, series);
+  }
+
+  /** The sound, if there is any. */
+  get player() {
+    return this.#player;
   }
 
   /**

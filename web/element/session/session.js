@@ -12,6 +12,7 @@ import { prewarmed } from '../../engine/files.js';
 import { ID_OF_ATTRIBUTE, isOn, setOrRemove, warmth } from '../attributes/attributes.js';
 import { EngineConnection } from './engine-connection.js';
 import { OnDemandCode } from './on-demand-code.js';
+import { MUTED } from './muted.js';
 import { PagePolicies } from '../attributes/page-policies.js';
 import { Playback } from './playback.js';
 import { Readiness } from './readiness.js';
@@ -51,6 +52,7 @@ export class FireSession {
   state = new FireState();
   /** For code that is loaded on request and must not load it a second time. */
   hexOf = hexOf;
+  muted = MUTED;
 
   /**
    * @param {HearthFire} fire
@@ -110,9 +112,14 @@ export class FireSession {
     if (!this.#connection) this.#open();
   }
 
+  /** Whether the engine has the fire. */
+  get live() {
+    return Boolean(this.#connection?.live);
+  }
+
   /** Whether there is a fire, or was one. */
   get begun() {
-    return this.state.started || Boolean(this.#connection?.live);
+    return this.state.started || this.live;
   }
 
   /** An attribute has changed. @type {(name: string, value: string | null) => void} */
@@ -166,7 +173,7 @@ export class FireSession {
   #play(paused) {
     this.updateBurning();
     // A fire that has not begun receives the state with its start.
-    if (!this.#connection?.live) return this.ready;
+    if (!this.live) return this.ready;
     return this.call(paused ? 'pause' : 'play');
   }
 
@@ -275,6 +282,7 @@ export class FireSession {
     this.#ready.cancel();
     this.drawable = true;
     this.#connection?.close();
+    this.code.sound();
   }
 
   #close() {
@@ -300,8 +308,11 @@ export class FireSession {
     const { type } = message;
     // A removed fire only answers earlier calls.
     if (connection.closed && !['ready', 'changed', 'done', 'refused'].includes(type)) return;
-    if (type === 'ready') {
+    if (type === 'series') {
+      this.code.hear(message);
+    } else if (type === 'ready') {
       state.take(message);
+      this.code.sound(true);
       this.code.adopt();
       this.code.reportToChildren(message);
     } else if (type === 'changed') {

@@ -1,0 +1,38 @@
+/**
+ * The types of `hearth-fire/sound`: the sound of a fire, computed from the series of its steps. The same series, seed
+ * and calls give the same samples.
+ */
+
+/** Numbers of a step in a series. */
+export const STEP_NUMBERS: number;
+
+/** What a sound starts with. */
+export interface SynthesisOptions {
+  /** Sample rate [Hz]; 48,000 without it. */
+  rate?: number;
+  /** Seed of the noise and the cracks; 1 without it. */
+  seed?: number;
+  /** Volume from 0 to 1; 1 without it. */
+  volume?: number;
+  /** How loud it crackles, from 0 to 1; 0.5 without it. */
+  crackle?: number;
+  /** Distance of the edges of the picture from its middle [m], from which places are panned; 1 without it. */
+  halfWidth?: number;
+  /** Whether distance and air lower high frequencies; true without it. */
+  air?: boolean;
+}
+
+/** The sound of one fire. */
+export class Synthesis {
+  constructor(options?: SynthesisOptions);
+  /** Seconds of the clock for which there are samples. */
+  readonly ahead: number;
+  /** Fades to another volume and crackle, from 0 to 1. */
+  mix(volume: number, crackle: number): void;
+  /** Takes the next steps of a series; `speed` is the seconds of fire in a second of the clock, 1 without it. */
+  push(series: ArrayLike<number>, speed?: number): void;
+  /** Drops the oldest steps beyond so many seconds of the clock. */
+  trim(seconds: number): void;
+  /** Fills both channels, of the same length. Where the series ends, the sound fades. */
+  render(left: Float32Array, right: Float32Array): void;
+}

@@ -1,0 +1,111 @@
+/**
+ * The mix of all fires of a page: one `AudioContext`, which is made in a gesture and freed with the last fire.
+ */
+
+import { FADE_TIME } from './synthesis.js';
+
+/** Most fires that sound at a time: the strongest. */
+const LOUD_FIRES = 4;
+/** By how much a stronger fire must exceed one that sounds to take its place. */
+const STAYS = 1.3;
+/** The compressor evens out several fires [dB]; the limiter after it keeps every sample below full scale. */
+const COMPRESSOR = { threshold: -14, knee: 10, ratio: 3, attack: 0.005, release: 0.2 };
+/** Points of the curve of the limiter. */
+const CURVE_POINTS = 1025;
+
+/** What a browser takes for a gesture that may start sound. */
+const GESTURES = ['pointerup', 'keydown', 'click'];
+
+/** @typedef {{strength: number, changed: () => void}} Member  A fire of the mix */
+
+/** @type {Mixer | undefined} */
+let present;
+
+/** The mix of one page. */
+class Mixer {
+  /** @type {AudioContext | undefined} */
+  context;
+  /** What all fires sound into. @type {AudioNode | undefined} */
+  input;
+  /** @type {Set<Member>} */
+  #members = new Set();
+  #gestures = new AbortController();
+
+  constructor() {
+    const { signal } = this.#gestures;
+    const resume = () => this.#resume();
+    const again = () => this.context && this.#resume();
+    for (const name of GESTURES) document.addEventListener(name, resume, { signal, capture: true, passive: true });
+    // A call or another tab interrupts the context of a phone; it resumes with the page.
+    document.addEventListener('visibilitychange', again, { signal });
+  }
+
+  /** Whether samples are heard. */
+  get runs() {
+    return this.context?.state === 'running';
+  }
+
+  /** @param {Member} member */
+  add(member) {
+    this.#members.add(member);
+    if (navigator.userActivation?.hasBeenActive) this.#resume();
+  }
+
+  /** @param {Member} member */
+  remove(member) {
+    this.#members.delete(member);
+    if (this.#members.size > 0) return;
+    this.#gestures.abort();
+    this.context?.close();
+    if (present === this) present = undefined;
+  }
+
+  /** Whether a fire is one of the strongest. @param {Member & {sounds: boolean}} member */
+  hasRoomFor(member) {
+    const stronger = [...this.#members].filter(
+      (other) => other !== member && other.strength > member.strength * (member.sounds ? STAYS : 1 / STAYS),
+    );
+    return stronger.length < LOUD_FIRES;
+  }
+
+  /** Starts or resumes the context. A browser may refuse until the next gesture. */
+  #resume() {
+    if (document.hidden || this.runs) return;
+    if (navigator.userActivation?.hasBeenActive === false) return;
+    this.context ??= this.#start();
+    this.context.resume().catch(() => {});
+  }
+
+  #start() {
+    const { audioSession } = /** @type {{audioSession?: {type: string}}} */ (/** @type {unknown} */ (navigator));
+    // A phone plays it beside other sounds, and its silent switch mutes it.
+    if (audioSession) audioSession.type = 'ambient';
+    const context = new AudioContext();
+    const compressor = new DynamicsCompressorNode(context, COMPRESSOR);
+    const limiter = new WaveShaperNode(context, {
+      curve: Float32Array.from({ length: CURVE_POINTS }, (_, at) => Math.tanh((2 * at) / (CURVE_POINTS - 1) - 1)),
+    });
+    compressor.connect(limiter).connect(context.destination);
+    this.input = compressor;
+    context.addEventListener('statechange', () => {
+      for (const member of this.#members) member.changed();
+    });
+    return context;
+  }
+}
+
+/** The mix of the page. */
+export const mixer = () => (present ??= new Mixer());
+
+/**
+ * Fades a gain from its present value.
+ * @param {GainNode} node
+ * @param {number} to
+ */
+export function fade({ gain, context }, to) {
+  const now = context.currentTime;
+  const from = gain.value;
+  gain.cancelScheduledValues(now);
+  gain.setValueAtTime(from, now);
+  gain.linearRampToValueAtTime(to, now + FADE_TIME);
+}

@@ -1,0 +1,90 @@
+/**
+ * The sound of fires of the library: its level follows the power of a fire that is lit, grows, is sprayed and goes out,
+ * and the example writes the same file twice.
+ */
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { test } from 'node:test';
+import { ROOT, WEB, createSimulation, load } from './library.mjs';
+
+const { STEP_NUMBERS, Synthesis } = await load('sound.js');
+
+const RATE = 48_000;
+/** Length of a window in which level and power are compared [s]. */
+const WINDOW = 0.2;
+
+test('the series has the steps since the last call', async () => {
+  const sim = await createSimulation({ seed: 2 });
+  assert.equal(sim.series().length, 0);
+  sim.step(30);
+  const series = sim.series();
+  assert.ok(series instanceof Float32Array);
+  assert.equal(series.length, 30 * STEP_NUMBERS);
+  const lengths = series.filter((_, at) => at % STEP_NUMBERS === 0);
+  assert.ok(Math.abs(lengths.reduce((sum, length) => sum + length, 0) - sim.time) < 1e-6);
+  assert.ok(Math.abs(series.at(1 - STEP_NUMBERS) - sim.power) < 1e-4 * sim.power);
+  assert.equal(sim.series().length, 0);
+});
+
+test('the level follows the power of a fire that is lit, grows, is sprayed and goes out', async () => {
+  const sim = await createSimulation({
+    preset: 'campfire',
+    seed: 1,
+    params: { spacing: 0.05, fuel_power: 60 },
+  });
+  const sound = new Synthesis({ rate: RATE, crackle: 0 });
+  sim.series();
+  const windows = [];
+  for (let end = WINDOW; end < 5; end += WINDOW) {
+    if (end > 1.5 && end < 1.5 + WINDOW) sim.set('fuel_power', 350);
+    if (end > 3) for (let x = -0.3; x <= 0.3; x += 0.1) sim.spray(x, 0.9, 0, -4, 15);
+    while (sim.time < end) sim.step();
+    const series = sim.series();
+    let energy = 0;
+    for (let at = 0; at < series.length; at += STEP_NUMBERS) energy += series[at] * series[at + 1];
+    sound.push(series);
+    const [left, right] = [0, 1].map(() => new Float32Array(Math.floor(sound.ahead * RATE)));
+    sound.render(left, right);
+    const level = Math.sqrt(left.reduce((sum, x) => sum + x * x, 0) / left.length);
+    windows.push({ power: energy / WINDOW, level });
+  }
+  const powers = windows.map(({ power }) => power);
+  assert.ok(Math.max(...powers) > 200 && powers.at(-1) < 20, powers.map(Math.round).join());
+  const correlation = correlated(
+    powers,
+    windows.map(({ level }) => level),
+  );
+  assert.ok(correlation >= 0.8, `${correlation}`);
+});
+
+test('the example writes the same samples twice, and other scenes others', () => {
+  const folder = mkdtempSync(path.join(tmpdir(), 'hearth-sound-'));
+  try {
+    const [first, again, other] = ['candle', 'candle', 'classic'].map((scene, at) => {
+      const file = path.join(folder, `${at}.wav`);
+      const program = path.join(ROOT, 'examples/sound/wav.mjs');
+      execFileSync(process.execPath, [program, file, scene, '1'], { env: { ...process.env, HEARTH_WEB: WEB } });
+      return readFileSync(file);
+    });
+    assert.deepEqual(first, again);
+    assert.notDeepEqual(first, other);
+    assert.equal(first.toString('latin1', 0, 4) + first.toString('latin1', 8, 12), 'RIFFWAVE');
+    assert.equal(first.length, 44 + 4 * RATE);
+    const samples = new Int16Array(first.buffer.slice(first.byteOffset + 44, first.byteOffset + first.length));
+    assert.ok(samples.some((sample) => Math.abs(sample) > 100));
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+/** Pearson's correlation. @type {(x: number[], y: number[]) => number} */
+function correlated(x, y) {
+  const mean = (/** @type {number[]} */ all) => all.reduce((sum, value) => sum + value, 0) / all.length;
+  const [meanX, meanY] = [mean(x), mean(y)];
+  const sum = (/** @type {(at: number) => number} */ of) => x.reduce((all, _, at) => all + of(at), 0);
+  const covariance = sum((at) => (x[at] - meanX) * (y[at] - meanY));
+  return covariance / Math.sqrt(sum((at) => (x[at] - meanX) ** 2) * sum((at) => (y[at] - meanY) ** 2));
+}

@@ -157,7 +157,7 @@ export class HearthFire extends HTMLElement {
    */
   toBlob(type?: string | HearthPicture, quality?: number): Promise<Blob>;
   /**
-   * Resolves to the fire as a video stream for a recorder, a call or a `<video>`.
+   * Resolves to the fire as a video stream for a recorder, a call or a `<video>`, with its sound if that is on.
    * @param fps maximum frames per second; all frames without it
    */
   captureStream(fps?: number): Promise<MediaStream>;

@@ -389,7 +389,7 @@ class HearthFire extends FireAttributes {
   }
 
   /**
-   * Resolves to the fire as a video stream for a recorder, a call or a `<video>`.
+   * Resolves to the fire as a video stream for a recorder, a call or a `<video>`, with its sound if that is on.
    * @param {number} [fps] maximum frames per second; all frames without it
    * @returns {Promise<MediaStream>}
    */

@@ -30,7 +30,7 @@ const FLICKER_RATE = 4;
 const PARTICLE_HEAT = 0.003;
 
 /** Cracks for each spark thrown, gram of water dried, gram of char formed, and part broken off. */
-const CRACKS_PER_SPARK = 0.08;
+export const CRACKS_PER_SPARK = 0.08;
 const CRACKS_PER_DRIED = 3;
 const CRACKS_PER_CHARRED = 4;
 const CRACKS_PER_BREAK = 6;

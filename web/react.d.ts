@@ -16,6 +16,7 @@ import type {
   HearthQuality,
   HearthQualityDetail,
   HearthSolidElement,
+  HearthSoundDetail,
   HearthSourceElement,
   HearthStats,
   PresetName,
@@ -74,6 +75,10 @@ export interface HearthFireAttributes {
   zoom?: number | null | undefined;
   /** Which part of the enlarged picture is seen: two numbers from 0 to 1, its position from the left and from below. The default is `0.5 0.5`, the middle. */
   pan?: string | null | undefined;
+  /** The volume of the fire's sound, from 0 to 1; 0 is silent. It begins with the visitor's first click, tap or key on the page. Its code is loaded on request. */
+  sound?: number | null | undefined;
+  /** How loud the fire crackles, from 0 to 1, beside its roar. */
+  crackle?: number | null | undefined;
   /** What touches of an interactive fire do to the page, as CSS's `touch-action`. The default is `pan-y`. */
   'touch-action'?: string | null | undefined;
   /** Shows the panel of sliders inside the element, for all parameters or for a list of them. Its code is loaded on request. */
@@ -278,6 +283,8 @@ export interface HearthFireListeners {
   'onobjects-change'?: ((event: CustomEvent<HearthObjectsDetail>) => void) | null | undefined;
   /** The quality has changed, to fit the speed of the device or on request. */
   'onquality-change'?: ((event: CustomEvent<HearthQualityDetail>) => void) | null | undefined;
+  /** The sound plays, waits for a gesture of the visitor, or has ended. */
+  'onsound-change'?: ((event: CustomEvent<HearthSoundDetail>) => void) | null | undefined;
   /** Measurements of the fire, about four times a second. */
   onstats?: ((event: CustomEvent<HearthStats>) => void) | null | undefined;
   /** A value is refused, a file could not be loaded, the fire has stopped, or the browser cannot show it. */

@@ -18,7 +18,10 @@ const RANGE = 70;
 /** Samples of a window. */
 const WINDOW = 4096;
 
-/** The fires: a name, a scene, and what happens to it at a time. */
+/**
+ * The fires: a name, a scene, and what happens to it.
+ * @type {[name: string, preset: string, act?: (sim: any) => void][]}
+ */
 const FIRES = [
   ['campfire', 'campfire'],
   ['candle', 'candle'],
@@ -27,7 +30,10 @@ const FIRES = [
   ['campfire, sprayed from 4 s on', 'campfire', (sim) => sim.time > 4 && sim.spray(0, 1, 0, -4, 4)],
 ];
 
-/** The left channel of a scene, and its mean rate of cracks [1/s]. */
+/**
+ * The left channel of a scene, and its mean rate of cracks [1/s].
+ * @param {typeof FIRES[number]} fire
+ */
 async function heard([, preset, act = () => {}]) {
   const sim = await createSimulation({ preset, seed: 1 });
   const speed = sim.get('time_scale');
@@ -100,7 +106,7 @@ const picture = await tab.evaluate(
   (panels, width, height) => {
     const canvas = document.createElement('canvas');
     [canvas.width, canvas.height] = [2 * width + 30, 3 * (height + 26) + 4];
-    const context = canvas.getContext('2d');
+    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
     context.fillStyle = '#161210';
     context.fillRect(0, 0, canvas.width, canvas.height);
     context.font = '14px sans-serif';
@@ -116,11 +122,8 @@ const picture = await tab.evaluate(
       context.fillStyle = '#f4ece4';
       context.fillText(name, left, top - 6);
       context.textAlign = 'right';
-      for (const [label, frequency] of [
-        ['100 Hz', 100],
-        ['1 kHz', 1000],
-        ['10 kHz', 10_000],
-      ]) {
+      for (const frequency of [100, 1000, 10_000]) {
+        const label = frequency < 1000 ? `${frequency} Hz` : `${frequency / 1000} kHz`;
         const y = top + (height * Math.log(16_000 / frequency)) / Math.log(16_000 / 30);
         context.fillText(label, left + width - 4, y + 5);
       }

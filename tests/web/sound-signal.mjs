@@ -39,16 +39,17 @@ export function flame(power) {
  * The left channel of a sound: the series in pieces of a sixtieth of a second, then `rest` seconds without any.
  * @param {Float32Array} series
  * @param {import('../../web/sound.js').SynthesisOptions} [options]
- * @param {(sound: Synthesis, time: number) => void} [act] before each piece
+ * @param {{rest?: number, act?: (sound: Synthesis, time: number) => void}} [how] `act` runs before each piece
  */
 export function soundOf(series, options, { rest = 0, act = () => {} } = {}) {
   const sound = new Synthesis({ rate: RATE, ...options });
+  /** @type {number[][]} */
   const [left, right] = [[], []];
   const render = (frames) => {
-    const channels = [new Float32Array(frames), new Float32Array(frames)];
-    sound.render(...channels);
-    left.push(...channels[0]);
-    right.push(...channels[1]);
+    const [first, second] = [new Float32Array(frames), new Float32Array(frames)];
+    sound.render(first, second);
+    left.push(...first);
+    right.push(...second);
   };
   let from = 0;
   let seconds = 0;

@@ -50,7 +50,7 @@ async function heard([, preset, act = () => {}]) {
     const [left, right] = [0, 1].map(() => new Float32Array(Math.floor(sound.ahead * RATE)));
     sound.render(left, right);
     samples.push(...left);
-    for (let at = 0; at < series.length; at += STEP_NUMBERS) cracks += CRACKS_PER_SPARK * series[at + 6];
+    for (let at = 0; at < series.length; at += STEP_NUMBERS) cracks += CRACKS_PER_SPARK * series[at + 8];
   }
   sim.free();
   return { samples: Float32Array.from(samples), rate: cracks / SECONDS };

@@ -6,7 +6,7 @@ import { generator } from '../../web/sound/filters.js';
 export const RATE = 48_000;
 
 /** The numbers of a step in their order. */
-const NAMES = 'length power dried charred load broken sparks place steam jet births deaths'.split(' ');
+const NAMES = 'length power load place jet dried charred broken sparks steam births deaths'.split(' ');
 
 /**
  * The series of so many seconds, with steps of lengths around 1/400 s.

@@ -179,7 +179,7 @@ export class Synthesis {
   }
 
   /** @type {(numbers: number[], speed: number) => void} */
-  #step([seconds, burnt, dried, charred, load, broken, sparks, place, steam, jet, births, deaths], speed) {
+  #step([seconds, burnt, load, place, jet, dried, charred, broken, sparks, steam, births, deaths], speed) {
     const length = seconds / speed;
     if (!(length > 0)) return;
     const power = burnt + (PARTICLE_HEAT * (births + deaths)) / (2 * seconds);

@@ -108,7 +108,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         while fire.time() < end {
             fire.step();
         }
-        fire.read_series(|steps| steps.iter().for_each(|&step| band.add(step)));
+        fire.read_series()
+            .into_iter()
+            .for_each(|step| band.add(step));
     }
     fs::write(file, wav(&band.samples))?;
     Ok(())

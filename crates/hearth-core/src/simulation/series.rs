@@ -16,8 +16,8 @@ impl Simulation {
         }
     }
 
-    /// The steps since the last call, if they are [recorded](Simulation::record_series): the last 1024 at
-    /// least. `read` gets them.
+    /// The steps since the last call, if they are [recorded](Simulation::record_series). Where more than 2048 wait,
+    /// the older ones are dropped.
     ///
     /// ```
     /// # use hearth_core::{Parameters, Simulation};
@@ -26,21 +26,26 @@ impl Simulation {
     /// for _ in 0..100 {
     ///     fire.step();
     /// }
-    /// let seconds: f32 = fire.read_series(|steps| steps.iter().map(|step| step.length).sum());
+    /// let seconds: f32 = fire.read_series().iter().map(|step| step.length).sum();
     /// assert!((f64::from(seconds) - fire.time()).abs() < 1e-4);
     /// ```
-    pub fn read_series<T>(&mut self, read: impl FnOnce(&[StepRecord]) -> T) -> T {
-        let Some(recorder) = self.recorder.as_mut() else {
-            return read(&[]);
-        };
-        let result = read(recorder.records());
-        recorder.clear();
-        result
+    pub fn read_series(&mut self) -> Vec<StepRecord> {
+        let recorder = self.recorder.as_mut();
+        recorder.map_or_else(Vec::new, |recorder| {
+            let steps = recorder.steps();
+            recorder.clear();
+            steps
+        })
     }
 
     /// All numbers of one such step, then of the next, for bindings.
     pub fn series_numbers(&mut self) -> Vec<f32> {
-        self.read_series(|steps| steps.iter().flat_map(StepRecord::numbers).collect())
+        let recorder = self.recorder.as_mut();
+        recorder.map_or_else(Vec::new, |recorder| {
+            let numbers = recorder.numbers().to_vec();
+            recorder.clear();
+            numbers
+        })
     }
 
     /// Records a step of a length \[s\].

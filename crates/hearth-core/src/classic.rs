@@ -25,7 +25,7 @@ use crate::particle::Particle;
 use crate::random::Random;
 use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
-use crate::series::Totals;
+use crate::series::{BIRTHS, DEATHS, Totals};
 use crate::solids::Solids;
 use crate::solver::Solver;
 
@@ -216,12 +216,11 @@ impl Solver for Classic {
     }
 
     fn totals(&self) -> Totals {
+        let mut totals = Totals::default();
         let births = self.particles.births() as f64;
-        Totals {
-            births,
-            deaths: births - self.particles.len() as f64,
-            ..Totals::default()
-        }
+        totals.grown[BIRTHS] = births;
+        totals.grown[DEATHS] = births - self.particles.len() as f64;
+        totals
     }
 
     fn count(&self) -> usize {

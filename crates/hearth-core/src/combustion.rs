@@ -26,7 +26,7 @@ use crate::particle::Particle;
 use crate::random::Random;
 use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
-use crate::series::Totals;
+use crate::series::{SPARKS, STEAM, Totals};
 use crate::solids::Solids;
 use crate::solids::free::FreeBodies;
 use crate::solver::Solver;
@@ -287,12 +287,12 @@ impl Solver for Combustion {
 
     fn totals(&self) -> Totals {
         let mut totals = Totals::default();
-        (totals.sparks, totals.moment) = self.reaction.embers.thrown;
+        (totals.grown[SPARKS], totals.moment) = self.reaction.embers.thrown;
         if let Some(fuels) = self.fuels.as_ref() {
             fuels.add_totals(&self.obstacles.solids, &mut totals);
         }
         if let Some(water) = self.water.as_ref() {
-            totals.steam = water.steamed();
+            totals.grown[STEAM] = water.steamed();
         }
         totals
     }

@@ -5,6 +5,18 @@ use crate::extremes::fast_max;
 /// Most steps that wait for a reader: those of some three seconds. The next one drops them.
 const MAX_STEPS: usize = 2048;
 
+/// The totals, by their places.
+pub(crate) const DRIED: usize = 0;
+pub(crate) const CHARRED: usize = 1;
+pub(crate) const BROKEN: usize = 2;
+pub(crate) const SPARKS: usize = 3;
+pub(crate) const STEAM: usize = 4;
+pub(crate) const BIRTHS: usize = 5;
+pub(crate) const DEATHS: usize = 6;
+
+/// Numbers of a step that add up to a total.
+const GROWN: usize = 7;
+
 /// A step: its length, its power and its events. Masses are those of the step, per metre of depth.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepRecord {
@@ -66,27 +78,8 @@ pub(crate) struct Totals {
     pub place: f32,
     /// Sum of the places of the embers \[m\].
     pub moment: f64,
-    pub dried: f64,
-    pub charred: f64,
-    pub broken: f64,
-    pub sparks: f64,
-    pub steam: f64,
-    pub births: f64,
-    pub deaths: f64,
-}
-
-impl Totals {
-    fn growing(&self) -> [f64; 7] {
-        [
-            self.dried,
-            self.charred,
-            self.broken,
-            self.sparks,
-            self.steam,
-            self.births,
-            self.deaths,
-        ]
-    }
+    /// The numbers of a step from `dried` on, of all steps.
+    pub grown: [f64; GROWN],
 }
 
 /// The steps that wait for a reader.
@@ -109,7 +102,7 @@ impl Recorder {
     /// Adds a step of a length \[s\] with a power [kW/m] and a jet [m/s], after which there are these totals.
     pub fn add(&mut self, length: f64, power: f32, jet: f32, now: Totals) {
         let before = std::mem::replace(&mut self.before, now);
-        let sparks = now.sparks - before.sparks;
+        let sparks = now.grown[SPARKS] - before.grown[SPARKS];
         let place = if sparks > 0.0 {
             ((now.moment - before.moment) / sparks) as f32
         } else {
@@ -118,12 +111,16 @@ impl Recorder {
         if self.numbers.len() >= MAX_STEPS * StepRecord::NUMBERS {
             self.numbers.clear();
         }
-        let first = [length as f32, power, now.load, place, jet];
-        self.numbers.extend_from_slice(&first);
-        for (now, before) in now.growing().into_iter().zip(before.growing()) {
+        let mut numbers = [0.0; StepRecord::NUMBERS];
+        numbers[..5].copy_from_slice(&[length as f32, power, now.load, place, jet]);
+        for (number, (now, before)) in numbers[5..]
+            .iter_mut()
+            .zip(now.grown.into_iter().zip(before.grown))
+        {
             // A fire that starts again has smaller totals, and gave nothing.
-            self.numbers.push(fast_max((now - before) as f32, 0.0));
+            *number = fast_max((now - before) as f32, 0.0);
         }
+        self.numbers.extend_from_slice(&numbers);
     }
 
     /// The steps.

@@ -3,7 +3,7 @@
 use super::cells::{Account, Burning, Cell, NONE};
 use super::state::Fuels;
 use crate::combustion::charred::{Charred, CharredSolid};
-use crate::series::Totals;
+use crate::series::{BROKEN, CHARRED, DRIED, Totals};
 use crate::solids::Solids;
 
 /// Power below which a solid is out [kW/m].
@@ -228,9 +228,9 @@ impl Fuels {
         let (mut power, mut moment, mut load) = (0.0, 0.0, 0.0);
         for burning in &self.all {
             let account = &burning.account;
-            totals.dried += account.steam;
-            totals.charred += account.gas * f64::from(burning.material.char_per_gas());
-            totals.broken += f64::from(u8::from(burning.id != burning.object));
+            totals.grown[DRIED] += account.steam;
+            totals.grown[CHARRED] += account.gas * f64::from(burning.material.char_per_gas());
+            totals.grown[BROKEN] += f64::from(u8::from(burning.id != burning.object));
             power += account.power;
             load += account.power * burning.load;
             if let Some(body) = solids.first(burning.id) {

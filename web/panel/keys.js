@@ -6,7 +6,6 @@
  * root element.
  */
 
-import { toggleSound } from '../sound/speaker.js';
 import { remembered } from './memory.js';
 
 /** The names of the keys, and their effects. @type {[string[], string][]} */
@@ -51,7 +50,8 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
       r: () => controller.reset(),
       f: () => controller.state.fullscreen && controller.fullscreen(),
       s: () => controller.picture(),
-      m: () => toggleSound(fire),
+      // The code of the button is loaded on request.
+      m: () => import('../sound/speaker.js').then(({ toggleSound }) => toggleSound(fire)),
       '?': () => controller.help(),
       '/': () => controller.search(),
       ...(hide && { h: hide }),

@@ -48,7 +48,7 @@ describe('a fire in an iframe', () => {
     );
   });
 
-  test('burns alone in a window too, accepts every attribute but those that fetch a file, and runs no other script or style', async () => {
+  test('burns alone in a window too, accepts every attribute but those that fetch a file or sound, and runs no other script or style', async () => {
     const tab = await fixture.browser.open('web/embed.html?seed=7', { width: 300, height: 200 });
     await tab.burnt(0.3);
     assert.deepEqual(await tab.rectangle('hearth-fire'), { x: 0, y: 0, width: 300, height: 200 });
@@ -60,7 +60,7 @@ describe('a fire in an iframe', () => {
     });
     const parameters = Object.values(entry).map(({ attribute }) => attribute);
     const own = attributes.filter((name) => !parameters.includes(name) && name !== 'preset');
-    assert.deepEqual([...options, 'poster', 'src'].sort(), own.sort());
+    assert.deepEqual([...options, 'crackle', 'poster', 'sound', 'src'].sort(), own.sort());
     const seen = await tab.evaluate(() => {
       let parsed = true;
       try {

@@ -121,6 +121,7 @@ test('the question mark lists every key; it or Escape closes the list', async ()
       'H',
       'F',
       'S',
+      'M',
       '+',
       '-',
       '0',

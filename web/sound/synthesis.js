@@ -43,7 +43,7 @@ const MAX_RATE = 60;
 const STEAM_POWER = 1.5e-4;
 const STEAM_BAND = [2500, 9000];
 /** Hiss of a jet of 1 m/s. Its amplitude grows with the fourth power of the speed (Lighthill 1952). */
-const JET_LEVEL = 0.05;
+const JET_LEVEL = 0.008;
 const JET_BAND = [900, 5000];
 /** Level below which a hiss is not computed. */
 const SILENCE = 1e-5;

@@ -109,7 +109,8 @@ test('the methods are those of the element, each in an example', () => {
 });
 
 test('the events are those that the element sends, each in an example', () => {
-  const source = read('web/element/session/session.js') + read('web/element/session/reports.js');
+  const files = ['element/session/session.js', 'element/session/reports.js', 'sound/player.js'];
+  const source = files.map((file) => read(`web/${file}`)).join('');
   const types = read('web/hearth-fire.d.ts');
   const sent = [...source.matchAll(/\.emit\(([^;]*?)[,)]/g)].flatMap(([, what]) =>
     [...what.matchAll(/'([a-z-]+)'/g)].map(([, name]) => name),
@@ -123,7 +124,7 @@ test('the events are those that the element sends, each in an example', () => {
 });
 
 test('the parts and the slot are those of the element, each in an example', () => {
-  const parts = [...has.parts, 'panel', 'play', 'retry', 'scale'];
+  const parts = [...has.parts, 'panel', 'play', 'retry', 'scale', 'speaker'];
   const described = [...DOC.matchAll(/`::part\(([\w-]+)\)`/g)].map(([, name]) => name);
   assert.deepEqual(sorted(described), sorted(parts));
   for (const name of parts) assert.ok(CODE.includes(`::part(${name})`), name);

@@ -12,10 +12,10 @@ import { motionIsReduced } from './visibility.js';
 const FADE_MS = 400;
 
 const STYLES = /* css */ `
-:host { display: block; position: relative; overflow: hidden; pointer-events: none; }
+:host { display: block; position: relative; contain: paint; overflow: hidden; pointer-events: none; }
 :host([hidden]) { display: none; }
-/* Gives the element a height where its page gives it none. */
-.room { inline-size: 100%; aspect-ratio: 4 / 5; max-block-size: 80vh; }
+/* Gives the element a size where its page gives it none: all of a block's width, and 300 px where the content decides. */
+.room { display: grid; grid-template-columns: minmax(80px, 300px); inline-size: 100%; aspect-ratio: 4 / 5; max-block-size: 80vh; }
 canvas, .poster { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; }
 canvas { display: block; }
 .before { pointer-events: none; }

@@ -35,8 +35,18 @@ export function toQuery(config: HearthSharedConfig): string;
 /** The settings in URL parameters; `names` are the page's own parameters. */
 export function fromQuery(search: string | URLSearchParams, names?: Iterable<string>): HearthQuery;
 
-/** The URL of a page that shows this fire. `base` is the absolute URL of a page that applies its URL parameters. */
-export function pageLink(config: HearthSharedConfig, base: string | URL): string;
+/** The most characters of URL parameters that are written; longer settings become a fragment. */
+export const MAX_QUERY: number;
+
+/** The settings in the fragment of a URL; undefined if it has none. Rejects with a `RangeError` if it is damaged. */
+export function fromFragment(hash: string): Promise<HearthConfig | undefined>;
+
+/**
+ * The URL of a page that shows this fire. `base` is the absolute URL of a page that applies its URL parameters.
+ * Settings of more than {@link MAX_QUERY} characters become a compressed fragment. Rejects with a `RangeError` if they
+ * are too long for that too.
+ */
+export function pageLink(config: HearthSharedConfig, base: string | URL): Promise<string>;
 
 /**
  * HTML that shows this fire on any page: script and element, or the element alone without `scriptUrl`.
@@ -44,5 +54,5 @@ export function pageLink(config: HearthSharedConfig, base: string | URL): string
  */
 export function elementCode(config: HearthSharedConfig, scriptUrl?: string | URL): string;
 
-/** HTML that shows this fire in an iframe; `embedUrl` is the absolute URL of `embed.html`. */
-export function iframeCode(config: HearthSharedConfig, embedUrl: string | URL): string;
+/** HTML that shows this fire in an iframe; `embedUrl` is the absolute URL of `embed.html`. Rejects as `pageLink` does. */
+export function iframeCode(config: HearthSharedConfig, embedUrl: string | URL): Promise<string>;

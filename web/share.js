@@ -1,5 +1,6 @@
 /**
- * A fire's settings as URL parameters, as a link and as HTML.
+ * A fire's settings as URL parameters, as a link and as HTML. Settings that are too long for URL parameters are a
+ * compressed fragment.
  *
  * Pure functions for pages and servers. They take the settings of `exportConfig()`. They validate no
  * values: the fire that receives a URL's values does. The values of the model that does not burn are left out.
@@ -25,6 +26,9 @@ const PRESET = ['scene', 'preset'];
 
 /** The element's attributes that are neither parameters nor the preset. */
 const OWN = OWN_ATTRIBUTES.filter((name) => !PRESET.includes(name));
+
+/** The most characters of URL parameters that are written; longer settings become a fragment. */
+export const MAX_QUERY = 2000;
 
 /** The size of a fire in generated HTML. */
 const SIZE = { width: 320, height: 400 };
@@ -66,20 +70,36 @@ export function fromQuery(search, names = []) {
 }
 
 /**
- * The URL of a page that shows this fire. It replaces the URL parameters of `base`. The default scene is
- * named, because a page without URL parameters shows its own scene.
- * @param {Config} config
- * @param {string | URL} base  The absolute URL of a page that applies its URL parameters.
+ * The settings in the fragment of a URL; undefined if it has none. Nobody has validated them.
+ * @param {string} hash  With its number sign.
+ * @returns {Promise<Config | undefined>}
+ * @throws {RangeError} the fragment is damaged
  */
-export function pageLink(config, base) {
-  return urlOf(base, toQuery(config) || `${PRESET[0]}=default`);
+export async function fromFragment(hash) {
+  if (!hash.startsWith('#fire=')) return undefined;
+  const { settingsOf } = await import('./share/fragment.js');
+  return settingsOf(hash);
 }
 
-/** @type {(base: string | URL, query: string) => string} */
-function urlOf(base, query) {
+/**
+ * The URL of a page that shows this fire. It replaces the URL parameters and the fragment of `base`. The default scene
+ * is named, because a page without URL parameters shows its own scene.
+ * @param {Config} config
+ * @param {string | URL} base  The absolute URL of a page that applies its URL parameters.
+ * @returns {Promise<string>}
+ * @throws {RangeError} the settings are too long for an address
+ */
+export function pageLink(config, base) {
+  return urlOf(base, config, `${PRESET[0]}=default`);
+}
+
+/** @type {(base: string | URL, config: Config, otherwise?: string) => Promise<string>} */
+async function urlOf(base, config, otherwise = '') {
+  const query = toQuery(config);
+  const isShort = query.length <= MAX_QUERY;
   const url = new URL(base);
-  url.search = query;
-  url.hash = '';
+  url.search = isShort ? query || otherwise : '';
+  url.hash = isShort ? '' : await (await import('./share/fragment.js')).fragmentOf(config);
   return url.href;
 }
 
@@ -108,10 +128,12 @@ export function elementCode(config, scriptUrl) {
  * HTML that shows this fire in an iframe.
  * @param {Config} config
  * @param {string | URL} embedUrl  The absolute URL of `embed.html`.
+ * @returns {Promise<string>}
+ * @throws {RangeError} the settings are too long for an address
  */
-export function iframeCode(config, embedUrl) {
+export async function iframeCode(config, embedUrl) {
   const attributes = [
-    attribute('src', urlOf(embedUrl, toQuery(config))),
+    attribute('src', await urlOf(embedUrl, config)),
     attribute('width', String(SIZE.width)),
     attribute('height', String(SIZE.height)),
     // An iframe with another colour scheme than its page gets an opaque background.

@@ -5,7 +5,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { PARAMETERS, PRESETS } from '../../web/parameters.js';
-import { elementCode, fromQuery, iframeCode, pageLink, toQuery } from '../../web/share.js';
+import { MAX_QUERY, elementCode, fromFragment, fromQuery, iframeCode, pageLink, toQuery } from '../../web/share.js';
 
 const SCRIPT = 'https://fire.example/web/hearth-fire.js';
 const EMBED = 'https://fire.example/web/embed.html';
@@ -58,12 +58,12 @@ describe('an address', () => {
     }
   });
 
-  test('holds the scene and changed values by attribute names, and nothing else', () => {
+  test('holds the scene and changed values by attribute names, and nothing else', async () => {
     assert.equal(toQuery({ hearth: 2, values: {} }), '');
     const config = { hearth: 2, preset: 'seed', values: { viscosity: 0.02, max_particles: 400 } };
     assert.equal(toQuery(config), 'scene=seed&viscosity=0.02&max-particles=400');
     assert.equal(
-      pageLink(config, 'https://fire.example/a/?viscosity=9&paused&lang=de#there'),
+      await pageLink(config, 'https://fire.example/a/?viscosity=9&paused&lang=de#there'),
       'https://fire.example/a/?scene=seed&viscosity=0.02&max-particles=400',
     );
   });
@@ -103,9 +103,9 @@ describe('an address', () => {
     assert.equal(Object.getPrototypeOf(values), Object.prototype);
   });
 
-  test('escapes every character', () => {
+  test('escapes every character', async () => {
     const config = { hearth: 2, preset: HOSTILE, values: { background: HOSTILE, 'a&b=c': HOSTILE } };
-    const link = pageLink(config, EMBED);
+    const link = await pageLink(config, EMBED);
     assert.match(link, /^[\w:/.?=&%+-]*$/);
     assert.deepEqual(fromQuery(new URL(link).search).config, config);
   });
@@ -129,14 +129,14 @@ describe('code to paste', () => {
     });
   });
 
-  test('of an iframe holds the whole address', () => {
+  test('of an iframe holds the whole address', async () => {
     const config = { hearth: 2, preset: 'seed', values: { background: '#204060' } };
-    const { src, width, height } = attributesOf(iframeCode(config, EMBED), 'iframe');
-    assert.equal(src, pageLink(config, EMBED));
+    const { src, width, height } = attributesOf(await iframeCode(config, EMBED), 'iframe');
+    assert.equal(src, await pageLink(config, EMBED));
     assert.ok(Number(width) > 0 && Number(height) > 0);
   });
 
-  test('escapes every character of a value', () => {
+  test('escapes every character of a value', async () => {
     const config = { hearth: 2, preset: HOSTILE, values: { background: HOSTILE } };
     const code = elementCode(config, `${SCRIPT}?${HOSTILE}`);
     const { preset, background } = attributesOf(code, 'hearth-fire');
@@ -144,7 +144,7 @@ describe('code to paste', () => {
     assert.equal(code.match(/<script/g).length, 1);
     assert.ok(!/alert\(1\)<\/script/.test(code));
     assert.equal(
-      fromQuery(new URL(attributesOf(iframeCode(config, EMBED), 'iframe').src).search).config.preset,
+      fromQuery(new URL(attributesOf(await iframeCode(config, EMBED), 'iframe').src).search).config.preset,
       HOSTILE,
     );
   });
@@ -165,4 +165,92 @@ test('objects are JSON in an address and in HTML', () => {
   assert.deepEqual(JSON.parse(fromQuery(query).others.get('objects')), objects);
   assert.match(elementCode({ objects }), /objects="\[\{&quot;kind&quot;:&quot;source&quot;\}/);
   assert.equal(toQuery({ hearth: 2, values: {}, objects: [] }), 'objects=%5B%5D');
+});
+
+/** A stroke of a brush, as a drawing has it. */
+const stroke = (/** @type {number} */ seed) => ({
+  kind: 'solid',
+  shape: 'stroke',
+  y: 0.5,
+  points: Array.from({ length: 60 }, (_, at) =>
+    [Math.sin(at * seed) * 0.3, Math.cos(at * (seed + 1)) * 0.3].map((x) => x.toFixed(3)).join(),
+  ).join(' '),
+});
+const drawing = (/** @type {number} */ strokes) => ({
+  hearth: 2,
+  preset: 'campfire',
+  values: { wind: 0.3 },
+  objects: Array.from({ length: strokes }, (_, at) => stroke(at + 1)),
+});
+const text = (/** @type {string} */ word) => ({ hearth: 2, values: {}, objects: [{ kind: 'solid', name: word }] });
+
+describe('a fire that is too long for a query', () => {
+  for (const [about, config] of /** @type {[string, any][]} */ ([
+    ['three strokes', drawing(3)],
+    ['twelve strokes', drawing(12)],
+    ['twenty strokes', drawing(20)],
+    ['names in every script', text('Ünïcødé 火 🔥 نار '.repeat(200))],
+    ['a name that URLs escape', text('"&?#%'.repeat(900))],
+    [
+      'hundreds of values',
+      { hearth: 2, values: Object.fromEntries(PARAMETERS.map(({ id }, at) => [id, 1 / (at + 3)])) },
+    ],
+    ['one character more than a query', text('x'.repeat(MAX_QUERY))],
+  ])) {
+    test(`is a shorter link that returns it: ${about}`, async () => {
+      const { length } = toQuery(config);
+      assert.ok(length > MAX_QUERY, `${length}`);
+      for (const made of [
+        await pageLink(config, 'https://fire.example/a/?viscosity=9#there'),
+        attributesOf(await iframeCode(config, EMBED), 'iframe').src,
+      ]) {
+        const { search, hash, href } = new URL(made);
+        assert.match(href, /^[\w:/.#=-]*$/);
+        assert.equal(search, '');
+        assert.ok(hash.length < length, `${hash.length} of ${length}`);
+        assert.deepEqual(await fromFragment(hash), config);
+      }
+    });
+  }
+
+  test('is refused by name where it is too long for a fragment', async () => {
+    const noise = text(Array.from({ length: 40_000 }, (_, at) => Math.sin(at)).join());
+    for (const make of [pageLink, iframeCode])
+      await assert.rejects(make(noise, EMBED), { name: 'RangeError', message: /too long for a link.*32000/ });
+  });
+
+  test('is refused where nothing compresses', async () => {
+    const { CompressionStream: kept } = globalThis;
+    try {
+      Reflect.deleteProperty(globalThis, 'CompressionStream');
+      await assert.rejects(pageLink(drawing(12), EMBED), /cannot compress/);
+      assert.ok((await pageLink(drawing(0), EMBED)).includes('scene=campfire'));
+    } finally {
+      globalThis.CompressionStream = kept;
+    }
+  });
+});
+
+test('a damaged fragment is refused with a reason, and those of others are none of a fire', async () => {
+  const { hash } = new URL(await pageLink(drawing(12), EMBED));
+  const deflated = async (/** @type {Uint8Array<ArrayBuffer>} */ bytes) => {
+    const stream = new Blob([bytes]).stream().pipeThrough(new CompressionStream('deflate'));
+    return `#fire=${Buffer.from(await new Response(stream).arrayBuffer()).toString('base64url')}`;
+  };
+  const bytes = (/** @type {string} */ words) => new TextEncoder().encode(words);
+  for (const [damaged, words] of /** @type {[string, RegExp][]} */ ([
+    [hash.slice(0, -9), /damaged/],
+    [hash.slice(0, 40), /damaged/],
+    [`${hash.slice(0, 60)}AAAA${hash.slice(64)}`, /damaged/],
+    ['#fire=', /damaged/],
+    ['#fire=%%%', /damaged/],
+    [await deflated(bytes('{"hearth": 2,')), /damaged/],
+    [await deflated(new Uint8Array([0xff, 0xfe])), /damaged/],
+    // A bomb: 40 MB within a link.
+    [await deflated(new Uint8Array(40e6)), /more than 400 KB/],
+  ])) {
+    await assert.rejects(fromFragment(damaged), { name: 'RangeError', message: words });
+  }
+  for (const other of ['', '#', '#about', '#fires', '#fire-of-this-tab'])
+    assert.equal(await fromFragment(other), undefined);
 });

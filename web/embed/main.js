@@ -2,10 +2,11 @@
  * The page for iframes, which shows nothing but a fire:
  * `embed.html?scene=seed&viscosity=0.02&allow=https://example.org`.
  *
- * The URL parameters set the fire, as on the full page. The embedding page can control the fire by messages
+ * The URL parameters or the fragment set the fire, as on the full page. The embedding page can control the fire by messages
  * (message-bridge.js) if `allow` names its origin.
  */
 
+import { applyFragment } from '../pages/fragment.js';
 import { applyUrlParameters, readUrlParameters } from '../pages/url-parameters.js';
 import { allowedOrigins, answer } from './message-bridge.js';
 import '../hearth-fire.js';
@@ -26,7 +27,9 @@ for (const name of parameters.others.getAll('color-scheme')) {
   if (Object.hasOwn(SCHEMES, name)) scheme.content = SCHEMES[name];
   else refused.push(`“color-scheme” must be light, dark or auto, not “${name.slice(0, 40)}”.`);
 }
-for (const message of [...parameters.refused, ...refused]) console.warn(`Hearth: ${message}`);
+const warn = (/** @type {string} */ message) => console.warn(`Hearth: ${message}`);
+[...parameters.refused, ...refused].forEach(warn);
 
 applyUrlParameters(fire, parameters);
+applyFragment(fire, warn);
 if (origins.length > 0) answer(fire, origins);

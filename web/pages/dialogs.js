@@ -19,7 +19,7 @@ export async function openDialog(id, fire) {
   const dialog = /** @type {HTMLDialogElement} */ (document.getElementById(id));
   if (!ready.has(id)) prepare(dialog);
   ready.add(id);
-  if (id === 'embed') write(dialog, await fire.exportConfig());
+  if (id === 'embed') await write(dialog, await fire.exportConfig());
   dialog.showModal();
   for (const field of dialog.querySelectorAll('textarea')) showAll(field);
 }
@@ -63,12 +63,12 @@ function prepare(dialog) {
  * @param {HTMLDialogElement} dialog
  * @param {import('../share.js').HearthSharedConfig} config
  */
-function write(dialog, config) {
+async function write(dialog, config) {
   const beside = (/** @type {string} */ file) => new URL(`../${file}`, import.meta.url);
   const within = (/** @type {string} */ html) => html.replace('></hearth-fire>', ` ${ATTRIBUTES}></hearth-fire>`);
   const codes = {
     element: within(elementCode(config, beside('hearth-fire.js'))),
-    iframe: iframeCode(config, beside('embed.html')),
+    iframe: await iframeCode(config, beside('embed.html')).catch(({ message }) => message),
     module: `import 'hearth-fire';\n\n${within(elementCode(config))}`,
   };
   for (const [what, code] of Object.entries(codes)) {

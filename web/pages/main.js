@@ -3,7 +3,8 @@
  *
  * Without URL parameters the page shows the scene in its HTML. `?scene=seed&viscosity=0.01&paused` sets a
  * scene and attributes of the element; values without a scene change the scene `default`. The page and
- * the console report what is refused. Later changes are written back, so the URL always shows this fire.
+ * the console report what is refused. Later changes are written back, so the URL always shows this fire; settings that
+ * are too long for URL parameters are its fragment.
  *
  * Scenes, panel and dialogs load after the first frame. If one of them fails, the page still has a fire.
  */
@@ -11,10 +12,11 @@
 import { applyUrlParameters, readUrlParameters } from './url-parameters.js';
 import '../hearth-fire.js';
 import { fadeChrome } from './chrome.js';
+import { KEPT, applyFragment, hasFragment, keep } from './fragment.js';
 import { frameScenes } from './framing.js';
 import { showHint } from './hint.js';
 import { PagePanel } from './panel.js';
-import { toQuery } from '../share.js';
+import { MAX_QUERY, toQuery } from '../share.js';
 import { offerTools } from '../tools/tools-button.js';
 
 /** How long a message stays [ms]. */
@@ -22,6 +24,10 @@ const TOAST_MS = 8000;
 
 /** The maximum number of messages at a time. */
 const TOASTS = 4;
+
+/** About a fire that is too long for a URL. */
+const TAB_ALONE =
+  'This fire is too long for an address: only this tab has it. Save it among your scenes, or copy its JSON.';
 
 /** The delay from a change to the URL [ms]: browsers refuse frequent changes. */
 const URL_MS = 1000;
@@ -54,10 +60,11 @@ function notify(message) {
 /** Applies the URL parameters, and shows which are refused. */
 function applyLocation() {
   const parameters = readUrlParameters(location.search);
-  for (const message of parameters.refused) {
+  const refuse = (/** @type {string} */ message) => {
     console.warn(`Hearth: ${message}`);
     notify(message);
-  }
+  };
+  parameters.refused.forEach(refuse);
   const refused = (/** @type {CustomEvent<import('../hearth-fire.js').HearthErrorDetail>} */ event) => {
     if (event.detail.kind === 'bad-parameter') notify(event.detail.message);
   };
@@ -66,8 +73,9 @@ function applyLocation() {
   // Links from before the page had its own scene contain values alone.
   if (parameters.scene === undefined && parameters.values.length > 0) fire.removeAttribute('preset');
   applyUrlParameters(fire, parameters);
+  applyFragment(fire, refuse);
   // The poster shows the landing scene.
-  if (fire.getAttribute('preset') !== LANDING) document.getElementById('still')?.remove();
+  if (fire.getAttribute('preset') !== LANDING || hasFragment()) document.getElementById('still')?.remove();
   // The settings contain the objects.
   const options = parameters.options.filter(([name]) => name !== 'objects');
   updateUrl([...options, ...parameters.unknown]);
@@ -84,6 +92,12 @@ function queryOf(config) {
   return preset === LANDING && Object.keys(values).length === 0 && !objects ? '' : query;
 }
 
+/** @param {import('../hearth-fire.js').HearthConfig} config */
+async function fragmentOrKept(config) {
+  const { fragmentOf } = await import('../share/fragment.js');
+  return fragmentOf(config).catch(() => KEPT);
+}
+
 /**
  * Writes the settings of the fire into the URL after each change. The history gets no entry: "back" leaves
  * the page instead of stepping through positions of a slider.
@@ -94,11 +108,20 @@ function updateUrl(options) {
   let planned;
   const write = async () => {
     planned = undefined;
-    const query = queryOf(await fire.exportConfig());
+    const config = await fire.exportConfig();
+    const query = queryOf(config);
     const others = new URLSearchParams(options).toString().replace(/=(?=&|$)/g, '');
     const url = new URL(location.href);
-    url.search = [query, others].filter(Boolean).join('&');
-    if (url.href !== location.href) history.replaceState(history.state, '', url);
+    const isShort = query.length <= MAX_QUERY;
+    url.search = [isShort ? query : '', others].filter(Boolean).join('&');
+    if (!isShort) url.hash = await fragmentOrKept(config);
+    else if (hasFragment()) url.hash = '';
+    if (url.hash === KEPT) {
+      if (location.hash !== KEPT) notify(TAB_ALONE);
+      keep(url, config);
+    } else if (url.href !== location.href) {
+      keep(url);
+    }
   };
   const plan = () => {
     if (planned !== undefined) return;

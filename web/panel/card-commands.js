@@ -2,8 +2,8 @@
  * The commands of the panel that open a card, or that leave the page and come back: scenes, copies, files, pictures.
  */
 
-import { askForSettings, showKeys, showText } from './cards.js';
-import { download } from './download.js';
+import { askForSettings, offerFile, showKeys, showText } from './cards.js';
+import { download, saveSettings } from './download.js';
 import { COPIES, beside, isSettings, settingsOf, textOf } from './exchange.js';
 import { ownScenesOf } from './own-scenes.js';
 import { askForPicture } from './picture-card.js';
@@ -94,11 +94,19 @@ export class CardCommands {
     const config = await this.#attempt(() => this.#fire.exportConfig());
     const { page } = this.#addresses;
     // A fire that has failed has a report alone.
-    const text =
-      name === 'report'
-        ? this.#report.text(page && config && pageLink(config, page), config)
-        : config && textOf(name, config, this.#addresses);
-    if (!text) return;
+    if (!config && name !== 'report') return;
+    let text;
+    try {
+      text =
+        name === 'report'
+          ? this.#report.text(page && config && (await pageLink(config, page).catch(() => undefined)), config)
+          : await textOf(name, /** @type {HearthConfig} */ (config), this.#addresses);
+    } catch (error) {
+      const { message } = /** @type {Error} */ (error);
+      this.#notify('', message);
+      this.#show(offerFile({ host: this.#host, title: `No ${label}`, why: message, save: () => saveSettings(config) }));
+      return;
+    }
     try {
       await navigator.clipboard.writeText(text);
       this.#notify(`copy:${name}`, `Copied: ${label}`);

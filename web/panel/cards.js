@@ -33,6 +33,19 @@ export function showText({ host, title, text }) {
 }
 
 /**
+ * Reports that a fire is too long to be copied, and offers its file.
+ * @param {{host: HTMLElement, title: string, why: string, save: () => void}} what
+ * @returns {Card}
+ */
+export function offerFile({ host, title, why, save }) {
+  const card = openCard(host, 'file', title);
+  card.add('p', why).setAttribute('role', 'alert');
+  card.button('save', 'Save the file', save).focus({ preventScroll: true });
+  card.button('close', 'Close', card.close);
+  return card;
+}
+
+/**
  * Asks for settings as JSON. If `apply` refuses them, the card shows the reason and stays open.
  * @param {{host: HTMLElement, apply: (text: string) => Promise<void>}} what
  * @returns {Card}
@@ -137,6 +150,7 @@ export function openCard(host, name, title) {
 
   return {
     close,
+    content,
     isOpen: (/** @type {string} */ other) => other === name && card.isConnected,
     /** @type {(tag: string, text: string) => HTMLElement} */
     add(tag, text) {

@@ -47,8 +47,10 @@ export const COPIES = [
  * @param {string} name  Of one of {@link COPIES}, but the report.
  * @param {HearthConfig} config
  * @param {{page?: string | URL, script?: string | URL, embed?: string | URL}} addresses
+ * @returns {Promise<string>}
+ * @throws {RangeError} they are too long for an address
  */
-export function textOf(name, config, { page, script, embed }) {
+export async function textOf(name, config, { page, script, embed }) {
   switch (name) {
     case 'link':
       return pageLink(config, page ?? location.href);

@@ -6,7 +6,7 @@
  * @typedef {{name: string, config: HearthConfig, picture: string}} OwnScene  `picture` is a data URL, or empty.
  */
 
-import { download } from './download.js';
+import { saveSettings } from './download.js';
 import { isSettings, settingsOf } from './exchange.js';
 import { presetOf } from './scene.js';
 
@@ -19,28 +19,61 @@ export const MAX_NAME = 40;
 /** The size of a picture [px]. */
 const PICTURE = { width: 120, height: 160 };
 
-/**
- * The saved scenes; none if the browser forbids storage or another script has written something else there.
- * @returns {OwnScene[]}
- */
-export function ownScenes() {
+/** The text of the list; empty if the browser forbids storage. */
+function stored() {
   try {
-    const all = JSON.parse(localStorage.getItem(KEY) ?? '[]');
-    const isScene = (/** @type {any} */ scene) =>
-      typeof scene?.name === 'string' && typeof scene.config === 'object' && scene.config !== null;
-    return (Array.isArray(all) ? all : []).filter(isScene).map(({ name, config, picture }) => ({
-      name: name.slice(0, MAX_NAME),
-      config,
-      picture: /^data:image\//.test(picture) ? picture : '',
-    }));
+    return localStorage.getItem(KEY) ?? '';
   } catch {
-    return [];
+    return '';
   }
 }
 
-/** @param {OwnScene[]} all @throws {Error} the browser forbids storage, or it is full */
+/**
+ * The scenes of a list, and whether something else is in it: another script, or a write that broke off.
+ * @type {(text: string) => {scenes: OwnScene[], damaged: boolean}}
+ */
+function read(text) {
+  let all;
+  try {
+    all = JSON.parse(text || '[]');
+  } catch {}
+  const isScene = (/** @type {any} */ scene) =>
+    typeof scene?.name === 'string' && typeof scene.config === 'object' && scene.config !== null;
+  const whole = (Array.isArray(all) ? all : []).filter(isScene);
+  const scenes = whole.map(({ name, config, picture }) => ({
+    name: name.slice(0, MAX_NAME),
+    config,
+    picture: /^data:image\//.test(picture) ? picture : '',
+  }));
+  return { scenes, damaged: scenes.length !== all?.length };
+}
+
+/** The saved scenes that can be read. */
+export function ownScenes() {
+  return read(stored()).scenes;
+}
+
+/** What is wrong with the list; empty if nothing is. */
+export function damageOfScenes() {
+  const { scenes, damaged } = read(stored());
+  if (!damaged) return '';
+  const some = scenes.length === 1 ? 'One scene of it is' : `${scenes.length || 'No'} scenes of it are`;
+  return `The list of your scenes is damaged. ${some} readable. The next change keeps the damaged list beside the new one.`;
+}
+
+/**
+ * Writes the list. A damaged one is kept under a key of its own.
+ * @param {OwnScene[]} all
+ * @throws {Error} the browser forbids storage, or it is full
+ */
 function store(all) {
   try {
+    const before = stored();
+    if (read(before).damaged) {
+      let number = 1;
+      while (localStorage.getItem(`${KEY}-damaged-${number}`) !== null) number += 1;
+      localStorage.setItem(`${KEY}-damaged-${number}`, before);
+    }
     localStorage.setItem(KEY, JSON.stringify(all));
   } catch (error) {
     const isFull = error instanceof DOMException && /quota/i.test(error.name);
@@ -126,20 +159,15 @@ export async function pictureOf(fire) {
 export function ownScenesOf(fire, replace) {
   return {
     list: ownScenes,
+    damage: damageOfScenes,
     rename: renameScene,
     remove: deleteScene,
     choose: ({ config }) => replace(config),
     async save() {
       const config = await fire.exportConfig();
-      saveScene(presetOf(fire)?.label ?? '', config, await pictureOf(fire));
+      return saveScene(presetOf(fire)?.label ?? '', config, await pictureOf(fire));
     },
-    download({ name, config }) {
-      const text = JSON.stringify({ ...config, label: name }, null, 2);
-      download(
-        new Blob([text], { type: 'application/json' }),
-        `${name.replace(/[^\p{L}\p{N} _-]+/gu, '').trim() || 'hearth'}.json`,
-      );
-    },
+    download: ({ name, config }) => saveSettings({ ...config, label: name }, name),
     open: async (file) => replace(await settingsOf(file)),
   };
 }

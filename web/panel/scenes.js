@@ -6,9 +6,10 @@
  *
  * @typedef {object} Own  The commands of the visitor's own scenes.
  * @property {() => import('./own-scenes.js').OwnScene[]} list
- * @property {() => Promise<void>} save  Saves the current fire.
+ * @property {() => string} damage  What is wrong with the list; empty if nothing is.
+ * @property {() => Promise<string>} save  Saves the current fire; returns its name.
  * @property {(scene: import('./own-scenes.js').OwnScene) => Promise<void>} choose
- * @property {(from: string, to: string) => void} rename
+ * @property {(from: string, to: string) => string} rename  Returns the new name.
  * @property {(scene: import('./own-scenes.js').OwnScene) => void} download
  * @property {(name: string) => void} remove
  * @property {(file: Blob) => Promise<void>} open  Shows the fire of a file.
@@ -79,7 +80,12 @@ export function showScenes({ host, scenes, pictureOf, current, choose, own }) {
   };
   mark();
   const showOwn = ownSection(card, own);
-  card.button('save', 'Save', () => showOwn(own.save)).title = 'Save this fire in the browser';
+  const save = async () => {
+    const name = rowOf(card.content, await showOwn(own.save))?.querySelector('input');
+    name?.focus();
+    name?.select();
+  };
+  card.button('save', 'Save', save).title = 'Save this fire in the browser';
   card.button('open', 'Open', () => chooseFile((file) => showOwn(() => own.open(file)))).title =
     'Show the fire of a file';
   card.button('close', 'Close', card.close);
@@ -98,8 +104,8 @@ export function showScenes({ host, scenes, pictureOf, current, choose, own }) {
  * The visitor's scenes: a row for each, with its picture, its name as a field, and buttons.
  * @param {ReturnType<typeof openCard>} card
  * @param {Own} own
- * @returns {(act: () => unknown) => Promise<void>}  Runs a command, then shows the rows again, or the reason of a
- *   refusal.
+ * @returns {(act: () => unknown) => Promise<any>}  Runs a command, then shows the rows again, or the reason of a
+ *   refusal; returns what the command returns.
  */
 function ownSection(card, own) {
   const rows = card.add('ul', '');
@@ -108,13 +114,17 @@ function ownSection(card, own) {
   const alert = card.add('p', '');
   alert.setAttribute('role', 'alert');
   const act = async (/** @type {() => unknown} */ what) => {
-    alert.textContent = '';
+    alert.textContent = own.damage();
+    /** @type {any} */
+    let result;
     try {
-      await what();
+      result = await what();
+      alert.textContent = '';
     } catch (error) {
       alert.textContent = error instanceof Error ? error.message : String(error);
     }
     show();
+    return result;
   };
   let shown = '';
   const show = () => {
@@ -146,11 +156,15 @@ function ownSection(card, own) {
           spellcheck: false,
         });
         name.setAttribute('aria-label', `Name of ${scene.name}`);
+        let entered = false;
+        name.addEventListener('keydown', ({ key }) => (entered = key === 'Enter'));
         name.addEventListener('change', async () => {
-          await act(() => own.rename(scene.name, name.value));
+          const renamed = await act(() => own.rename(scene.name, name.value));
           name.value = scene.name;
+          // The row is another one now. Without the focus, the next letters would be shortcuts.
+          if (entered) rowOf(rows, renamed)?.querySelector('button')?.focus({ preventScroll: true });
         });
-        /** @type {(label: string, sign: string, action: () => void) => HTMLButtonElement} */
+        /** @type {(label: string, sign: string, action: () => unknown) => HTMLButtonElement} */
         const button = (label, sign, action) => {
           const node = Object.assign(document.createElement('button'), { textContent: sign, title: label });
           node.type = 'button';
@@ -169,7 +183,13 @@ function ownSection(card, own) {
     );
   };
   show();
+  alert.textContent = own.damage();
   return act;
+}
+
+/** The row of a scene. @type {(rows: ParentNode, name: string) => Element | undefined} */
+function rowOf(rows, name) {
+  return [...rows.querySelectorAll('li')].find((row) => row.querySelector('input')?.value === name);
 }
 
 /** Lets the visitor choose a file of settings. @param {(file: Blob) => void} use */

@@ -108,6 +108,37 @@ test('the address of the landing scene stays empty', async () => {
   assert.equal(await tab.evaluate(() => location.search), '');
 });
 
+test('a drawing that is too long for an address or for its fragment survives a reload', async () => {
+  const tab = await browser.open('index.html?scene=default&paused');
+  const kept = async (/** @type {string} */ hash, /** @type {number} */ strokes) => {
+    const drawn = await tab.fire(async (fire, count) => {
+      const points = (seed) =>
+        Array.from({ length: 160 }, (_, at) =>
+          [Math.sin(at * seed), Math.cos(at * seed + at)].map((x) => (0.3 * x).toFixed(4)).join(),
+        ).join(' ');
+      for (let at = fire.objects.length; at < count; at += 1)
+        await fire.addObject({ kind: 'solid', shape: 'stroke', points: points(at), y: 0.5 });
+      return fire.exportConfig();
+    }, strokes);
+    await tab.until(`the address has ${hash}`, (start) => location.hash.startsWith(start), hash);
+    await tab.page.reload();
+    await tab.ready();
+    assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), drawn);
+    assert.equal(await tab.evaluate(() => location.search), '?paused');
+    return tab.evaluate(() => location.href);
+  };
+  await tab.ready();
+  const link = await kept('#fire=', 14);
+  await kept('#fire-of-this-tab', 60);
+  // Another address of the same page in the same tab loads nothing.
+  await tab.page.goto(link);
+  await tab.until(
+    'the first drawing',
+    () => /** @type {any} */ (document.querySelector('hearth-fire')).objects.length === 14,
+  );
+  assert.deepEqual(tab.problems, []);
+});
+
 test('an address with mistakes breaks nothing, and each is reported on the page and in the console', async () => {
   const query = 'viscosty=1&exposure=%3Cimg+src=x+onerror=alert(1)%3E&scene=nowhere&src=/secret.json&seed=7&%zz=%ff';
   const tab = await browser.open(`index.html?${query}`);

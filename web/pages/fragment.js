@@ -1,0 +1,69 @@
+/**
+ * The fragment of a page's URL, which has the settings of a fire that is too long for URL parameters. What is too long
+ * for a fragment stays in the tab: in the state of its history and in the storage of its session.
+ *
+ * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
+ * @typedef {import('../hearth-fire.js').HearthConfig} HearthConfig
+ */
+
+import { fromFragment } from '../share.js';
+
+/** The fragment of a fire that only its tab has, and the key of its settings. */
+export const KEPT = '#fire-of-this-tab';
+const KEY = 'hearth-fire';
+
+/** Whether the URL names a fire by its fragment. */
+export const hasFragment = () => location.hash.startsWith('#fire');
+
+/**
+ * Applies the fragment of the URL to a fire, now and whenever it changes.
+ * @param {HearthFire} fire
+ * @param {(message: string) => void} refuse  Reports why it is refused.
+ */
+export function applyFragment(fire, refuse) {
+  const apply = async () => {
+    if (!hasFragment()) return;
+    try {
+      const config = location.hash === KEPT ? kept() : await fromFragment(location.hash);
+      // The fire reports what it refuses.
+      if (config) fire.importConfig(/** @type {HearthConfig} */ (config)).catch(() => {});
+      else refuse('The fire of this address was too long for it: only the tab in which it was made has it.');
+    } catch (error) {
+      refuse(/** @type {Error} */ (error).message);
+    }
+  };
+  apply();
+  // Another address in the same tab loads nothing.
+  addEventListener('hashchange', apply);
+}
+
+/** The settings that the tab has. @returns {HearthConfig | undefined} */
+function kept() {
+  try {
+    return history.state?.[KEY] ?? JSON.parse(sessionStorage.getItem(KEY) ?? 'null') ?? undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+/**
+ * Keeps settings in the tab, or forgets those that it has.
+ * @param {URL} url  The new URL of the page.
+ * @param {HearthConfig} [config]
+ */
+export function keep(url, config) {
+  const { [KEY]: _, ...others } = history.state ?? {};
+  const state = config ? { ...others, [KEY]: config } : others;
+  try {
+    history.replaceState(state, '', url);
+  } catch {
+    // The state of a history has a limit in some browsers.
+    history.replaceState(others, '', url);
+  }
+  try {
+    if (config) sessionStorage.setItem(KEY, JSON.stringify(config));
+    else sessionStorage.removeItem(KEY);
+  } catch {
+    // A page without storage still has its history.
+  }
+}

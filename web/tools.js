@@ -98,7 +98,7 @@ class Toolbar {
       () => this.#objects,
     );
     this.#overlay = new Overlay(fire);
-    this.#inserts = new Inserts(host, this.#overlay, this.#edits, (text) => this.#open(text));
+    this.#inserts = new Inserts(host, this.#overlay, this.#edits, (config) => this.#open(config));
     const plotsShown = (/** @type {boolean} */ shown) => this.#bar.mark('plots', shown);
     this.#instruments = new Instruments(
       { host, fire, showStatus: (text) => this.#showStatus(text), plotsShown },
@@ -265,9 +265,9 @@ class Toolbar {
     this.#statusEnds = setTimeout(() => (this.#status.textContent = ''), STATUS_MS);
   }
 
-  /** Opens settings. @param {string} text */
-  #open(text) {
-    return this.#editing.history.all(() => this.#fire.importConfig(text));
+  /** Opens settings. @param {import('./hearth-fire.js').HearthConfig | string} config */
+  #open(config) {
+    return this.#editing.history.all(() => this.#fire.importConfig(config));
   }
 
   /** @param {MouseEvent | KeyboardEvent} event @returns {How} */

@@ -173,7 +173,7 @@ applyLocation();
 frameScenes(fire);
 fadeChrome(document.documentElement);
 openDialogs();
-const panel = new PagePanel(fire);
+const panel = new PagePanel(fire, notify);
 fire.ready.then(
   () => {
     document.documentElement.dataset.fire = 'shown';

@@ -15,24 +15,34 @@ const IDLE_MS = 1500;
 /** The panel, the button that shows and hides it, and the keys that work without it. */
 export class PagePanel {
   #fire;
+  #notify;
   #root = document.documentElement;
   #host = /** @type {HTMLElement} */ (document.getElementById('panel'));
   #toggle = /** @type {HTMLElement} */ (document.getElementById('toggle'));
   #wide = matchMedia(WIDE);
-  /** Whether the panel is loaded or loading. */
-  #loading = false;
+  /** Settles when the panel is loaded; undefined before it loads. @type {Promise<void> | undefined} */
+  #loading;
   /** Whether the panel handles keys itself. */
   #hasKeys = false;
   /** Whether the panel was shown before full screen. */
   #before = false;
 
-  /** @param {import('../hearth-fire.js').HearthFire} fire */
-  constructor(fire) {
+  /**
+   * @param {import('../hearth-fire.js').HearthFire} fire
+   * @param {(message: string) => void} notify
+   */
+  constructor(fire, notify) {
     this.#fire = fire;
+    this.#notify = notify;
     this.#set(this.#wide.matches && recall('panel') !== 'hidden');
     this.#toggle.addEventListener('click', () => this.#choose(!this.#shown));
     document.addEventListener('keydown', (event) => this.#key(event));
     document.addEventListener('fullscreenchange', () => this.#fullscreen());
+    // A browser drops files only where the event is cancelled; a file that nobody takes replaces the page.
+    document.addEventListener('dragover', (event) => {
+      if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
+    });
+    document.addEventListener('drop', (event) => this.#drop(event));
   }
 
   /** The fire burns: loads the panel if it is open. */
@@ -87,8 +97,21 @@ export class PagePanel {
       [this.#host, this.#fire].some((element) => around.includes(element) || element === target);
     if (!near || shortcutsOff(this.#host, this.#fire)) return;
     if (key.toLowerCase() === 'h') this.#choose(!this.#shown);
+    // The panel shows their cards and its search.
+    const shows = ['s', '?', '/'].includes(key.toLowerCase()) && (!shiftKey || key === '?' || key === '/');
+    if (shows && !this.#shown) this.#choose(true);
     // The panel handles the other keys once it is loaded.
-    if (this.#hasKeys || shiftKey) return;
+    if (this.#hasKeys) return;
+    if (shows || '+=-0r'.includes(key.toLowerCase())) {
+      event.preventDefault();
+      // The target may be gone by then.
+      this.#load().then(() => {
+        const again = new KeyboardEvent('keydown', { key, shiftKey, bubbles: true, composed: true });
+        if (this.#hasKeys) document.body.dispatchEvent(again);
+      });
+      return;
+    }
+    if (shiftKey) return;
     if (key === 'f') {
       const { fullscreenElement, documentElement } = document;
       const asked = fullscreenElement ? document.exitFullscreen() : documentElement.requestFullscreen?.();
@@ -100,16 +123,34 @@ export class PagePanel {
     }
   }
 
+  /** Opens a file of settings, unless the panel or a tool has taken it. @param {DragEvent} event */
+  async #drop(event) {
+    const [file] = event.dataTransfer?.files ?? [];
+    if (!file || this.#hasKeys || event.defaultPrevented) return;
+    event.preventDefault();
+    try {
+      const { isSettings, settingsOf } = await import('../panel/exchange.js');
+      if (!isSettings(file)) throw new Error(`“${file.name}” is no file of settings, whose name ends in “.json”.`);
+      await this.#fire.importConfig(await settingsOf(file));
+    } catch (error) {
+      this.#notify(/** @type {Error} */ (error).message);
+    }
+  }
+
   /** Loads the panel once; shows a message if it does not load. */
-  async #load() {
-    if (this.#loading) return;
-    this.#loading = true;
+  #load() {
+    this.#loading ??= this.#mount();
+    return this.#loading;
+  }
+
+  async #mount() {
     try {
       const { mountPanel } = await import('../panel.js');
       this.#hasKeys = true;
       await mountPanel({ host: this.#host, fire: this.#fire, page: location.href });
     } catch (error) {
-      this.#hasKeys = this.#loading = false;
+      this.#hasKeys = false;
+      this.#loading = undefined;
       console.warn('Hearth: the panel could not be loaded.', error);
       const message = document.createElement('p');
       message.className = 'words';

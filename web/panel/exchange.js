@@ -5,6 +5,7 @@
  */
 
 import { FILE as SHARE, elementCode, iframeCode, pageLink } from '../share.js';
+import { MAX_SETTINGS } from '../share/fragment.js';
 
 /**
  * A URL in the folder of `hearth-fire.js`. Bundlers merge modules or give them `file:` URLs, and drop
@@ -58,8 +59,12 @@ export async function textOf(name, config, { page, script, embed }) {
       return elementCode(config, script);
     case 'iframe':
       return iframeCode(config, embed ?? '');
-    default:
-      return JSON.stringify(config, null, 2);
+    default: {
+      const text = JSON.stringify(config, null, 2);
+      if (text.length > MAX_SETTINGS)
+        throw new RangeError(`The settings have more than ${MAX_SETTINGS / 1000} KB, and no fire takes that many.`);
+      return text;
+    }
   }
 }
 
@@ -68,17 +73,14 @@ export function isSettings({ name, type }) {
   return /\bjson\b/.test(type) || /\.json$/i.test(name);
 }
 
-/** The largest file of settings [bytes]. */
-const MAX_FILE = 400_000;
-
 /**
  * The settings of a file; a text that is not JSON stays a text, which the fire rejects with a message.
  * @param {Blob} file
  * @throws {Error} it is too large
  */
 export async function settingsOf(file) {
-  if (file.size > MAX_FILE)
-    throw new Error(`The file has ${Math.round(file.size / 1000)} KB; settings have at most ${MAX_FILE / 1000} KB.`);
+  if (file.size > MAX_SETTINGS)
+    throw new Error(`The file has ${Math.ceil(file.size / 1000)} KB; settings have at most ${MAX_SETTINGS / 1000} KB.`);
   const text = await file.text();
   try {
     return /** @type {HearthConfig} */ (JSON.parse(text));

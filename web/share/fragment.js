@@ -11,7 +11,7 @@ const NAME = '#fire=';
 /** The most characters of a fragment that is written: mail and chat programs cut longer addresses. */
 export const MAX_FRAGMENT = 32_000;
 
-/** The most bytes of settings. */
+/** The most bytes of settings: the same in `element/attributes/settings.js`. */
 export const MAX_SETTINGS = 400_000;
 
 /**

@@ -6,6 +6,7 @@
  * @typedef {import('./geometry.js').Point} Point
  */
 
+import { isSettings, settingsOf } from '../panel/exchange.js';
 import { rounded } from './geometry.js';
 
 /** The largest file [bytes], and the most pixels of an image. */
@@ -45,7 +46,7 @@ export class Inserts {
    * @param {HTMLElement} host
    * @param {import('./overlay.js').Overlay} overlay
    * @param {import('./edits.js').Edits} edits
-   * @param {(text: string) => Promise<void>} open  Opens settings.
+   * @param {(config: import('../hearth-fire.js').HearthConfig | string) => Promise<void>} open  Opens settings.
    */
   constructor(host, overlay, edits, open) {
     this.#host = host;
@@ -97,7 +98,7 @@ export class Inserts {
     if (!file) return;
     event.preventDefault();
     event.stopPropagation();
-    if (file.type === 'application/json') this.#edits.attempt(async () => this.#open(await file.text()));
+    if (isSettings(file)) this.#edits.attempt(async () => this.#open(await settingsOf(file)));
     else this.picture(file, this.#overlay.metres(event));
   }
 
@@ -109,7 +110,8 @@ export class Inserts {
     const [file] = event.clipboardData?.files ?? [];
     if (!file || typing) return;
     event.preventDefault();
-    this.picture(file);
+    if (isSettings(file)) this.#edits.attempt(async () => this.#open(await settingsOf(file)));
+    else this.picture(file);
   }
 }
 

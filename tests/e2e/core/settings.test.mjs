@@ -89,7 +89,7 @@ test('settings that are wrong anywhere are refused whole, by name', async () => 
   for (const [config, named] of [
     ['', 'JSON'],
     ['{"values": {', 'JSON'],
-    [' '.repeat(70_000), '65536'],
+    [' '.repeat(400_001), '400000'],
     [`{"values": {"exposure": ${deep}}}`, 'exposure'],
     [deep, 'config'],
     [many, 'thousand'],
@@ -194,7 +194,7 @@ for (const [what, instead, named] of [
   ['is not there', { status: 404, body: 'no', type: 'text/html' }, '404'],
   ['never comes', { drop: true }, 'mine.json'],
   ['is no JSON', { body: '<p>hello', type: 'text/html' }, 'JSON'],
-  ['is too long', { body: ' '.repeat(70_000), type: JSON_TYPE }, '64 KiB'],
+  ['is too long', { body: ' '.repeat(400_001), type: JSON_TYPE }, '400 KB'],
   ['has a bad value', { body: '{"values": {"exposure": 99}}', type: JSON_TYPE }, 'from -4 to 4'],
   ['has an unknown key', { body: '{"values": {"exposurr": 1}}', type: JSON_TYPE }, 'exposure'],
 ]) {

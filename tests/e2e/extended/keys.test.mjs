@@ -109,6 +109,22 @@ test('the full screen is not offered where the browser does not allow it', async
   assert.deepEqual(tab.problems, []);
 });
 
+test('with the panel hidden since the visit before, its keys work', async () => {
+  const options = { width: 760, height: 600, before: () => localStorage.setItem('hearth-page-panel', 'hidden') };
+  for (const [key, done] of /** @type {[string, () => unknown][]} */ ([
+    ['+', () => /** @type {any} */ (document.querySelector('hearth-fire')).zoom > 1],
+    ['s', () => document.querySelector('[data-card="picture"]')?.checkVisibility()],
+    ['?', () => document.querySelector('[data-card="help"]')?.checkVisibility()],
+  ])) {
+    const tab = await browser.open('index.html?scene=default', options);
+    await tab.ready();
+    assert.equal(await tab.evaluate(() => document.documentElement.dataset.panel), 'hidden');
+    await tab.key(key);
+    await tab.until(key, done);
+    assert.deepEqual(tab.problems, []);
+  }
+});
+
 test('the question mark lists every key; it or Escape closes the list', async () => {
   const { tab } = await openPage();
   const listed = () =>

@@ -74,7 +74,7 @@ test('a saved fire is in the list with its picture, and is shown again after oth
   assert.deepEqual(tab.problems, []);
 });
 
-test('a list of the visit before is there, and a damaged one is not', async () => {
+test('a list of the visit before is there, and a damaged one is reported', async () => {
   for (const [kept, expected] of [
     [
       JSON.stringify([
@@ -91,6 +91,7 @@ test('a list of the visit before is there, and a damaged one is not', async () =
     const panel = await new Panel(tab).mounted();
     await panel.openScenes();
     assert.deepEqual(await names(tab), expected);
+    if (expected.length === 0) await alerted(tab, /list of your scenes is damaged/);
     if (expected.length > 0) {
       assert.equal(await tab.on('.hearth-own img', (image) => image.hidden), true);
       await press(tab, 'Show Mine');
@@ -189,6 +190,40 @@ test('a file of settings that is dropped anywhere on the page is opened, and any
     tab.problems.filter((problem) => !/ is refused: /.test(problem)),
     [],
   );
+});
+
+test('without a panel a dropped file is opened too, and any other file leaves the page where it is', async () => {
+  const tab = await browser.open('index.html?scene=candle&paused', { width: 600, height: 700 });
+  await tab.ready();
+  assert.deepEqual(await drop(tab, 'body', { name: 'MINE.JSON', type: '', text: settings(0.4) }), [true, true]);
+  await blows(tab, 0.4);
+  for (const [file, words] of [
+    [{ name: 'notes.txt', type: 'text/plain', text: '' }, 'no file of settings'],
+    [{ name: 'mine.json', type: '', text: ' '.repeat(500_000) }, '500 KB'],
+  ]) {
+    assert.deepEqual(await drop(tab, 'hearth-fire', file), [true, true]);
+    await tab.until(words, (text) => document.getElementById('toast')?.textContent?.includes(text), words);
+  }
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a saved scene is named at once, and no letter of its name is a shortcut', async () => {
+  const { tab } = await openCard();
+  await tab.page.click('[data-card="save"]');
+  await tab.until('the name', () => document.activeElement?.getAttribute('aria-label') === 'Name of Candle');
+  for (const letter of 'Fish') await tab.key(letter);
+  await tab.key('Enter');
+  await named(tab, ['Fish']);
+  await tab.until('the row', () => document.activeElement?.getAttribute('aria-label') === 'Show Fish');
+  assert.ok(
+    await tab.on('[aria-label="Delete Fish"]', (button) => {
+      const [inner, outer] = [button, /** @type {Element} */ (button.closest('section'))].map((node) =>
+        node.getBoundingClientRect(),
+      );
+      return inner.right <= outer.right;
+    }),
+  );
+  assert.deepEqual(tab.problems, []);
 });
 
 test('with an open toolbar a dropped file is opened once, and the toolbar keeps its pictures', async () => {

@@ -161,7 +161,7 @@ describe('the panel', () => {
       ['viscosity = 0.02', /JSON/],
       ['[]', /./],
       ['{"hearth": 2, "preset": "volcano"}', /volcano/],
-      [`{"hearth": 2, "values": {"seed": "${'9'.repeat(70_000)}"}}`, /64/],
+      [`{"hearth": 2, "values": {"seed": "${'9'.repeat(400_001)}"}}`, /400/],
     ]) {
       await pasteSettings(tab, panel, text);
       const reason = await tab.until(

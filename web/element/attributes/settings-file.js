@@ -28,7 +28,7 @@ export async function textOf(src, max, id, unwanted) {
     const why = limit.aborted ? `it did not arrive within ${FILE_MS / 1000} s` : /** @type {Error} */ (error).message;
     throw new Error(`${id} is refused: ${why}`);
   }
-  if (text === undefined) throw new RangeError(`${id} is refused: it is longer than ${max / 1024} KiB`);
+  if (text === undefined) throw new RangeError(`${id} is refused: it is longer than ${max / 1000} KB`);
   return text;
 }
 

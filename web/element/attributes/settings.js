@@ -6,8 +6,8 @@
 import { timely } from '../../engine/time-limit.js';
 import { cut, postable } from '../session/requests.js';
 
-/** The maximum length of JSON text in characters, and of a file in bytes. */
-const MAX_LENGTH = 65_536;
+/** The maximum length of JSON text in characters, and of a file in bytes: the same in `share/fragment.js`. */
+const MAX_LENGTH = 400_000;
 
 /** The nesting of settings and of values: `{objects: [{property: value}]}`. */
 export const DEPTH = 3;
@@ -23,7 +23,7 @@ export function settings(config, id = 'config') {
   if (typeof config === 'string') {
     if (config.length > MAX_LENGTH) {
       throw new RangeError(
-        `${id} is refused: it has ${config.length} characters; at most ${MAX_LENGTH} (64 KiB) are allowed`,
+        `${id} is refused: it has ${config.length} characters; at most ${MAX_LENGTH} (400 KB) are allowed`,
       );
     }
     try {

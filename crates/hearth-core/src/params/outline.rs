@@ -15,8 +15,8 @@ const MOST_POINTS: usize = 256;
 const LEAST_POINTS: usize = 2;
 /// Largest coordinate of a point \[m\].
 const FARTHEST: f64 = 10.0;
-/// Longest text of points, in bytes.
-const LONGEST: usize = 10_000;
+/// Longest text of points, in bytes: JavaScript writes a number in at most 25, and a letter follows it.
+const LONGEST: usize = MOST_POINTS * 2 * 26;
 /// Most pixels of a side of a mask.
 const MOST_PIXELS: usize = 256;
 /// The opacity of an opaque pixel.

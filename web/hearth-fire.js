@@ -542,7 +542,7 @@ class HearthFire extends FireAttributes {
 
   /** The element has moved to another document, for instance another window. */
   adoptedCallback() {
-    this.#session.view.dress();
+    this.#session.mend();
   }
 
   disconnectedCallback() {

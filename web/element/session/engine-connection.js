@@ -23,7 +23,7 @@ export class EngineConnection {
   #host;
   #requests;
   #on;
-  #stop;
+  #stop = () => {};
   #size = [0, 0, 0];
   #visible = false;
   /** Whether it is known whether the element is visible. */
@@ -60,7 +60,16 @@ export class EngineConnection {
     this.#host = host;
     this.#requests = requests;
     this.#on = on;
-    this.#stop = observe(host, canvas, {
+    this.watch(canvas);
+  }
+
+  /** Observes this canvas and its element. @param {HTMLCanvasElement} canvas */
+  watch(canvas) {
+    const on = this.#on;
+    this.#stop();
+    // A fire that is paused draws another picture when its size changes alone.
+    this.send('resize', 0, 0, 0);
+    this.#stop = observe(this.#host, canvas, {
       resized: (...size) => {
         this.#size = size;
         this.send('resize', ...size);

@@ -110,6 +110,13 @@ export class FireSession {
     // A fire that failed tries again.
     if (this.#connection && this.#ready.failed) this.close();
     if (!this.#connection) this.#open();
+    else if (this.view.damaged) this.mend();
+  }
+
+  /** Shows the fire on another canvas: its document or the page has taken the last one away. */
+  mend() {
+    this.view.dress();
+    if (this.#connection) this.#connection.watch(this.view.mend());
   }
 
   /** Whether the engine has the fire. */
@@ -193,9 +200,14 @@ export class FireSession {
       message: (message) => this.#receive(message, connection),
       frame: (frame) => {
         view.draw(frame);
-        this.#present(connection);
+        if (view.damaged) this.mend();
+        else this.#present(connection);
       },
-      visible: () => this.#present(connection),
+      visible: () => {
+        // A canvas that is taken away has no area, so that no frame comes.
+        if (view.damaged && fire.isConnected) this.mend();
+        else this.#present(connection);
+      },
       start: () => this.#begin(connection, still),
       motion: (reduced) => this.playback.follow(reduced),
     });

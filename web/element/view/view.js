@@ -64,6 +64,8 @@ export class FireView {
   #retry = /** @type {HTMLButtonElement} */ (make('button', { part: 'retry', type: 'button' }, 'Try again'));
   #poster = /** @type {HTMLImageElement} */ (make('img', { alt: '', hidden: '' }));
   #posterBox = make('div', { class: 'poster' }, make('slot', { name: 'poster' }, this.#poster));
+  #room = make('div', { class: 'room' });
+  #messageBox = make('div', { class: 'message', part: 'message' }, this.#message);
   #alt = '';
   /** @type {ImageBitmapRenderingContext | CanvasRenderingContext2D | null | undefined} */
   #surface;
@@ -82,13 +84,7 @@ export class FireView {
   /** @type {import('./viewport.js').Camera} */
   camera = { fit: 'height', x: 0.5, y: 0, zoom: 1, panX: 0.5, panY: 0.5 };
   /** What the shadow tree holds. */
-  root = make(
-    'div',
-    { class: 'root', 'data-state': 'loading' },
-    make('div', { class: 'room' }),
-    this.#posterBox,
-    make('div', { class: 'message', part: 'message' }, this.#message),
-  );
+  root = make('div', { class: 'root', 'data-state': 'loading' }, this.#room, this.#posterBox, this.#messageBox);
 
   /** @param {HTMLElement} host */
   constructor(host) {
@@ -148,10 +144,25 @@ export class FireView {
   /** A new canvas, without the last frame of the fire before. */
   newCanvas() {
     this.dropCanvas();
-    this.canvas = document.createElement('canvas');
+    return this.mend();
+  }
+
+  /** Whether the page has taken the canvas, its context or what surrounds it away. */
+  get damaged() {
+    return this.#surface === null || !this.canvas || !this.#shadow.contains(this.canvas);
+  }
+
+  /** Restores what the page has taken away, with another canvas, which is empty. */
+  mend() {
+    this.canvas?.remove();
+    this.#surface = undefined;
+    // What waits for a frame waits for one of this canvas.
+    if (this.root.hasAttribute('data-drawn')) this.#drawn = deferred();
+    this.canvas = this.#host.ownerDocument.createElement('canvas');
     this.canvas.setAttribute('part', 'canvas');
     this.describe(this.#alt);
-    this.#posterBox.before(this.canvas);
+    this.root.prepend(this.#room, this.canvas, this.#posterBox, this.#messageBox);
+    if (this.root.parentNode !== this.#shadow) this.#shadow.append(this.root);
     return this.canvas;
   }
 
@@ -185,8 +196,7 @@ export class FireView {
       surface.globalCompositeOperation = 'copy';
       surface.drawImage(frame, 0, 0);
     }
-    if (this.root.hasAttribute('data-drawn')) return;
-    this.root.setAttribute('data-drawn', '');
+    if (!this.root.hasAttribute('data-drawn')) this.root.setAttribute('data-drawn', '');
     this.#drawn.resolve(canvas);
   }
 

@@ -283,7 +283,10 @@ class Toolbar {
     const at = this.#overlay.metres(event);
     if (event.button !== 0 || !at) return;
     event.preventDefault();
-    this.#overlay.element.setPointerCapture(event.pointerId);
+    // A pointer that is gone cannot be captured.
+    try {
+      this.#overlay.element.setPointerCapture(event.pointerId);
+    } catch {}
     this.#pointers.begin(this.#tool, event.pointerId, at, this.#how(event));
   }
 

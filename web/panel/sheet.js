@@ -56,7 +56,10 @@ export function addSheet(host, fire) {
 
   let offset = 0;
   grip.addEventListener('pointerdown', (event) => {
-    grip.setPointerCapture(event.pointerId);
+    // A pointer that is gone cannot be captured.
+    try {
+      grip.setPointerCapture(event.pointerId);
+    } catch {}
     offset = event.clientY - host.getBoundingClientRect().top;
   });
   grip.addEventListener('pointermove', (event) => {

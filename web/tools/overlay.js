@@ -29,6 +29,12 @@ export class Overlay {
   #guides = svg('path', { class: 'guide' });
   #cross = svg('path', { class: 'cross' });
   #handles = svg('g', {});
+  /** Without an area, at the upper left and the lower right corner. */
+  #corners = ['0 auto auto 0', 'auto 0 0 auto'].map((inset) => {
+    const corner = document.createElement('i');
+    corner.style.cssText = `position:absolute;inset:${inset}`;
+    return corner;
+  });
   element = document.createElement('div');
 
   /** @param {import('../hearth-fire.js').HearthFire} fire */
@@ -40,7 +46,7 @@ export class Overlay {
     this.element.setAttribute('aria-label', 'Drawing area: arrow keys move the cross, Enter presses and releases');
     const drawing = svg('svg', { 'aria-hidden': 'true' });
     drawing.append(this.#outline, this.#preview, this.#guides, this.#handles, this.#cross);
-    this.element.append(drawing);
+    this.element.append(...this.#corners, drawing);
   }
 
   /**
@@ -52,19 +58,29 @@ export class Overlay {
     return this.#fire.toMetres(clientX - left, clientY - top);
   }
 
+  /** The points of the world at two corners of the layer, whatever transforms it; undefined without a picture. */
+  get #box() {
+    const [from, to] = this.#corners.map((corner) => {
+      const { x, y } = corner.getBoundingClientRect();
+      return this.metres({ clientX: x, clientY: y });
+    });
+    const { offsetWidth: width, offsetHeight: height } = this.element;
+    return from && to && width && height ? { from, to, width, height } : undefined;
+  }
+
   /** Metres of a pixel. */
   get perPixel() {
-    const [origin, next] = [this.#fire.toMetres(0, 0), this.#fire.toMetres(1, 0)];
-    return origin && next ? next.x - origin.x : 0.001;
+    const box = this.#box;
+    return box ? (box.to.x - box.from.x) / box.width : 0.001;
   }
 
   /** Width and middle of what is seen [m]. */
   get seen() {
-    const { clientWidth, clientHeight } = this.#fire;
-    const [low, high] = [this.#fire.toMetres(0, clientHeight), this.#fire.toMetres(clientWidth, 0)];
+    const box = this.#box;
     const { domain_width: width, domain_height: height } = this.#fire.params;
-    if (!low || !high) return { width, x: 0, y: height / 2 };
-    return { width: Math.min(width, high.x - low.x), x: (low.x + high.x) / 2, y: (Math.max(0, low.y) + high.y) / 2 };
+    if (!box) return { width, x: 0, y: height / 2 };
+    const { from, to } = box;
+    return { width: Math.min(width, to.x - from.x), x: (from.x + to.x) / 2, y: (Math.max(0, to.y) + from.y) / 2 };
   }
 
   /**
@@ -84,11 +100,12 @@ export class Overlay {
    * @type {(objects: Fields[], handled: Fields | undefined) => void}
    */
   select(objects, handled) {
-    this.#outline.setAttribute('d', objects.map((object) => this.#path(outlineOf(object))).join(''));
+    this.#outline.setAttribute('d', this.#path(objects.map(outlineOf)));
     const all = handled ? handlesOf(handled, this.perPixel) : [];
+    const pixels = this.#pixels;
     this.#handles.replaceChildren(
       ...all.flatMap(({ does, at }) => {
-        const { x, y } = this.#pixels(at);
+        const { x, y } = pixels(at);
         return [svg('circle', { class: `handle ${does}`, cx: x, cy: y, r: HANDLE_PX })];
       }),
     );
@@ -99,12 +116,12 @@ export class Overlay {
    * @type {(shown: {points: Point[], closed: boolean}[]) => void}
    */
   preview(shown) {
-    this.#preview.setAttribute('d', shown.map((outline) => this.#path(outline)).join(''));
+    this.#preview.setAttribute('d', this.#path(shown));
   }
 
   /** Shows the lines to which a moved object snaps. @param {Point[][]} lines */
   guide(lines) {
-    this.#guides.setAttribute('d', lines.map((points) => this.#path({ points, closed: false })).join(''));
+    this.#guides.setAttribute('d', this.#path(lines.map((points) => ({ points, closed: false }))));
   }
 
   /** Shows the cross. @param {Point | undefined} at */
@@ -113,14 +130,26 @@ export class Overlay {
     this.#cross.setAttribute('d', at ? `M${x - 12},${y}H${x + 12}M${x},${y - 12}V${y + 12}` : '');
   }
 
-  /** @param {Point} point */
-  #pixels(point) {
-    return this.#fire.toPixels(point.x, point.y) ?? { x: 0, y: 0 };
+  /** Converts points of the world to pixels of the layer. @returns {(point: Point) => Point} */
+  get #pixels() {
+    const box = this.#box;
+    if (!box) return () => ({ x: 0, y: 0 });
+    const { from, to, width, height } = box;
+    return ({ x, y }) => ({
+      x: ((x - from.x) / (to.x - from.x)) * width,
+      y: ((from.y - y) / (from.y - to.y)) * height,
+    });
   }
 
-  /** @param {{points: Point[], closed: boolean}} outline */
-  #path({ points, closed }) {
-    const all = points.map((point) => this.#pixels(point)).map(({ x, y }) => `${x.toFixed(1)},${y.toFixed(1)}`);
-    return all.length > 0 ? `M${all.join('L')}${closed ? 'Z' : ''}` : '';
+  /** The outlines as a path. @param {{points: Point[], closed: boolean}[]} outlines */
+  #path(outlines) {
+    const pixels = this.#pixels;
+    return outlines
+      .filter(({ points }) => points.length > 0)
+      .map(({ points, closed }) => {
+        const all = points.map(pixels).map(({ x, y }) => `${x.toFixed(1)},${y.toFixed(1)}`);
+        return `M${all.join('L')}${closed ? 'Z' : ''}`;
+      })
+      .join('');
   }
 }

@@ -79,9 +79,12 @@ export function radiusOf(corners, width, height, scale = 1) {
  * @returns {Box}
  */
 export function inMetres({ left, right, top, bottom, radius }, fire, { toMetres }) {
-  const from = toMetres(left - fire.left, top - fire.top);
-  const to = toMetres(right - fire.left, bottom - fire.top);
-  return { left: from.x, right: to.x, top: from.y, bottom: to.y, radius: (radius * (to.x - from.x)) / (right - left) };
+  const ends = [toMetres(left - fire.left, top - fire.top), toMetres(right - fire.left, bottom - fire.top)];
+  // A transform may have turned or mirrored the fire.
+  const [[from, to], [low, high]] = [ends.map(({ x }) => x), ends.map(({ y }) => y)].map((all) =>
+    all.sort((a, b) => a - b),
+  );
+  return { left: from, right: to, top: high, bottom: low, radius: (radius * (to - from)) / (right - left) };
 }
 
 /**

@@ -38,10 +38,8 @@ const OTHERS = '.panel, .tools, .message, a, button, input, select, textarea, la
  * @param {AbortSignal} signal ends it
  */
 export function listenToPointer(session, signal) {
-  const {
-    fire,
-    view: { root },
-  } = session;
+  const { fire, view } = session;
+  const { root } = view;
   /**
    * The last position of each pointer; there are several with several fingers.
    * @type {Map<number, Point & {time: number}>}
@@ -53,12 +51,15 @@ export function listenToPointer(session, signal) {
    */
   const pressed = new Map();
 
-  /** Its position in the element [px] and in the domain [m]. */
-  const locate = (/** @type {MouseEvent} */ { clientX, clientY }) => {
-    const { left, top, width, height } = fire.getBoundingClientRect();
-    const [x, y] = [clientX - left, clientY - top];
-    const inside = x >= 0 && y >= 0 && x <= width && y <= height;
-    return { x, y, width, height, inside, metres: fire.toMetres(x, y) };
+  /** Its position in the window [px] and in the domain [m], and the size of a pixel there [m]. */
+  const locate = (/** @type {MouseEvent} */ { clientX: x, clientY: y }) => {
+    const viewport = view.viewport(fire.params);
+    const metresAt = (/** @type {number} */ aside) => viewport?.metresOf(view.sharesAt(x + aside, y));
+    const [metres, next] = [metresAt(0), metresAt(1)];
+    const [low, high] = [viewport?.metresOf({ x: 0, y: 1 }), viewport?.metresOf({ x: 1, y: 0 })];
+    if (!metres || !next || !low || !high) return undefined;
+    const inside = metres.x >= low.x && metres.y >= low.y && metres.x <= high.x && metres.y <= high.y;
+    return { x, y, low, high, inside, metres, perPixel: Math.hypot(next.x - metres.x, next.y - metres.y) };
   };
   const isForFire = (/** @type {Event} */ event) =>
     !event.composedPath().some(
@@ -70,18 +71,18 @@ export function listenToPointer(session, signal) {
     );
   /** Its distance from the middle of the source; undefined if it is not on the source. @returns {Grip | undefined} */
   const grip = (/** @type {MouseEvent} */ event) => {
-    const { x, y, width, inside, metres } = locate(event);
+    const at = locate(event);
+    if (!at?.inside || !isForFire(event)) return undefined;
+    const { metres, perPixel } = at;
     const source = sourceOf(fire.params);
-    const base = fire.toPixels(source.x, source.y);
-    if (!inside || !base || !metres || !isForFire(event)) return undefined;
     const solid = solidOf(fire);
     if (solid) {
-      const perPixel = ((fire.toMetres(width, 0)?.x ?? 0) - (fire.toMetres(0, 0)?.x ?? 0)) / width;
       const from = { x: metres.x - solid.x, y: metres.y - solid.y };
       return isOn(solid, from, CLICK_PX * perPixel) ? { ...from, id: solid.id } : undefined;
     }
-    const half = (fire.toPixels(source.x + source.half, source.y)?.x ?? base.x) - base.x;
-    const near = Math.abs(x - base.x) <= Math.max(half, GRIP_PX) && Math.abs(y - base.y) <= GRIP_PX;
+    const reach = GRIP_PX * perPixel;
+    const near =
+      Math.abs(metres.x - source.x) <= Math.max(source.half, reach) && Math.abs(metres.y - source.y) <= reach;
     // The box of another shape may be mostly empty.
     const isOnAttached = () =>
       attachedObjects(fire).some(
@@ -97,12 +98,12 @@ export function listenToPointer(session, signal) {
   const leave = (/** @type {PointerEvent} */ event) => last.delete(event.pointerId);
   const press = (/** @type {PointerEvent} */ event) => {
     if (event.button !== 0 || !isForFire(event)) return;
-    const { x, y, inside } = locate(event);
-    if (!inside) return;
+    const at = locate(event);
+    if (!at?.inside) return;
     // A pointer that moves the picture neither drags nor clicks.
     if (movesPicture(event)) return pressed.clear();
     const held = grip(event);
-    pressed.set(event.pointerId, { x, y, held, clicks: true });
+    pressed.set(event.pointerId, { x: at.x, y: at.y, held, clicks: true });
     if (held === undefined) return;
     // A pointer that is gone cannot be captured.
     try {
@@ -111,17 +112,15 @@ export function listenToPointer(session, signal) {
   };
   const drag = (
     /** @type {Press & {held: Grip}} */ press,
-    /** @type {ReturnType<typeof locate>} */ { width, height, metres },
+    /** @type {NonNullable<ReturnType<typeof locate>>} */ { low, high, metres },
   ) => {
     const { held } = press;
-    const [upper, lower] = [fire.toMetres(0, 0), fire.toMetres(width, height)];
-    if (!metres || !upper || !lower) return;
     // The panel shows as many digits, and URLs stay short.
     /** @type {(value: number, limit: number) => number} */
     const rounded = (value, limit) => Math.round(within(value, -limit, limit) * 1000) / 1000;
-    const visible = within(metres.x - held.x, upper.x, lower.x);
+    const visible = within(metres.x - held.x, low.x, high.x);
     if (held.id !== undefined) {
-      const y = within(metres.y - held.y, lower.y, upper.y);
+      const y = within(metres.y - held.y, low.y, high.y);
       const position = { x: rounded(visible, MAX_COORDINATE), y: rounded(y, MAX_COORDINATE) };
       session.call('changeObject', held.id, position, 'pointer').catch(() => {});
       return;
@@ -137,6 +136,7 @@ export function listenToPointer(session, signal) {
   const follow = (/** @type {PointerEvent} */ event) => {
     if (movesPicture(event)) return last.clear();
     const at = locate(event);
+    if (!at) return;
     const press = pressed.get(event.pointerId);
     if (press && Math.hypot(at.x - press.x, at.y - press.y) > CLICK_PX) press.clicks = false;
     if (press?.held !== undefined) {
@@ -166,9 +166,9 @@ export function listenToPointer(session, signal) {
     const press = pressed.get(event.pointerId);
     pressed.delete(event.pointerId);
     root.style.cursor = '';
-    const { inside, metres } = locate(event);
-    if (event.type === 'pointerup' && press?.clicks && inside && metres) {
-      session.send('sparks', metres.x, metres.y, SPARKS);
+    const at = locate(event);
+    if (event.type === 'pointerup' && press?.clicks && at?.inside) {
+      session.send('sparks', at.metres.x, at.metres.y, SPARKS);
     }
   };
   // A drag of the source selects no text. A finger still scrolls the page: `touch-action`

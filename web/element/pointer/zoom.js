@@ -22,9 +22,9 @@ export function listenToZoom({ fire, view }, isForFire, signal) {
   const moving = new Map();
 
   /** A position in the picture as shares from the left and from below. */
-  const share = (/** @type {{x: number, y: number}} */ { x, y }) => {
-    const { left, bottom, width, height } = /** @type {HTMLCanvasElement} */ (view.canvas).getBoundingClientRect();
-    return [(x - left) / width, (bottom - y) / height];
+  const share = (/** @type {{x: number, y: number}} */ at) => {
+    const { x, y } = view.sharesAt(at.x, at.y);
+    return [x, 1 - y];
   };
   /** Enlarges the picture; what was at the share `from` moves to the share `to`. */
   const enlarge = (/** @type {number} */ factor, /** @type {number[]} */ from, to = from) => {

@@ -56,6 +56,9 @@ function make(name, attributes, ...children) {
   return made;
 }
 
+/** A point after a projection. @param {DOMPoint} point */
+const flat = ({ x, y, w }) => ({ x: x / w, y: y / w });
+
 /** The shadow tree of one element. */
 export class FireView {
   #host;
@@ -65,6 +68,12 @@ export class FireView {
   #poster = /** @type {HTMLImageElement} */ (make('img', { alt: '', hidden: '' }));
   #posterBox = make('div', { class: 'poster' }, make('slot', { name: 'poster' }, this.#poster));
   #room = make('div', { class: 'room' });
+  /** From the upper left one on, clockwise. */
+  #corners = ['0 auto auto 0', '0 0 auto auto', 'auto 0 0 auto', 'auto auto 0 0'].map((inset) => {
+    const corner = make('i', {});
+    corner.style.cssText = `position:absolute;inset:${inset}`;
+    return corner;
+  });
   #messageBox = make('div', { class: 'message', part: 'message' }, this.#message);
   #alt = '';
   /** @type {ImageBitmapRenderingContext | CanvasRenderingContext2D | null | undefined} */
@@ -161,7 +170,7 @@ export class FireView {
     this.canvas = this.#host.ownerDocument.createElement('canvas');
     this.canvas.setAttribute('part', 'canvas');
     this.describe(this.#alt);
-    this.root.prepend(this.#room, this.canvas, this.#posterBox, this.#messageBox);
+    this.root.prepend(...this.#corners, this.#room, this.canvas, this.#posterBox, this.#messageBox);
     if (this.root.parentNode !== this.#shadow) this.#shadow.append(this.root);
     return this.canvas;
   }
@@ -238,22 +247,53 @@ export class FireView {
   }
 
   /**
+   * How shares of the picture, from the left and from above, map to pixels of the window, whatever transforms the
+   * element: points without an area are at its corners.
+   */
+  #projection() {
+    const [a, b, c, d] = this.#corners.map((corner) => corner.getBoundingClientRect());
+    const [bx, by, dx, dy] = [b.x - c.x, b.y - c.y, d.x - c.x, d.y - c.y];
+    const [sx, sy] = [a.x - b.x + c.x - d.x, a.y - b.y + c.y - d.y];
+    const area = bx * dy - dx * by;
+    const [g, h] = [(sx * dy - dx * sy) / area, (bx * sy - sx * by) / area];
+    const [ux, uy] = [b.x - a.x + g * b.x, b.y - a.y + g * b.y];
+    const [vx, vy] = [d.x - a.x + h * d.x, d.y - a.y + h * d.y];
+    return new DOMMatrix([ux, uy, 0, g, vx, vy, 0, h, 0, 0, 1, 0, a.x, a.y, 0, 1]);
+  }
+
+  /**
+   * The shares of the picture, from the left and from above, at a point of the window.
+   * @type {(clientX: number, clientY: number) => {x: number, y: number}}
+   */
+  sharesAt(clientX, clientY) {
+    return flat(this.#projection().inverse().transformPoint({ x: clientX, y: clientY }));
+  }
+
+  /**
    * How the element's pixels map to the domain's metres; null without a picture.
    * @param {Pick<import('../../parameters.js').HearthParameters, 'domain_width' | 'domain_height'>} params
    */
-  viewport({ domain_width: width, domain_height: height }) {
+  viewport({ domain_width: across, domain_height: up }) {
+    const { canvas } = this;
+    if (!canvas?.clientWidth || !canvas.clientHeight) return null;
+    // The lengths of a style have fractions, and are those before a transform.
+    const css = getComputedStyle(canvas);
+    const [width, height] = [css.width, css.height].map(parseFloat);
     const outer = this.#host.getBoundingClientRect();
-    const inner = this.canvas?.getBoundingClientRect();
-    if (!inner?.height) return null;
-    const { scale, left, bottom } = viewportOf(this.camera, width, height, inner.width, inner.height);
-    const middle = inner.left - outer.left + left;
-    const floor = inner.bottom - outer.top - bottom;
+    const matrix = this.#projection();
+    const inverse = matrix.inverse();
+    const { scale, left, bottom } = viewportOf(this.camera, across, up, width, height);
+    /** @type {(shares: {x: number, y: number}) => {x: number, y: number}} */
+    const metresOf = ({ x, y }) => ({ x: (x * width - left) / scale, y: ((1 - y) * height - bottom) / scale });
     return {
-      toMetres: (/** @type {number} */ x, /** @type {number} */ y) => ({
-        x: (x - middle) / scale,
-        y: (floor - y) / scale,
-      }),
-      toPixels: (/** @type {number} */ x, /** @type {number} */ y) => ({ x: middle + x * scale, y: floor - y * scale }),
+      metresOf,
+      toMetres: (/** @type {number} */ x, /** @type {number} */ y) =>
+        metresOf(flat(inverse.transformPoint({ x: x + outer.left, y: y + outer.top }))),
+      toPixels: (/** @type {number} */ x, /** @type {number} */ y) => {
+        const shares = { x: (x * scale + left) / width, y: 1 - (y * scale + bottom) / height };
+        const at = flat(matrix.transformPoint(shares));
+        return { x: at.x - outer.left, y: at.y - outer.top };
+      },
     };
   }
 

@@ -10,6 +10,9 @@ const MAX_DENSITY_TOUCH = 1.5;
 /** Maximum side of a canvas, which nearly every graphics card can draw. */
 const MAX_SIDE = 8192;
 
+/** How often styles and pixel density are read: no event reports their changes [ms]. */
+const READ_MS = 100;
+
 /** @param {string} query */
 const media = (query) => globalThis.matchMedia?.(`(${query})`);
 const reducedMotion = () => media('prefers-reduced-motion: reduce');
@@ -66,6 +69,15 @@ export async function due(host, loading, stopped) {
   });
 }
 
+/** Whether styles show an element, and a transform leaves it an area. @param {HTMLElement} host */
+export function isShown(host) {
+  const { width, height } = host.getBoundingClientRect();
+  const styled =
+    host.checkVisibility?.({ opacityProperty: true, visibilityProperty: true, contentVisibilityAuto: true }) ??
+    getComputedStyle(host).visibility === 'visible';
+  return styled && width * height > 0;
+}
+
 /**
  * Starts to observe.
  * @param {HTMLElement} host
@@ -80,9 +92,10 @@ export async function due(host, loading, stopped) {
 export function observe(host, canvas, on) {
   const stopped = new AbortController();
   const touch = isTouch();
+  const densityNow = () => globalThis.devicePixelRatio || 1;
+  let density = densityNow();
   const sizes = new ResizeObserver((entries) => {
     const { contentRect: css, devicePixelContentBoxSize } = entries[entries.length - 1];
-    const density = globalThis.devicePixelRatio || 1;
     const exact = devicePixelContentBoxSize?.[0];
     const side = (/** @type {number} */ length, /** @type {number | undefined} */ counted) => {
       const pixels = length * density;
@@ -98,14 +111,21 @@ export function observe(host, canvas, on) {
     );
     on.resized(width, height, Math.min(css.height, Math.sqrt(css.width * css.height)));
   });
-  try {
-    sizes.observe(canvas, { box: 'device-pixel-content-box' });
-  } catch {
-    sizes.observe(canvas);
-  }
+  const measure = () => {
+    try {
+      sizes.observe(canvas, { box: 'device-pixel-content-box' });
+    } catch {
+      sizes.observe(canvas);
+    }
+  };
+  measure();
 
   let inView = false;
-  const update = () => on.visible(inView && document.visibilityState === 'visible');
+  let shown = true;
+  const update = () => {
+    shown = isShown(host);
+    on.visible(inView && shown && document.visibilityState === 'visible');
+  };
   // An element that only touches the edge of the window intersects and is invisible.
   const views = new IntersectionObserver(
     (entries) => {
@@ -120,8 +140,18 @@ export function observe(host, canvas, on) {
   const motion = reducedMotion();
   motion?.addEventListener('change', () => on.motion(motion.matches), stopped);
 
+  const reading = setInterval(() => {
+    if (density !== densityNow()) {
+      density = densityNow();
+      sizes.unobserve(canvas);
+      measure();
+    }
+    if (inView && shown !== isShown(host)) update();
+  }, READ_MS);
+
   return () => {
     stopped.abort();
+    clearInterval(reading);
     sizes.disconnect();
     views.disconnect();
   };

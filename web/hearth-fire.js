@@ -546,8 +546,7 @@ class HearthFire extends FireAttributes {
   }
 
   disconnectedCallback() {
-    // An element that only moves is connected again before the microtask.
-    queueMicrotask(() => this.isConnected || this.#session.close());
+    this.#session.detach();
   }
 
   /** Without this callback, `moveBefore` would disconnect the element. */

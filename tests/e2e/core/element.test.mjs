@@ -47,8 +47,9 @@ test('calls to a removed fire take effect when it is inserted again', async () =
     const wait = async () => {
       for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
     };
+    const { ready: before } = fire;
     fire.remove();
-    await wait();
+    while (fire.ready === before) await wait();
     let ready = false;
     fire.ready.then(() => (ready = true));
     const set = fire.set('viscosity', 0.02);
@@ -73,17 +74,50 @@ test('a fire that is removed twice in a row keeps values that were set before', 
   await tab.ready();
   const viscosity = await tab.fire(async (fire) => {
     const parent = fire.parentElement;
-    fire.set('viscosity', 0.02);
+    const set = fire.set('viscosity', 0.02);
     for (let round = 0; round < 2; round += 1) {
       fire.remove();
       await undefined;
       parent.append(fire);
       await undefined;
     }
-    await fire.ready;
+    await set;
     return fire.params.viscosity;
   });
   assert.equal(viscosity, 0.02);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a fire that is removed and inserted again some tasks later goes on', async () => {
+  const tab = await browser.show(FIRE);
+  await tab.ready();
+  await tab.burnt(0.5);
+  for (const pause of ['microtask', 'task', 'frame', 'message', 'fragment', 'twice']) {
+    const [same, before, after] = await tab.fire(async (fire, how) => {
+      const { ready, parentElement: parent } = fire;
+      const { time } = fire.stats;
+      fire.remove();
+      if (how === 'microtask') await null;
+      if (how === 'task') await new Promise((next) => setTimeout(next));
+      if (how === 'frame') await new Promise((next) => requestAnimationFrame(() => requestAnimationFrame(next)));
+      if (how === 'message')
+        await new Promise((next) => {
+          const { port1, port2 } = new MessageChannel();
+          port1.onmessage = next;
+          port2.postMessage(0);
+        });
+      if (how === 'fragment') new DocumentFragment().append(fire);
+      if (how === 'twice') {
+        document.head.after(fire);
+        fire.remove();
+        await null;
+      }
+      parent.append(fire);
+      await fire.step();
+      return [fire.ready === ready, time, fire.stats.time];
+    }, pause);
+    assert.ok(same && after >= before, `${pause}: ${before} s, then ${after} s`);
+  }
   assert.deepEqual(tab.problems, []);
 });
 

@@ -30,6 +30,9 @@ const STILL_AFTER = 2;
 /** Simulated seconds, at most, before the first frame of a fire that follows a stopped one. */
 const WARMTH = 3;
 
+/** How long an element that is removed keeps its fire: frameworks insert it again after some tasks [ms]. */
+const GRACE_MS = 500;
+
 /** The session of one element. */
 export class FireSession {
   #engine;
@@ -47,6 +50,8 @@ export class FireSession {
   drawable = true;
   #ready = new Readiness();
   #file = new SourceFile(this);
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #leaving;
   code = new OnDemandCode(this);
   /** The last report of the engine. */
   state = new FireState();
@@ -111,6 +116,12 @@ export class FireSession {
     if (this.#connection && this.#ready.failed) this.close();
     if (!this.#connection) this.#open();
     else if (this.view.damaged) this.mend();
+  }
+
+  /** The element is on no page; perhaps it only moves. */
+  detach() {
+    clearTimeout(this.#leaving);
+    this.#leaving = setTimeout(() => this.fire.isConnected || this.close(), GRACE_MS);
   }
 
   /** Shows the fire on another canvas: its document or the page has taken the last one away. */

@@ -61,11 +61,30 @@ export class EngineError extends Error {
   }
 }
 
+/**
+ * What an element needs of its platform besides WebGL2. Whatever else it uses has a replacement: it is absent from
+ * some browsers since 2023, and from documents of other programs.
+ */
+export const NEEDED = [
+  'AbortSignal.timeout',
+  'Array.prototype.findLastIndex',
+  'DOMMatrix',
+  'Element.prototype.animate',
+  'IntersectionObserver',
+  'ResizeObserver',
+  'fetch',
+  'requestAnimationFrame',
+];
+
 /** The missing feature as a message; empty if only WebGL2 may be missing. */
-function missingFeature() {
+export function missingFeature() {
   if (typeof WebAssembly !== 'object') {
     return 'This browser has no WebAssembly, or it is switched off.';
   }
+  const missing = NEEDED.find(
+    (path) => !path.split('.').reduce((/** @type {any} */ object, name) => object?.[name], globalThis),
+  );
+  if (missing) return `This browser has no ${missing}; every browser since 2023 has it.`;
   if (!WebAssembly.validate(SIMD_MODULE)) {
     return 'This browser has no WebAssembly SIMD; every browser since 2023 has it.';
   }
@@ -239,8 +258,6 @@ function loadPart(part) {
 
 /** @type {(source: Source | undefined, thread: Thread) => Promise<EnginePort>} */
 async function load(source, thread) {
-  const missing = missingFeature();
-  if (missing) throw new EngineError('unsupported', missing);
   // The worker's script and the wasm load in parallel.
   if (!kept) {
     const url = typeof source === 'string' || source instanceof URL ? new URL(source, document.baseURI).href : '';

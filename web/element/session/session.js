@@ -7,7 +7,7 @@
  * @typedef {import('../../hearth-fire.js').HearthFire} HearthFire
  */
 
-import { EngineError } from '../../engine/engine.js';
+import { EngineError, missingFeature } from '../../engine/engine.js';
 import { prewarmed } from '../../engine/files.js';
 import { ID_OF_ATTRIBUTE, isOn, setOrRemove, warmth } from '../attributes/attributes.js';
 import { EngineConnection } from './engine-connection.js';
@@ -204,6 +204,12 @@ export class FireSession {
   #open() {
     if (this.#ready.failed) this.#ready.renew();
     const { view, fire } = this;
+    const missing = missingFeature();
+    if (missing) {
+      // The page's own script may listen to errors by then.
+      setTimeout(() => this.#fail('unsupported', missing));
+      return;
+    }
     const canvas = (this.#returns && view.canvas) || view.newCanvas();
     if (!view.shows) view.show('loading');
     if (this.#warmth()) view.fade();
@@ -416,6 +422,7 @@ export class FireSession {
   #fail(kind, message) {
     const error = new EngineError(kind, message);
     this.#connection?.abandon(error);
+    this.#requests.abandon(0, error);
     this.#end();
     this.#returns = false;
     this.view.show('failed', message, kind !== 'unsupported' && (() => this.#retry()));

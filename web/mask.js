@@ -25,6 +25,8 @@ const PIXELS = 256;
  * @throws {RangeError} no glyph has ink, or it is no font
  */
 export function maskOfText(text, font, width = 1) {
+  if (typeof text !== 'string') throw refused('text', text, 'a text');
+  if (typeof font !== 'string') throw refused('font', font, 'a CSS font, such as "700 1em Georgia"');
   const measure = contextOf(1, 1);
   measure.font = '10px serif';
   const before = measure.font;
@@ -57,6 +59,9 @@ export function maskOfText(text, font, width = 1) {
  * @throws {RangeError} nothing of it is in the box
  */
 export function maskOfPath(path, box, width = 1) {
+  if (typeof path !== 'string') throw refused('path', path, 'a text of SVG');
+  if (!Array.isArray(box) || box.length !== 4 || !box.every(Number.isFinite))
+    throw refused('box', box, 'a list of four numbers: left, top, width and height');
   return maskOf('path', path, box, width, (context) => context.fill(new Path2D(path)));
 }
 
@@ -68,6 +73,7 @@ export function maskOfPath(path, box, width = 1) {
  * @throws {RangeError} it has no pixels yet or no opaque ones, or the page may not read them
  */
 export function maskOfImage(image, width = 1) {
+  if (typeof image !== 'object' || image === null) throw refused('image', image, 'an image, a video or a canvas');
   const { naturalWidth, naturalHeight, videoWidth, videoHeight, displayWidth, displayHeight, ...sized } =
     sizesOf(image);
   const across = naturalWidth ?? videoWidth ?? displayWidth ?? sized.width;
@@ -89,7 +95,8 @@ function sizesOf({ naturalWidth, naturalHeight, videoWidth, videoHeight, display
  * @returns {HearthMask}
  */
 function maskOf(id, value, [left, top, across, up], width, draw) {
-  if (!(width >= 0.002 && width <= 10)) throw refused('width', width, 'a number from 0.002 to 10 m');
+  if (typeof width !== 'number' || !(width >= 0.002 && width <= 10))
+    throw refused('width', width, 'a number from 0.002 to 10 m');
   if (!(across > 0 && up > 0 && across + up < Infinity))
     throw refused(id, value, 'something with a width and a height');
   const scale = PIXELS / Math.max(across, up);
@@ -110,7 +117,12 @@ function maskOf(id, value, [left, top, across, up], width, draw) {
 
 /** @param {string} id @param {unknown} value @param {string} allowed @param {unknown} [cause] */
 function refused(id, value, allowed, cause) {
-  const shown = String(value);
+  let shown = `something of type ${typeof value}`;
+  try {
+    shown = String(value);
+  } catch {
+    // Its own code may throw.
+  }
   const words = shown.length > 40 ? `${shown.slice(0, 40)}…` : shown;
   return Object.assign(
     new RangeError(`${id} = ${JSON.stringify(words)} is refused: it must be ${allowed}`, { cause }),

@@ -39,6 +39,7 @@ const SIZE = { width: 320, height: 400 };
  * @returns {string} `scene=seed&viscosity=0.02`
  */
 export function toQuery(config) {
+  checkConfig(config);
   const query = new URLSearchParams();
   if (config.preset !== undefined) query.set(PRESET[0], config.preset);
   for (const [name, value] of attributes(config)) query.set(name, value);
@@ -110,6 +111,7 @@ async function urlOf(base, config, otherwise = '') {
  * @throws {RangeError} a name is not a parameter
  */
 export function elementCode(config, scriptUrl) {
+  checkConfig(config);
   const named = attributes(config).map(([name, value]) => {
     const id = name.replaceAll('-', '_');
     if (!Object.hasOwn(DEFAULTS, id) && id !== 'objects') {
@@ -165,6 +167,33 @@ const ESCAPES = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;', "'": '&
 /** @param {string} text */
 function escaped(text) {
   return text.replace(/[&<>"']/g, (character) => ESCAPES[character]);
+}
+
+/**
+ * Throws where settings have another form.
+ * @param {unknown} config
+ * @throws {TypeError}
+ */
+function checkConfig(config) {
+  const isObject = (/** @type {unknown} */ value) =>
+    typeof value === 'object' && value !== null && !Array.isArray(value);
+  if (!isObject(config)) throw new TypeError(`config must be an object of settings, not ${kindOf(config)}`);
+  const { preset, values, objects } = /** @type {{[name: string]: unknown}} */ (config);
+  if (preset !== undefined && typeof preset !== 'string')
+    throw new TypeError(`config.preset must be a text, not ${kindOf(preset)}`);
+  if (values !== undefined && !isObject(values))
+    throw new TypeError(`config.values must be an object, not ${kindOf(values)}`);
+  for (const [id, value] of Object.entries(/** @type {object} */ (values ?? {})))
+    if (!['string', 'number', 'boolean'].includes(typeof value))
+      throw new TypeError(`config.values.${shortened(id)} must be a number, a text or a flag, not ${kindOf(value)}`);
+  if (objects !== undefined && !Array.isArray(objects))
+    throw new TypeError(`config.objects must be a list, not ${kindOf(objects)}`);
+}
+
+/** A value in words, without its own code. @param {unknown} value */
+function kindOf(value) {
+  if (['number', 'boolean', 'undefined'].includes(typeof value) || value === null) return String(value);
+  return Array.isArray(value) ? 'a list' : typeof value === 'string' ? 'a text' : `something of type ${typeof value}`;
 }
 
 /** @param {string} name */

@@ -25,6 +25,10 @@ import { ALIGNMENTS, ARROWS, ICONS, TOOLS } from './table.js';
 /** Materials of new solids. */
 const MATERIALS = ['stone', 'wood', 'iron', 'brick', 'coal', 'wax', 'glass', 'none'];
 
+/** The options of a list of materials; `first` is chosen. */
+export const materialOptions = (first = MATERIALS[0]) =>
+  MATERIALS.map((name) => new Option(name === 'none' ? 'invisible' : name, name, false, name === first));
+
 /** The bar of one toolbar. */
 export class Bar {
   element = element('div', {
@@ -63,7 +67,7 @@ export class Bar {
     });
     this.#button('picture', 'Picture', ICONS.picture, () => file.click()).title =
       'A picture from a file; it may also be dropped or pasted';
-    this.#material.append(...MATERIALS.map((name) => new Option(name === 'none' ? 'invisible' : name, name)));
+    this.#material.append(...materialOptions());
     const burns = element('label', { title: 'New solids burn all around' });
     burns.append(this.#burns, 'on fire');
     this.#list.addEventListener('change', () =>

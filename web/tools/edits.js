@@ -50,12 +50,16 @@ export class Edits {
     }
   }
 
-  /** Adds an object and selects it. @param {Drawn} drawn */
-  add(drawn) {
+  /**
+   * Adds an object and selects it.
+   * @param {Drawn} drawn
+   * @param {NewSolidStyle} [style]
+   */
+  add(drawn, style = this.#newSolidStyle()) {
     return this.attempt(async () => {
       const kind = /** @type {'source' | 'solid'} */ (drawn.kind);
       if (isFull(this.#fire, kind)) throw new Error(`A fire has at most ${MAX_OBJECTS} ${kind}s.`);
-      const { material, burns } = this.#newSolidStyle();
+      const { material, burns } = style;
       const fields = kind === 'source' ? this.#sourceOf(drawn) : { ...drawn, material };
       const isSurface = isBody(drawn) && burns && !isFull(this.#fire, 'source');
       let id = 0;

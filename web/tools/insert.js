@@ -7,6 +7,7 @@
  */
 
 import { isSettings, settingsOf } from '../panel/exchange.js';
+import { materialOptions } from './bar.js';
 import { rounded } from './geometry.js';
 
 /** The largest file [bytes], and the most pixels of an image. */
@@ -30,8 +31,11 @@ const FAMILIES = [
 ];
 
 /** Width of a letter [m], and the largest share of the visible width that a word or a picture takes. */
-const LETTER = 0.13;
+const LETTER = 0.25;
 const LARGEST = 0.8;
+
+/** A word that burns is as hot as embers, so that it is read before any wall. */
+const GLOWING = { thermal: 'conducting', temperature: 800, heat_capacity: 400 };
 
 /** Words and pictures on one fire. */
 export class Inserts {
@@ -76,8 +80,23 @@ export class Inserts {
   /** Asks for a word at a point. @param {Point} at */
   askForText(at) {
     this.close();
-    const add = (/** @type {Fields} */ fields) => this.#edits.add({ ...fields, x: rounded(at.x), y: rounded(at.y) });
-    this.close = wordForm(this.#host, this.#overlay.seen.width, add, () => (this.close = () => {}));
+    const { seen } = this.#overlay;
+    const add = (/** @type {Fields} */ fields, /** @type {import('./edits.js').NewSolidStyle} */ style) => {
+      // The whole word is seen.
+      const aside = Math.max(0, (seen.width - fields.width) / 2);
+      const x = Math.min(seen.x + aside, Math.max(seen.x - aside, at.x));
+      return this.#edits.add(
+        {
+          ...fields,
+          ...(style.burns && GLOWING),
+          front: true,
+          x: rounded(x),
+          y: rounded(Math.max(at.y, fields.height / 2)),
+        },
+        style,
+      );
+    };
+    this.close = wordForm(this.#host, seen.width, add, () => (this.close = () => {}));
   }
 
   /**
@@ -119,7 +138,8 @@ export class Inserts {
  * Asks for a word.
  * @param {HTMLElement} host  Gets the form.
  * @param {number} across  The width that is seen [m].
- * @param {(fields: Fields) => void} add  Adds the solid, which has no position yet.
+ * @param {(fields: Fields, style: import('./edits.js').NewSolidStyle) => void} add  Adds the solid, which has no
+ *   position yet.
  * @param {() => void} closed
  * @returns {() => void} closes the form
  */
@@ -133,11 +153,17 @@ function wordForm(host, across, add, closed) {
   list.id = 'hearth-families';
   list.append(...FAMILIES.map((name) => Object.assign(document.createElement('option'), { value: name })));
   family.input.setAttribute('list', list.id);
+  const material = document.createElement('select');
+  material.append(...materialOptions('wood'));
+  const burns = Object.assign(document.createElement('input'), { type: 'checkbox', checked: true });
+  const [made, lit] = [document.createElement('label'), document.createElement('label')];
+  made.append('Material', material);
+  lit.append(burns, 'On fire');
   const alert = document.createElement('p');
   alert.setAttribute('role', 'alert');
   const done = Object.assign(document.createElement('button'), { type: 'submit', textContent: 'Place it' });
   const cancel = Object.assign(document.createElement('button'), { type: 'button', textContent: 'Cancel' });
-  form.append(word.label, family.label, list, alert, done, cancel);
+  form.append(word.label, family.label, list, made, lit, alert, done, cancel);
   const close = () => {
     form.remove();
     closed();
@@ -156,7 +182,7 @@ function wordForm(host, across, add, closed) {
       const fields = await textOf(word.input.value, family.input.value, across);
       if (!form.isConnected) return;
       close();
-      add(fields);
+      add(fields, { material: material.value, burns: burns.checked });
     } catch (error) {
       alert.textContent = error instanceof Error ? error.message : String(error);
     }

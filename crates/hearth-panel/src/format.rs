@@ -65,7 +65,7 @@ pub fn text_in_short(id: &str, text: &str) -> String {
                 significant(max - min, 3)
             };
             let (count, width, height) = (numbers.len() / 2, extent(0), extent(1));
-            format!("{count} points, {width} × {height} m")
+            format!("{count} points, {width} × {height}")
         }
         "mask" => {
             let size = text.split(':').next().unwrap_or_default();

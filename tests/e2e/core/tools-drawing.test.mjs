@@ -55,14 +55,14 @@ for (const size of [WIDE, ...PHONES]) {
     await tab.page.waitForSelector('.hearth-text');
     await tab.page.keyboard.type('OK');
     await tab.key('Enter');
-    const [, , , word] = await until(tab, 'a word', (all) => all.length === 4);
-    assert.equal(word.shape, 'mask');
+    const [, , , word] = await until(tab, 'a word that burns', (all) => all.length === 5);
+    assert.deepEqual([word.shape, word.material, word.front], ['mask', 'wood', true]);
     assert.ok(close(word.x, 0) && close(word.y, 0.8));
     await tool(tab, 'erase');
     await drag(tab, [-0.3, 1.05], [0.05, 1.05], touch);
-    await until(tab, 'fewer', (all) => all.length < 4 && !all.some(({ id }) => id === polygon.id));
+    await until(tab, 'fewer', (all) => all.length < 5 && !all.some(({ id }) => id === polygon.id));
     for (const [what, holds] of [
-      ['all again', (all) => all.length === 4],
+      ['all again', (all) => all.length === 5],
       ['no word', (all) => all.length === 3],
       ['no polygon', (all) => all.length === 2],
       ['not turned', ([, before]) => before.angle === 0],

@@ -255,6 +255,10 @@ async function pictureOf(file, across) {
   if (!file.type.startsWith('image/')) throw new Error(`${name} is no image.`);
   if (file.size > MAX_BYTES)
     throw new Error(`${name} has ${Math.round(file.size / 1e6)} MB; an image has at most ${MAX_BYTES / 1e6} MB.`);
+  if (file.type.includes('svg')) {
+    const { MAX_DRAWN, elementsDrawn } = await import('../mask/svg-elements.js');
+    if (elementsDrawn(await file.text()) > MAX_DRAWN) throw new Error(`${name} draws more than ${MAX_DRAWN} elements.`);
+  }
   const image = new Image();
   const url = URL.createObjectURL(file);
   try {

@@ -51,7 +51,7 @@ pub fn with_unit(text: &str, unit: &str) -> String {
     }
 }
 
-/// A text as its row shows it: points and masks as what they measure.
+/// A text as its row shows it, without the unit: points and masks as what they measure.
 pub fn text_in_short(id: &str, text: &str) -> String {
     match id {
         "points" => {

@@ -50,6 +50,8 @@ async function entryPointsAreThere() {
     }
     assert(!target.endsWith('.js') || types, `exports["${entry}"] has no types`);
   }
+  // Some tools read no `exports`.
+  assert.equal(manifest.main, manifest.exports['.'].default, 'main is another file than the main entry point');
   for (const name of manifest.sideEffects) await stat(path.join(folder, name));
 }
 

@@ -4,6 +4,8 @@
  * @typedef {import('./child-picture.js').Drawing} Drawing
  */
 
+import { MAX_DRAWN, elementsDrawn } from '../../mask/svg-elements.js';
+
 /** The most pixels of a picture: those of 8192 x 8192. */
 const MAX_PIXELS = 2 ** 26;
 
@@ -26,7 +28,7 @@ export async function imageIn(element) {
   const image = isSvg
     ? await imageOf(/** @type {SVGSVGElement} */ (element))
     : /** @type {HTMLImageElement | HTMLCanvasElement} */ (element);
-  if (!image) return `it has more than ${MAX_ELEMENTS} elements`;
+  if (!image) return `it has more than ${MAX_ELEMENTS} elements, or draws more than ${MAX_DRAWN}`;
   const [across, up] =
     'naturalWidth' in image ? [image.naturalWidth, image.naturalHeight] : [image.width, image.height];
   if (!(across > 0 && up > 0)) return isSvg ? 'the policy of the page forbids data: images' : 'it has no pixels';
@@ -110,8 +112,10 @@ async function imageOf(svg) {
     if (found && !svg.contains(found))
       copy.appendChild(document.createElementNS(svg.namespaceURI, 'defs')).append(found.cloneNode(true));
   }
+  const text = new XMLSerializer().serializeToString(copy);
+  if (elementsDrawn(text) > MAX_DRAWN) return undefined;
   const image = new Image();
-  image.src = `data:image/svg+xml,${encodeURIComponent(new XMLSerializer().serializeToString(copy))}`;
+  image.src = `data:image/svg+xml,${encodeURIComponent(text)}`;
   await image.decode().catch(() => {});
   return image;
 }

@@ -94,7 +94,7 @@ fn description(state: &State, subject: Subject) -> String {
         preset => preset,
     };
     let default = match state.fire.default_text_of(subject) {
-        Some(text) => text_in_short(subject.param.id, text),
+        Some(text) => with_unit(&text_in_short(subject.param.id, text), subject.param.unit),
         None => {
             let value = value_text(&state.fire.default_of(subject));
             with_unit(&value, subject.param.unit)

@@ -70,14 +70,14 @@ fn outlines_have_rows_that_show_their_size_and_take_texts() {
     harness.panel.state.fire.receive_objects(&[source(1), star]);
     let rows = select(&mut harness, 2);
     harness.reveal("solid:points");
-    assert!(shows(&mut harness, "3 points, 0.4 × 0.3 m"));
+    assert!(shows(&mut harness, "3 points, 0.4 × 0.3"));
     harness.reveal("solid:mask");
     assert!(shows(&mut harness, "16 × 16 cells"));
     let points = row(&rows, "solid:points");
     type_into(&mut harness, points.id, "0,0 0.1,0 0.1,0.1 0,0.1");
     let written = Command::Write(points, "0,0 0.1,0 0.1,0.1 0,0.1".to_owned());
     assert_eq!(harness.panel.take_commands(), [written]);
-    assert!(shows(&mut harness, "4 points, 0.1 × 0.1 m"));
+    assert!(shows(&mut harness, "4 points, 0.1 × 0.1"));
     type_into(&mut harness, points.id, "0,0 0.1");
     let refusal = harness.panel.state.fire.refusals.get(points.id);
     assert!(refusal.is_some_and(|words| words.contains("pairs of numbers")));

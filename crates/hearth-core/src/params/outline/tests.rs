@@ -44,8 +44,16 @@ fn points_of_another_form_are_refused() {
     }
     assert!(points(&"0,0 ".repeat(256)).is_some());
     // The longest doubles that JavaScript writes.
-    for longest in ["-0.0000023322064938695683", "-1.4821969375237396e-308", "9.999999999999998", "-0.1"] {
-        assert!(points(&format!("{longest},{longest} ").repeat(256)).is_some(), "{longest}");
+    for longest in [
+        "-0.0000023322064938695683",
+        "-1.4821969375237396e-308",
+        "9.999999999999998",
+        "-0.1",
+    ] {
+        assert!(
+            points(&format!("{longest},{longest} ").repeat(256)).is_some(),
+            "{longest}"
+        );
     }
     assert_eq!(points(&"0,0 ".repeat(257)), None);
     assert_eq!(points(&" ".repeat(1 << 20)), None);

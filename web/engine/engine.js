@@ -20,11 +20,6 @@ import { VERSION } from '../generated/version.js';
 import { PARTS, glue, wasm, worker } from './files.js';
 import { countdown, timely } from './time-limit.js';
 
-/** The smallest module that uses a SIMD instruction. */
-const SIMD_MODULE = new Uint8Array([
-  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
-]);
-
 /** Maximum time until the wasm arrives [ms]. */
 const WASM_MS = 60_000;
 
@@ -59,36 +54,6 @@ export class EngineError extends Error {
     super(message);
     this.kind = kind;
   }
-}
-
-/**
- * What an element needs of its platform besides WebGL2. Whatever else it uses has a replacement: it is absent from
- * some browsers since 2023, and from documents of other programs.
- */
-export const NEEDED = [
-  'AbortSignal.timeout',
-  'Array.prototype.findLastIndex',
-  'DOMMatrix',
-  'Element.prototype.animate',
-  'IntersectionObserver',
-  'ResizeObserver',
-  'fetch',
-  'requestAnimationFrame',
-];
-
-/** The missing feature as a message; empty if only WebGL2 may be missing. */
-export function missingFeature() {
-  if (typeof WebAssembly !== 'object') {
-    return 'This browser has no WebAssembly, or it is switched off.';
-  }
-  const missing = NEEDED.find(
-    (path) => !path.split('.').reduce((/** @type {any} */ object, name) => object?.[name], globalThis),
-  );
-  if (missing) return `This browser has no ${missing}; every browser since 2023 has it.`;
-  if (!WebAssembly.validate(SIMD_MODULE)) {
-    return 'This browser has no WebAssembly SIMD; every browser since 2023 has it.';
-  }
-  return '';
 }
 
 /**

@@ -4,7 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { NEEDED } from '../../../web/engine/engine.js';
+import { NEEDED } from '../../../web/engine/features.js';
 import { Browser } from '../driver.mjs';
 
 /** @type {Browser} */

@@ -7,7 +7,8 @@
  * @typedef {import('../../hearth-fire.js').HearthFire} HearthFire
  */
 
-import { EngineError, missingFeature } from '../../engine/engine.js';
+import { EngineError } from '../../engine/engine.js';
+import { missingFeature } from '../../engine/features.js';
 import { prewarmed } from '../../engine/files.js';
 import { ID_OF_ATTRIBUTE, isOn, setOrRemove, warmth } from '../attributes/attributes.js';
 import { EngineConnection } from './engine-connection.js';

@@ -31,6 +31,8 @@ const MAX_MASS: f32 = 1.0;
 
 impl Water {
     /// Sprays a mass of water [kg/m] of a temperature \[K\] from a place within a twentieth of a second.
+    // It would be inlined into the first download.
+    #[inline(never)]
     pub fn spray(
         &mut self,
         place: Vec2,

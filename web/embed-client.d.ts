@@ -8,6 +8,7 @@ import type {
   HearthConfig,
   HearthErrorDetail,
   HearthFreeSolid,
+  HearthHistoryDetail,
   HearthMeasures,
   HearthObject,
   HearthObjectsDetail,
@@ -54,6 +55,8 @@ export interface FrameFireEventMap {
   'params-change': CustomEvent<HearthChangeDetail>;
   /** An object was added, changed or removed. */
   'objects-change': CustomEvent<HearthObjectsDetail>;
+  /** A step was made, undone or redone. */
+  'history-change': CustomEvent<HearthHistoryDetail>;
   /** The quality has changed, to fit the speed of the device or on request. */
   'quality-change': CustomEvent<HearthQualityDetail>;
   /** The sound plays, waits for a gesture of the visitor, or has ended. */

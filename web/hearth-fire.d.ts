@@ -6,6 +6,8 @@ import type {
   HearthConfig,
   HearthErrorDetail,
   HearthFreeSolid,
+  HearthHistory,
+  HearthHistoryDetail,
   HearthMeasures,
   HearthObjectsDetail,
   HearthPicture,
@@ -43,6 +45,8 @@ export interface HearthFireEventMap extends Omit<HTMLElementEventMap, 'error'> {
   'params-change': CustomEvent<HearthChangeDetail>;
   /** An object was added, changed or removed. */
   'objects-change': CustomEvent<HearthObjectsDetail>;
+  /** A step was made, undone or redone. */
+  'history-change': CustomEvent<HearthHistoryDetail>;
   /** The quality has changed, to fit the speed of the device or on request. */
   'quality-change': CustomEvent<HearthQualityDetail>;
   /** The sound plays, waits for a gesture of the visitor, or has ended. */
@@ -84,6 +88,8 @@ export class HearthFire extends HTMLElement {
   muted: boolean;
   /** The node through which the sound of this fire goes to the loudspeakers, for a mix of your own in its `context`; null while there is no sound. */
   readonly audio: AudioNode | null;
+  /** The steps that can be undone and redone. */
+  readonly history: HearthHistory;
   /** `false`: the fire is paused until `play()`. */
   autoplay: boolean;
   /** The URL of a JSON file with settings, as `exportConfig()` returns them; empty without one. A fire begins without a file that takes longer than two seconds, and takes it over when it arrives. */

@@ -15,6 +15,7 @@
  * @typedef {import('./parameters.js').PresetName} PresetName
  * @typedef {import('./element/types.js').HearthConfig} HearthConfig
  * @typedef {import('./element/types.js').HearthFreeSolid} HearthFreeSolid
+ * @typedef {import('./element/types.js').HearthHistory} HearthHistory
  * @typedef {import('./element/types.js').HearthMeasures} HearthMeasures
  * @typedef {import('./element/types.js').HearthPicture} HearthPicture
  * @typedef {import('./element/types.js').HearthPoint} HearthPoint
@@ -48,6 +49,7 @@ import { VERSION } from './generated/version.js';
  * @fires {null} pause  The fire is paused.
  * @fires {HearthChangeDetail} params-change  A parameter has changed, from any source.
  * @fires {HearthObjectsDetail} objects-change  An object was added, changed or removed.
+ * @fires {HearthHistoryDetail} history-change  A step was made, undone or redone.
  * @fires {HearthQualityDetail} quality-change  The quality has changed, to fit the speed of the device or on request.
  * @fires {HearthSoundDetail} sound-change  The sound plays, waits for a gesture of the visitor, or has ended.
  * @fires {HearthStats} stats  Measurements of the fire, about four times a second.
@@ -205,6 +207,15 @@ class HearthFire extends FireAttributes {
   }
 
   /**
+   * The steps that can be undone and redone.
+   * @see History
+   * @returns {HearthHistory}
+   */
+  get history() {
+    return this.#session.history;
+  }
+
+  /**
    * Returns the value of one parameter.
    * @template {ParameterId} Id
    * @param {Id} id
@@ -252,7 +263,7 @@ class HearthFire extends FireAttributes {
    * @posted
    */
   addObject(object) {
-    return this.#session.call('addObject', postable(object, 1), 'property');
+    return this.#session.call('addObject', postable(object, 1), this.#session.history.source('property'));
   }
 
   /**
@@ -264,7 +275,7 @@ class HearthFire extends FireAttributes {
    * @example <caption>Move the source</caption> fire.changeObject(fire.objects[0].id, { x: 0.2 })
    */
   changeObject(id, properties) {
-    return this.#session.call('changeObject', postable(id), postable(properties, 1), 'property');
+    return this.#session.call('changeObject', postable(id), postable(properties, 1), this.#session.history.source('property'));
   }
 
   /**
@@ -275,7 +286,7 @@ class HearthFire extends FireAttributes {
    * @posted
    */
   removeObject(id) {
-    return this.#session.call('removeObject', postable(id), 'property');
+    return this.#session.call('removeObject', postable(id), this.#session.history.source('property'));
   }
 
   /**
@@ -304,7 +315,7 @@ class HearthFire extends FireAttributes {
     if (ids.length > 0)
       return this.set(Object.fromEntries(ids.map((id) => [typeof id === 'string' ? id : typeof id, null])));
     this.#session.reflectPreset();
-    return this.#session.call('preset', 'default', 'property');
+    return this.#session.call('preset', 'default', this.#session.history.source('property'));
   }
 
   /**
@@ -367,7 +378,7 @@ class HearthFire extends FireAttributes {
    */
   importConfig(config) {
     try {
-      return this.#session.call('import', reportedSettings(config, 'config', this.#session.reports), 'property');
+      return this.#session.call('import', reportedSettings(config, 'config', this.#session.reports), this.#session.history.source('property'));
     } catch (error) {
       return quiet(Promise.reject(error));
     }

@@ -11,6 +11,7 @@ import type {
   HearthChangeDetail,
   HearthErrorDetail,
   HearthFire,
+  HearthHistoryDetail,
   HearthObject,
   HearthObjectsDetail,
   HearthQuality,
@@ -281,6 +282,8 @@ export interface HearthFireListeners {
   'onparams-change'?: ((event: CustomEvent<HearthChangeDetail>) => void) | null | undefined;
   /** An object was added, changed or removed. */
   'onobjects-change'?: ((event: CustomEvent<HearthObjectsDetail>) => void) | null | undefined;
+  /** A step was made, undone or redone. */
+  'onhistory-change'?: ((event: CustomEvent<HearthHistoryDetail>) => void) | null | undefined;
   /** The quality has changed, to fit the speed of the device or on request. */
   'onquality-change'?: ((event: CustomEvent<HearthQualityDetail>) => void) | null | undefined;
   /** The sound plays, waits for a gesture of the visitor, or has ended. */

@@ -107,7 +107,7 @@ class Toolbar {
     const context = this.#context;
     this.#pointers = new Pointers(context);
     this.#cross = new Cross(context, this.#pointers, this.#overlay);
-    const { history } = this.#editing;
+    const { history } = fire;
     this.#bar = new Bar({
       tool: (name) => this.#choose(name),
       select: (id) => {
@@ -244,9 +244,8 @@ class Toolbar {
 
   /** Shows the state of the fire. */
   #update() {
-    const { all, history } = this.#editing;
     this.#outline();
-    this.#bar.show(objectsOf(this.#fire), all, history);
+    this.#bar.show(objectsOf(this.#fire), this.#editing.all, this.#fire.history);
   }
 
   /** Shows the outlines and the handles of the selected objects. */
@@ -267,7 +266,7 @@ class Toolbar {
 
   /** Opens settings. @param {import('./hearth-fire.js').HearthConfig | string} config */
   #open(config) {
-    return this.#editing.history.all(() => this.#fire.importConfig(config));
+    return this.#editing.group()(() => this.#fire.importConfig(config));
   }
 
   /** @param {MouseEvent | KeyboardEvent} event @returns {How} */
@@ -320,7 +319,8 @@ class Toolbar {
   /** @type {(event: KeyboardEvent, onLayer: boolean) => (() => void) | undefined} */
   #actionOf(event, onLayer) {
     const { key, shiftKey } = event;
-    const { history, id: last } = this.#editing;
+    const { history } = this.#fire;
+    const { id: last } = this.#editing;
     const all = this.#selected;
     const selected = all.find(({ id }) => id === last);
     if (event.altKey) return undefined;
@@ -345,7 +345,7 @@ class Toolbar {
     }
     if (!selected) return undefined;
     const change = (/** @type {(object: Fields) => Fields} */ of) => () => {
-      if (!event.repeat) history.press();
+      if (!event.repeat) this.#editing.press();
       this.#edits.change(all.map(of), all);
     };
     if (arrow) return change(({ x, y }) => ({ x: rounded(x + arrow[0] * far), y: rounded(y + arrow[1] * far) }));
@@ -357,7 +357,7 @@ class Toolbar {
 
   /** @param {import('./tools/geometry.js').Alignment} to */
   #align(to) {
-    this.#editing.history.press();
+    this.#editing.press();
     this.#edits.align(to);
   }
 

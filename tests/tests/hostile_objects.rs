@@ -55,7 +55,7 @@ fn assert_refused(scene: &Scene, id: Option<u32>, fields: &[Named<'_>]) {
     let words: Vec<String> = refused.iter().flatten().map(ToString::to_string).collect();
     assert!(!words.is_empty(), "{fields:?} are accepted");
     let sent = sent(fields);
-    let list = [("objects".to_owned(), objects(scene, None))];
+    let list = [("objects".to_owned(), objects(scene, None, true))];
     let settings = Settings::default()
         .after(&Change::Set(&list))
         .unwrap_or_else(|errors| panic!("{errors:?}"));

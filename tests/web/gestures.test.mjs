@@ -200,7 +200,7 @@ test('a drag that is cancelled puts the object back', async () => {
 
 test('several objects are selected, moved, aligned and removed together, each as one step', async () => {
   const tools = await toolsOf([box({ x: -0.2, y: 1.2 }), box({ x: 0.15, y: 1.025, height: 0.15 })]);
-  const { editing, edits, history } = tools;
+  const { editing, edits } = tools;
   const [, left, right] = tools.fire.objects;
   await tools.drag('select', [[-0.2, 1.2]]);
   assert.equal(editing.all.length, 1);
@@ -215,7 +215,7 @@ test('several objects are selected, moved, aligned and removed together, each as
     close(a.x - left.x, 0.1) && close(a.y - left.y, -0.3) && close(b.x - right.x, 0.1) && close(b.y - right.y, -0.3),
   );
   const align = async (to) => {
-    history.press();
+    editing.press();
     edits.align(to);
     await tools.fire.settled();
     [, a, b] = tools.fire.objects;
@@ -254,7 +254,7 @@ test('the selected solid goes to the front and to the back, each as one step; a 
     box({ x: 0.05, y: 1.05, width: 0.2, height: 0.2 }),
   ]);
   const order = async (front) => {
-    tools.history.press();
+    tools.editing.press();
     tools.edits.order(front);
     await tools.fire.settled();
     return ids(tools.fire.objects);

@@ -2,6 +2,7 @@
  * What the gestures of tools act on in tests without a browser: a fire that answers in order and records each call,
  * with the history, the selection and the edits that the toolbar uses.
  */
+import { FireHistory } from '../../web/element/session/history.js';
 import { Editing } from '../../web/panel/editing.js';
 import { entriesOf } from '../../web/panel/objects.js';
 import { PARAMETERS } from '../../web/parameters.js';
@@ -24,6 +25,10 @@ const defaultsOf = (kind, model) =>
 class Fire extends EventTarget {
   preset = 'default';
   calls = [];
+  /** The session of its history. */
+  state = { settings: /** @type {any} */ ({ objects: [] }) };
+  reports = { emit: (type, detail) => this.dispatchEvent(new CustomEvent(type, { detail })) };
+  history = new FireHistory(/** @type {any} */ (this));
   #objects = [];
   #answers = Promise.resolve();
 
@@ -31,6 +36,7 @@ class Fire extends EventTarget {
     super();
     this.params = { ...Object.fromEntries(PARAMETERS.map(({ id, domains }) => [id, domains[model]?.default])), model };
     this.#add({ kind: 'source' });
+    this.state.settings = { objects: this.objects };
     for (const name of ['stir', 'sparks', 'ignite', 'extinguish', 'spray']) {
       this[name] = async (...args) => void this.calls.push([name, ...args]);
     }
@@ -48,6 +54,7 @@ class Fire extends EventTarget {
 
   /** Answers later, as a worker does. */
   #ask(act) {
+    const [, key] = this.history.source('property').split(/:(.*)/s);
     const answer = this.#answers
       .then(
         () =>
@@ -55,7 +62,16 @@ class Fire extends EventTarget {
             setImmediate(resolve);
           }),
       )
-      .then(act);
+      .then(() => {
+        const before = this.state.settings;
+        const result = act();
+        const after = { objects: this.objects };
+        if (JSON.stringify(before) !== JSON.stringify(after)) {
+          this.state.settings = after;
+          if (key !== undefined) this.history.record(key, before, after);
+        }
+        return result;
+      });
     this.#answers = answer.catch(() => {});
     return answer;
   }
@@ -84,6 +100,13 @@ class Fire extends EventTarget {
     });
   }
 
+  /** What the history calls. */
+  call(name, settings) {
+    return this.#ask(() => {
+      if (name === 'restore') this.#objects = structuredClone(settings.objects);
+    });
+  }
+
   /** Until it has answered all. */
   async settled() {
     for (let turn = 0; turn < 20; turn += 1) await this.#ask(() => {});
@@ -95,7 +118,7 @@ export async function toolsOf(objects = [], { model = 'combustion' } = {}) {
   const fire = /** @type {any} */ (new Fire(model));
   for (const object of objects) await fire.addObject(object);
   const editing = new Editing(fire);
-  const { history } = editing;
+  const { history } = fire;
   /** What the toolbar shows. */
   const shown = /** @type {{[name: string]: any}} */ ({
     messages: [],

@@ -143,6 +143,34 @@ export type HearthErrorDetail =
       max?: number;
     };
 
+/**
+ * The history of a fire. A step is what a visitor does at once; changes of the page besides are no steps, and undoing a
+ * step keeps them.
+ */
+export interface HearthHistory {
+  /** Whether there is a step to undo. */
+  readonly canUndo: boolean;
+  /** Whether there is a step to redo. */
+  readonly canRedo: boolean;
+  /**
+   * Runs a function and returns what it returns. The changes that it calls for before it returns or waits are a step;
+   * with the key of the last step, they belong to that.
+   */
+  step<T>(act: () => T, key?: string): T;
+  /** Undoes the last step. Resolves to false without one. */
+  undo(): Promise<boolean>;
+  /** Redoes the step that was undone last. Resolves to false without one. */
+  redo(): Promise<boolean>;
+}
+
+/** The detail of `history-change`. */
+export interface HearthHistoryDetail {
+  /** Whether a step was made, undone or redone. */
+  type: 'step' | 'undo' | 'redo';
+  /** Its key. */
+  key: string;
+}
+
 /** `<hearth-source>`: a child of `<hearth-fire>` that is a source of its fire. */
 export interface HearthSourceElement extends HTMLElement {
   /** The id of its object in `objects`; null while the fire has none. */

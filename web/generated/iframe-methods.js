@@ -37,6 +37,7 @@ export const POSTED_EVENTS = [
   'pause',
   'params-change',
   'objects-change',
+  'history-change',
   'quality-change',
   'sound-change',
   'stats',

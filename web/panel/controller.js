@@ -1,7 +1,7 @@
 /**
  * The panel controller: the commands of the panel, for egui and for the accessible controls.
  *
- * Both send their commands through the undo history. The controller uses the fire's public API. It
+ * Both send their commands as steps of the fire's history. The controller uses the fire's public API. It
  * changes the page on request only: clipboard, download, full screen.
  */
 
@@ -27,6 +27,9 @@ import {
 
 /** How long a button confirms its action [ms]. */
 const DONE_MS = 2000;
+
+/** The parameters that state the resolution. @type {string[]} */
+const RESOLUTION = ['particles', 'spacing'];
 
 /** The events after which the scene may have changed. */
 const CHANGES = ['ready', 'params-change', 'objects-change'];
@@ -62,9 +65,8 @@ export class PanelController extends EventTarget {
   #page;
   #cards;
   #editing;
-  /** Ends what listens to the history and the selection. */
+  /** Ends what listens to the selection. */
   #ended = new AbortController();
-  #history;
   /** @type {number | undefined} */
   #doneEnds;
   #done = '';
@@ -101,7 +103,6 @@ export class PanelController extends EventTarget {
     this.only = known?.length ? known : undefined;
     this.#restoreQuality();
     this.#editing = editingOf(fire);
-    this.#history = this.#editing.history;
     this.#editing.watch(this.#changed, this.#ended.signal);
     for (const name of CHANGES) fire.addEventListener(name, this.#update);
     this.#update();
@@ -116,8 +117,8 @@ export class PanelController extends EventTarget {
       objects: sceneObjects(this.#fire),
       selected: this.#editing.id,
       compared: this.#editing.letter,
-      undo: this.#history.canUndo,
-      redo: this.#history.canRedo,
+      undo: this.#fire.history.canUndo,
+      redo: this.#fire.history.canRedo,
       copies: this.#cards.copies,
       fullscreen: document.fullscreenEnabled === true,
       done: this.#done,
@@ -127,12 +128,12 @@ export class PanelController extends EventTarget {
 
   /** A new gesture begins: the next change is a new step. */
   press() {
-    this.#history.press();
+    this.#editing.press();
   }
 
   /** @type {(id: Id, value: Value) => Promise<void>} */
   set(id, value) {
-    return this.#history.set(id, value);
+    return this.#editing.step(id, () => this.#fire.set(id, value));
   }
 
   /**
@@ -148,7 +149,12 @@ export class PanelController extends EventTarget {
    * @param {Id} id
    */
   restore(id) {
-    return this.#history.restore(id);
+    const target = this.defaultOf(id);
+    // A restored resolution follows the scene and the quality again.
+    const isDefault = RESOLUTION.includes(id) || target === modelDefault(id, this.#fire.params.model);
+    return this.#editing.step(id, () =>
+      isDefault ? this.#fire.restore(id) : this.#fire.set(id, /** @type {Value} */ (target)),
+    );
   }
 
   /** The selected object. @returns {Fields | undefined} */
@@ -163,7 +169,7 @@ export class PanelController extends EventTarget {
 
   /** Sets a property of an object. @type {(id: number, name: string, value: Value) => Promise<void>} */
   change(id, name, value) {
-    return this.#history.change(id, { [name]: value });
+    return this.#editing.change(new Map([[id, { [name]: value }]]));
   }
 
   /**
@@ -183,15 +189,13 @@ export class PanelController extends EventTarget {
 
   /** Adds an object of a kind beside the fire, and selects it. @param {Kind} kind */
   add(kind) {
-    return this.#editing.add(() => newObject(this.#fire, kind));
+    return this.#editing.add(newObject(this.#fire, kind));
   }
 
   /** Adds an object like another one beside it, and selects it. @param {number} id */
   duplicate(id) {
-    return this.#editing.add(() => {
-      const object = this.#editing.find(id);
-      return object && copyOf(this.#fire, object);
-    });
+    const object = this.#editing.find(id);
+    return this.#editing.add(object && copyOf(this.#fire, object));
   }
 
   /** Removes an object. @param {number} id */
@@ -221,16 +225,14 @@ export class PanelController extends EventTarget {
     );
     const defaults = ids.filter((id) => this.defaultOf(id) === modelDefault(id, now.model));
     const others = ids.filter((id) => !defaults.includes(id) && this.defaultOf(id) !== now[id]);
-    return this.#history.all(async () => {
-      if (!this.only && !hasSceneObjects(fire)) await fire.set({ objects: /** @type {any[]} */ (sceneObjects(fire)) });
-      if (defaults.length > 0) await fire.restore(...defaults);
-      if (others.length > 0) await fire.set(Object.fromEntries(others.map((id) => [id, this.defaultOf(id)])));
-    });
+    const values = [...defaults.map((id) => [id, null]), ...others.map((id) => [id, this.defaultOf(id)])];
+    const objects = this.only || hasSceneObjects(fire) ? undefined : /** @type {any[]} */ (sceneObjects(fire));
+    return this.#editing.group()(() => fire.set({ objects, ...Object.fromEntries(values) }));
   }
 
   /** Shows the fire of settings: one step. @param {HearthConfig | string} config */
   async #replace(config) {
-    await this.#history.all(() => this.#fire.importConfig(config));
+    await this.#editing.group()(() => this.#fire.importConfig(config));
     this.#update();
   }
 
@@ -294,11 +296,11 @@ export class PanelController extends EventTarget {
   }
 
   undo() {
-    return this.#history.undo();
+    return this.#fire.history.undo();
   }
 
   redo() {
-    return this.#history.redo();
+    return this.#fire.history.redo();
   }
 
   /** Shows or hides the card of scenes. */

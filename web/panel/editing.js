@@ -1,23 +1,19 @@
 /**
- * What a visitor edits of a fire: the history of steps, the selected object and the two states to compare. The
- * panel and the toolbar of the same fire share it, so an undo in one undoes a step of the other.
+ * What a visitor edits of a fire: the gesture that a step of its history is, the selected objects and the two states to
+ * compare. The panel and the toolbar of the same fire share it.
  */
 
 import { isBody, objectsOf } from './objects.js';
 import { randomValues } from './random-values.js';
-import { modelDefault, sceneValue } from './scene.js';
-import { UndoHistory } from './undo-history.js';
 
 /**
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
  * @typedef {import('./objects.js').Fields} Fields
+ * @typedef {'A' | 'B'} Letter
  */
 
-/**
- * @typedef {'A' | 'B'} Letter
- * @typedef {{letter: Letter, other?: import('../hearth-fire.js').HearthConfig}} Compared  The state that the fire
- *   shows, and the settings of the other one, once it has been shown.
- */
+/** What the key of a step ends with that shows the other state. */
+const COMPARE = 'compare';
 
 /** @type {WeakMap<HearthFire, Editing>} */
 const all = new WeakMap();
@@ -37,68 +33,79 @@ export function editingOf(fire) {
   return editing;
 }
 
-/** The history and the selection of one fire. It dispatches `change`. */
+/** The gestures and the selection of one fire. It dispatches `change`. */
 export class Editing extends EventTarget {
   #fire;
   /** The ids of the selected objects; the last one's properties have rows. @type {number[]} */
   #ids = [];
-  /** @type {{compared: Compared}} */
-  #variants = { compared: { letter: 'A' } };
-  /** How many panels and toolbars watch. */
-  #watchers = 0;
-  /** Ends the listeners of the fire. */
-  #unfollowed = new AbortController();
+  #gesture = 0;
+  /** @type {object | undefined} */
+  #followed;
+  /** The state that the fire shows, and the settings of both when they were shown last. @type {Letter} */
+  letter = 'A';
+  /** @type {{[letter in Letter]?: import('../hearth-fire.js').HearthConfig}} */
+  #compared = {};
 
   /** @param {HearthFire} fire */
   constructor(fire) {
     super();
     this.#fire = fire;
-    this.history = new UndoHistory(
-      fire,
-      () => this.#changed(),
-      modelDefault,
-      (id) => sceneValue(fire, id),
-      this.#variants,
-    );
   }
 
   /**
-   * Calls `changed` at each change, and records what a pointer on the fire moves, until the signal.
+   * Calls `changed` at each change, until the signal.
    * @param {() => void} changed
    * @param {AbortSignal} signal
    */
   watch(changed, signal) {
     this.addEventListener('change', changed, { signal });
-    this.#watchers += 1;
-    if (this.#watchers === 1) this.#followPointer();
-    signal.addEventListener(
-      'abort',
-      () => {
-        this.#watchers -= 1;
-        if (this.#watchers === 0) this.#unfollowed.abort();
-      },
-      { once: true },
-    );
+    this.#fire.addEventListener('history-change', ({ detail }) => this.#follow(detail), { signal });
   }
 
-  #followPointer() {
-    this.#unfollowed = new AbortController();
-    const { signal } = this.#unfollowed;
-    /** The objects at the last press on the fire. @type {Fields[]} */
-    let before = [];
-    const press = () => {
-      before = objectsOf(this.#fire);
-      this.history.press();
-    };
-    // The element moves objects before listeners of its event run.
-    this.#fire.addEventListener('pointerdown', press, { capture: true, signal });
-    this.#fire.addEventListener(
-      'objects-change',
-      ({ detail }) => {
-        if (detail.source === 'pointer') this.history.moved(before);
-      },
-      { signal },
-    );
+  /** A step was made, undone or redone. @param {import('../element/types.js').HearthHistoryDetail} detail */
+  #follow(detail) {
+    // A panel and a toolbar may watch the same fire.
+    if (detail === this.#followed) return;
+    this.#followed = detail;
+    if (detail.type !== 'step' && detail.key.endsWith(COMPARE)) this.letter = this.letter === 'A' ? 'B' : 'A';
+    this.#changed();
+  }
+
+  /** A new gesture begins: the next change is a new step. */
+  press() {
+    this.#gesture += 1;
+  }
+
+  /**
+   * Does something to the fire at once: a step, with what the same gesture has done to the same.
+   * @template T
+   * @param {string} what
+   * @param {() => T} act
+   * @returns {T}
+   */
+  step(what, act) {
+    return this.#fire.history.step(act, `${this.#gesture} ${what}`);
+  }
+
+  /**
+   * A function that does something to the fire at once; all that it does is one step.
+   * @returns {<T>(act: () => T) => T}
+   */
+  group() {
+    this.press();
+    const key = `${this.#gesture} group`;
+    return (act) => this.#fire.history.step(act, key);
+  }
+
+  /**
+   * Sets properties of objects: one step.
+   * @param {Map<number, {[name: string]: any}>} changes  By the ids of the objects.
+   */
+  async change(changes) {
+    // A step before this one may have removed some.
+    const all = [...changes].filter(([id]) => this.find(id));
+    const what = all.map(([id, properties]) => `${id}.${Object.keys(properties)}`).join();
+    await this.step(what, () => Promise.all(all.map(([id, properties]) => this.#fire.changeObject(id, properties))));
   }
 
   /** The selected object; of several, the one that was selected last. @returns {Fields | undefined} */
@@ -136,30 +143,22 @@ export class Editing extends EventTarget {
     return objectsOf(this.#fire).find((object) => object.id === id);
   }
 
-  /**
-   * Adds an object and selects it: one step.
-   * @param {() => object | undefined} fields  Called when the fire is ready for it.
-   */
+  /** Adds an object and selects it: one step. @param {{[name: string]: any} | undefined} fields */
   async add(fields) {
-    /** @type {number | undefined} */
-    let id;
-    await this.history.objects(async () => {
-      const object = /** @type {import('../parameters.js').HearthObject | undefined} */ (fields());
-      if (object) id = await this.#fire.addObject(object);
-    });
-    if (id !== undefined) this.select(id);
+    const object = /** @type {import('../parameters.js').HearthObject | undefined} */ (fields);
+    if (object) this.select(await this.group()(() => this.#fire.addObject(object)));
   }
 
-  /** Removes an object: one step. @param {number} id */
-  remove(id) {
-    // A step before this one may have removed it.
-    return this.history.objects(() => this.find(id) && this.takeAway(id));
+  /** Removes objects: one step. @param {number[]} ids */
+  remove(...ids) {
+    return this.group()(() => this.takeAway(...ids));
   }
 
   /** Removes objects, and the sources that are their surfaces: they would burn elsewhere. @param {number[]} ids */
   async takeAway(...ids) {
-    const on = objectsOf(this.#fire).filter((object) => ids.some((id) => isOn(object, id)));
-    await Promise.all([...new Set([...on.map(({ id }) => id), ...ids])].map((id) => this.#fire.removeObject(id)));
+    const all = objectsOf(this.#fire);
+    const gone = all.filter((object) => ids.some((id) => object.id === id || isOn(object, id)));
+    await Promise.all(gone.map(({ id }) => this.#fire.removeObject(id)));
   }
 
   /**
@@ -167,33 +166,28 @@ export class Editing extends EventTarget {
    * @type {(ids: number[], front: boolean) => Promise<void>}
    */
   order(ids, front) {
-    return this.history.objects(() => {
-      const all = objectsOf(this.#fire);
-      const moves = (/** @type {Fields} */ object) => isBody(object) && ids.includes(object.id);
-      const [moved, others] = [all.filter(moves), all.filter((object) => !moves(object))];
-      return this.#fire.set({ objects: /** @type {any[]} */ (front ? [...others, ...moved] : [...moved, ...others]) });
-    });
-  }
-
-  /** The letter of the state that the fire shows. */
-  get letter() {
-    return this.#variants.compared.letter;
+    const all = objectsOf(this.#fire);
+    const moves = (/** @type {Fields} */ object) => isBody(object) && ids.includes(object.id);
+    const [moved, others] = [all.filter(moves), all.filter((object) => !moves(object))];
+    const objects = /** @type {any[]} */ (front ? [...others, ...moved] : [...moved, ...others]);
+    return this.group()(() => this.#fire.set({ objects }));
   }
 
   /** Shows the other of two states, which begins as a copy of the first one: one step. @param {Letter} letter */
-  compare(letter) {
-    return this.history.all(async () => {
-      const { compared } = this.#variants;
-      if (letter === compared.letter) return;
-      const shown = await this.#fire.exportConfig();
-      await this.#fire.importConfig(compared.other ?? shown);
-      this.#variants.compared = { letter, other: shown };
-    });
+  async compare(letter) {
+    if (letter === this.letter) return;
+    const shown = await this.#fire.exportConfig();
+    const next = this.#compared[letter] ?? shown;
+    this.press();
+    await this.step(COMPARE, () => this.#fire.importConfig(next));
+    this.#compared = { [this.letter]: shown, [letter]: next };
+    this.letter = letter;
+    this.#changed();
   }
 
   /** Sets random values near those of the scene: one step. */
   randomise() {
-    return this.history.all(() => this.#fire.set(randomValues(this.#fire)));
+    return this.group()(() => this.#fire.set(randomValues(this.#fire)));
   }
 
   #changed() {

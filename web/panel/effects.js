@@ -28,7 +28,7 @@ export async function giveFuel(editing, { id, material, fuel }) {
   if (fuel !== 'none') return;
   const own = FUELS[material];
   if (!own) throw new Error(`A solid of ${material} has no fuel: choose wood, coal or wax.`);
-  await editing.history.change(id, { fuel: own, load: LOAD });
+  await editing.change(new Map([[id, { fuel: own, load: LOAD }]]));
 }
 
 /** Throws in the classic model. @type {(fire: HearthFire, what: string) => void} */

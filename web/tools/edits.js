@@ -62,11 +62,9 @@ export class Edits {
       const { material, burns } = style;
       const fields = kind === 'source' ? this.#sourceOf(drawn) : { ...drawn, material };
       const isSurface = isBody(drawn) && burns && !isFull(this.#fire, 'source');
-      let id = 0;
-      await this.#editing.history.objects(async () => {
-        id = await this.#fire.addObject(/** @type {any} */ (fields));
-        if (isSurface) await this.#fire.addObject(/** @type {any} */ (this.#surfaceOf(id, fields)));
-      });
+      const step = this.#editing.group();
+      const id = await step(() => this.#fire.addObject(/** @type {any} */ (fields)));
+      if (isSurface) await step(() => this.#fire.addObject(/** @type {any} */ (this.#surfaceOf(id, fields))));
       this.#editing.select(id);
       const object = this.#editing.selected;
       if (object) this.#showStatus(`${nameOf(object)} at ${object.x.toFixed(2)}, ${object.y.toFixed(2)} m.`);
@@ -107,15 +105,13 @@ export class Edits {
   /** Adds an object like each selected one, and selects the new ones. */
   duplicate() {
     return this.attempt(async () => {
-      const { all, history } = this.#editing;
       /** @type {number[]} */
       const ids = [];
-      await history.objects(async () => {
-        for (const object of all) {
-          if (isFull(this.#fire, object.kind)) throw new Error(`A fire has at most ${MAX_OBJECTS} ${object.kind}s.`);
-          ids.push(await this.#fire.addObject(/** @type {any} */ (copyOf(this.#fire, object))));
-        }
-      });
+      const step = this.#editing.group();
+      for (const object of this.#editing.all) {
+        if (isFull(this.#fire, object.kind)) throw new Error(`A fire has at most ${MAX_OBJECTS} ${object.kind}s.`);
+        ids.push(await step(() => this.#fire.addObject(/** @type {any} */ (copyOf(this.#fire, object)))));
+      }
       this.#editing.select(...ids);
       this.#showStatus(`${this.#named} ${ids.length > 1 ? 'are' : 'is'} new.`);
     });
@@ -123,10 +119,10 @@ export class Edits {
 
   /** Removes the selected objects. */
   remove() {
-    const { all, history } = this.#editing;
+    const { all } = this.#editing;
     if (all.length === 0) return;
     this.#showStatus(`${this.#named} ${all.length > 1 ? 'are' : 'is'} removed.`);
-    this.attempt(() => history.objects(() => this.#editing.takeAway(...all.map(({ id }) => id))));
+    this.attempt(() => this.#editing.remove(...all.map(({ id }) => id)));
   }
 
   /** Moves the selected solids before all others, or behind them. @param {boolean} front */
@@ -158,7 +154,7 @@ export class Edits {
 
   /** Changes objects. @type {(fields: Drawn[], objects: Fields[]) => void} */
   change(fields, objects) {
-    this.attempt(() => this.#editing.history.changeAll(this.changes(objects, fields)));
+    this.attempt(() => this.#editing.change(this.changes(objects, fields)));
   }
 
   /**

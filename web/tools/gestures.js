@@ -105,7 +105,6 @@ function drawBetween(context, from, draw, turns = false) {
  * @type {(context: ToolContext, objects: Owned[], change: (to: Point, how: How) => Fields[]) => Gesture}
  */
 function dragObjects(context, objects, change) {
-  const { history } = context.editing;
   /** @type {Fields[] | undefined} */
   let wanted;
   /** @type {Fields[] | undefined} */
@@ -119,7 +118,7 @@ function dragObjects(context, objects, change) {
     while (wanted) {
       const next = wanted;
       wanted = undefined;
-      await history.changeAll(context.changes(objects, next, held)).catch(() => {});
+      await context.editing.change(context.changes(objects, next, held)).catch(() => {});
     }
     busy = false;
   };
@@ -201,19 +200,8 @@ function select(context, from, { perPixel, adds }) {
 
 /** @type {(context: ToolContext, from: Point, how: How) => Gesture} */
 function erase(context, from, { perPixel }) {
-  let done = () => {};
-  const ended = /** @type {Promise<void>} */ (new Promise((resolve) => (done = resolve)));
   const gone = new Set();
-  /** @type {Promise<unknown>[]} */
-  const removals = [];
-  let begin = () => {};
-  const begun = /** @type {Promise<void>} */ (new Promise((resolve) => (begin = resolve)));
-  // All of it is one step, whose objects the history reads before the first removal.
-  context.editing.history.objects(async () => {
-    begin();
-    await ended;
-    await Promise.allSettled(removals);
-  });
+  const step = context.editing.group();
   const rub = (/** @type {Point} */ at) => {
     const object = objectAt(
       { ...context, objects: () => context.objects().filter(({ id }) => !gone.has(id)) },
@@ -222,10 +210,10 @@ function erase(context, from, { perPixel }) {
     );
     if (!object) return;
     gone.add(object.id);
-    removals.push(begun.then(() => context.remove(object.id)));
+    step(() => context.remove(object.id)).catch(() => {});
   };
   rub(from);
-  return { move: rub, end: done, cancel: done };
+  return { move: rub, end() {}, cancel() {} };
 }
 
 /** @type {(context: ToolContext, from: Point) => Gesture} */

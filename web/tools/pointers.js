@@ -35,7 +35,7 @@ export class Pointers {
   begin(tool, pointer, at, how) {
     // Keyboard users see no hover readout.
     this.#context.probe(at, { announce: pointer < 0 });
-    this.#context.editing.history.press();
+    this.#context.editing.press();
     if (tool === 'polygon') {
       this.polygon.press(at, how);
       return;

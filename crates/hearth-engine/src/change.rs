@@ -28,7 +28,11 @@ pub fn by_command<'a>(
     command: &Command<'a>,
 ) -> Option<(Result<Settings, Vec<ValidationError>>, &'a str)> {
     let (change, source) = match *command {
-        Command::Import { config, source } => return Some((Settings::of_file(config), source)),
+        Command::Import { config, source }
+        | Command::Restore {
+            settings: config,
+            source,
+        } => return Some((Settings::of_file(config), source)),
         Command::Set { values, source } => (Change::Set(values), source),
         Command::AddObject { object, source } => (Change::AddObject(object), source),
         Command::ChangeObject { id, values, source } => {

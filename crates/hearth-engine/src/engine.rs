@@ -282,7 +282,11 @@ impl Engine {
                 MachineLimit::new(self.on_page).particles(),
             )
             .map_err(|error| vec![error])?;
-            let replaced = matches!(command, Command::Preset { .. } | Command::Import { .. });
+            let replaced = match command {
+                Command::Preset { .. } | Command::Import { .. } => true,
+                Command::Restore { .. } => settings.preset().name != fire.settings().preset().name,
+                _ => false,
+            };
             fire.change(settings, source, replaced, events);
             if let Command::AddObject { .. } = command {
                 let added = fire.settings().scene().objects().last();
@@ -363,7 +367,8 @@ impl Engine {
             | Command::ChangeObject { .. }
             | Command::RemoveObject { .. }
             | Command::Preset { .. }
-            | Command::Import { .. } => {}
+            | Command::Import { .. }
+            | Command::Restore { .. } => {}
         }
         Ok(Answer::Done)
     }

@@ -2,9 +2,9 @@
 //!
 //! | type | other fields |
 //! |---|---|
-//! | `ready` | `fire`; `values`: all of them; `objects`; `preset`; `config`: the settings file |
+//! | `ready` | `fire`; `values`: all of them; `objects`; `preset`; `settings`: the [whole](hearth_settings::whole) |
 //! | `done` | `fire`, `request`; `value`: the result, if the command has one |
-//! | `changed` | as `ready`, but what changed, `undefined` for a field that `config` has no longer; `source`; `replaced`: whether a preset or a file replaced all |
+//! | `changed` | as `ready`, but what changed; `source`; `replaced`: whether a preset or a file replaced all |
 //! | `refused` | `fire`, `request`; `errors`: id, value, message and, for a number, min and max |
 //! | `stats` | `fire`; `stats`: see [`stats`](crate::stats) |
 //! | `series` | `fire`; `seconds` of the clock since the last frame; `series`: the [numbers](hearth_core::StepRecord) of each step |
@@ -17,7 +17,7 @@
 use hearth_bindings::{Record, values};
 use hearth_core::params::PARAMETERS;
 use hearth_settings::untrusted::ValidationError;
-use hearth_settings::{FIELDS, OBJECTS, Settings, export, objects};
+use hearth_settings::{FIELDS, OBJECTS, Settings, export, objects, whole};
 use js_sys::Float32Array;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -89,20 +89,20 @@ impl Events {
             }
         }
         event.set_object("values", &values);
-        let now = objects(settings.scene(), None);
-        if old.is_none_or(|old| objects(old.scene(), None) != now) {
+        let now = objects(settings.scene(), None, true);
+        if old.is_none_or(|old| objects(old.scene(), None, true) != now) {
             event.set_any(OBJECTS, &values::to_js(&now));
         }
-        let (before, now) = (old.map(export), export(settings));
-        let config = Record::new();
+        let (before, now) = (old.map(whole), whole(settings));
+        let parts = Record::new();
         for name in FIELDS {
             let value = now.field(name);
             if before.as_ref().is_none_or(|old| old.field(name) != value) {
-                config.set_any(name, &values::to_js(value));
+                parts.set_any(name, &values::to_js(value));
                 differs = true;
             }
         }
-        event.set_object("config", &config);
+        event.set_object("settings", &parts);
         event.set_text("preset", settings.preset().name);
         differs
     }

@@ -182,10 +182,10 @@ pub(crate) fn with_object(
 
 /// The objects of a scene as data. With `from`, the first source has only the properties that
 /// differ from these settings, the other objects those that differ from the defaults, in a field with the name of
-/// the other model those that a source has for it, and ids are left out if they are 1, 2, 3 and so on.
-pub fn objects(scene: &Scene, from: Option<&Parameters>) -> Untrusted {
+/// the other model those that a source has for it. Unless `with_ids`, ids are left out if they are 1, 2, 3 and so on.
+pub fn objects(scene: &Scene, from: Option<&Parameters>, with_ids: bool) -> Untrusted {
     let counted = |(index, object): (usize, Object<'_>)| object.id as usize == index + 1;
-    let with_ids = from.is_none() || !scene.objects().enumerate().all(counted);
+    let with_ids = with_ids || !scene.objects().enumerate().all(counted);
     let other = other_model(scene.settings().model());
     let in_other = from.map(|_| {
         let mut scene = scene.clone();

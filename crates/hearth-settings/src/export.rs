@@ -9,7 +9,7 @@ use hearth_core::params::{Model, PARAMETERS};
 use hearth_core::preset::Preset;
 use hearth_core::scene::Kind;
 
-/// The fields of exported settings.
+/// The fields of [whole] settings.
 pub const FIELDS: [&str; 6] = [
     "hearth",
     "preset",
@@ -19,9 +19,14 @@ pub const FIELDS: [&str; 6] = [
     OBJECTS,
 ];
 
-/// The values of `model` that differ from the preset, and the stated resolution. With `own`, only those that
-/// the other model does not share. Without `source`, no property of the first source.
-fn differences(settings: &Settings, model: Model, own: bool, source: bool) -> Untrusted {
+/// The values of `model` that differ from the preset, and the stated resolution: all, those of that model
+/// alone, or those that both share. Without `source`, no property of the first source.
+fn differences(
+    settings: &Settings,
+    model: Model,
+    of_model_alone: Option<bool>,
+    source: bool,
+) -> Untrusted {
     let preset = &settings.preset().parameters();
     let now = &of_model(settings.parameters(), model);
     // Each model has its own defaults.
@@ -40,7 +45,8 @@ fn differences(settings: &Settings, model: Model, own: bool, source: bool) -> Un
         } else {
             value != param.get(before)
         };
-        if differs && !of_source && (!own || domain.model.is_some()) {
+        let is_part = of_model_alone.is_none_or(|alone| alone == domain.model.is_some());
+        if differs && !of_source && is_part {
             fields.push(Untrusted::named(param.id, Untrusted::of_value(value)));
         }
     }
@@ -49,7 +55,7 @@ fn differences(settings: &Settings, model: Model, own: bool, source: bool) -> Un
 
 /// The other objects and the name of the first source, if the preset has them too.
 fn has_objects_of_preset(settings: &Settings) -> bool {
-    let without_values = |scene: &Scene| objects(scene, Some(scene.settings()));
+    let without_values = |scene: &Scene| objects(scene, Some(scene.settings()), false);
     without_values(settings.scene()) == without_values(&settings.preset().scene())
 }
 
@@ -65,17 +71,39 @@ pub fn export(settings: &Settings) -> Untrusted {
     let lists_objects = !has_objects_of_preset(settings);
     let mut objects_now = settings.scene().objects();
     let lists_source = lists_objects && objects_now.any(|object| object.is_first_source());
-    let values = differences(settings, now.model(), false, !lists_source);
+    let values = differences(settings, now.model(), None, !lists_source);
     fields.push(Untrusted::named("values", values));
     let other = other_model(now.model());
-    let values = differences(settings, other, true, true);
+    let values = differences(settings, other, Some(true), true);
     if !values.fields().is_empty() {
         fields.push(Untrusted::named(other.name(), values));
     }
     if lists_objects {
         let base = of_model(&settings.preset().parameters(), now.model());
-        let list = objects(settings.scene(), Some(&base));
+        let list = objects(settings.scene(), Some(&base), false);
         fields.push(Untrusted::named(OBJECTS, list));
     }
+    Untrusted::Object(fields)
+}
+
+/// Writes settings as a settings file each of whose parts has a place of its own: the values that both models share,
+/// those of each model, and all objects with their ids. The first source is among both. A part that changes leaves
+/// the others.
+pub fn whole(settings: &Settings) -> Untrusted {
+    let model = settings.parameters().model();
+    let base = of_model(&settings.preset().parameters(), model);
+    let name = Untrusted::Text(settings.preset().name.to_owned());
+    let of = |model: Model, alone| differences(settings, model, Some(alone), true);
+    let values = [
+        ("values", of(model, false)),
+        (Model::Classic.name(), of(Model::Classic, true)),
+        (Model::Combustion.name(), of(Model::Combustion, true)),
+        (OBJECTS, objects(settings.scene(), Some(&base), true)),
+    ];
+    let mut fields = vec![
+        Untrusted::named("hearth", Untrusted::Number(VERSION.into())),
+        Untrusted::named("preset", name),
+    ];
+    fields.extend(values.map(|(field, value)| Untrusted::named(field, value)));
     Untrusted::Object(fields)
 }

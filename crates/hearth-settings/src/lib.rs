@@ -21,5 +21,5 @@ mod settings;
 pub mod untrusted;
 
 pub use apply::{OBJECTS, objects, preset};
-pub use export::{FIELDS, export};
+pub use export::{FIELDS, export, whole};
 pub use settings::{Change, Settings, StatedResolution, adapt};

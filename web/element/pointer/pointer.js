@@ -96,6 +96,8 @@ export function listenToPointer(session, signal) {
 
   const movesPicture = listenToZoom(session, isForFire, signal);
   const leave = (/** @type {PointerEvent} */ event) => last.delete(event.pointerId);
+  /** The number of presses on objects: the drag of each is a step. */
+  let presses = 0;
   const press = (/** @type {PointerEvent} */ event) => {
     if (event.button !== 0 || !isForFire(event)) return;
     const at = locate(event);
@@ -105,6 +107,7 @@ export function listenToPointer(session, signal) {
     const held = grip(event);
     pressed.set(event.pointerId, { x: at.x, y: at.y, held, clicks: true });
     if (held === undefined) return;
+    presses += 1;
     // A pointer that is gone cannot be captured.
     try {
       fire.setPointerCapture(event.pointerId);
@@ -115,6 +118,7 @@ export function listenToPointer(session, signal) {
     /** @type {NonNullable<ReturnType<typeof locate>>} */ { low, high, metres },
   ) => {
     const { held } = press;
+    const source = `pointer:press ${presses}`;
     // The panel shows as many digits, and URLs stay short.
     /** @type {(value: number, limit: number) => number} */
     const rounded = (value, limit) => Math.round(within(value, -limit, limit) * 1000) / 1000;
@@ -122,15 +126,15 @@ export function listenToPointer(session, signal) {
     if (held.id !== undefined) {
       const y = within(metres.y - held.y, low.y, high.y);
       const position = { x: rounded(visible, MAX_COORDINATE), y: rounded(y, MAX_COORDINATE) };
-      session.call('changeObject', held.id, position, 'pointer').catch(() => {});
+      session.call('changeObject', held.id, position, source).catch(() => {});
       return;
     }
     const x = rounded(visible, Math.min(sourceOf(fire.params).max, 3));
     press.group ??= { start: sourceOf(fire.params).x, all: attachedObjects(fire) };
-    session.call('set', { source_x: x }, 'pointer').catch(() => {});
+    session.call('set', { source_x: x }, source).catch(() => {});
     for (const object of press.group.all) {
       const position = { x: rounded(object.x + x - press.group.start, MAX_COORDINATE) };
-      session.call('changeObject', object.id, position, 'pointer').catch(() => {});
+      session.call('changeObject', object.id, position, source).catch(() => {});
     }
   };
   const follow = (/** @type {PointerEvent} */ event) => {

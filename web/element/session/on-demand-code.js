@@ -48,9 +48,10 @@ export class OnDemandCode {
     this.#calls ??= [];
     const calls = this.#calls;
     const checked = session.call('check', postable(values, 1));
+    const source = session.history.source('to');
     const code = session.reports.loads(import('./transition.js'), 'The code for transitions');
     code.catch(() => (this.#calls = undefined));
-    return quiet(code.then(({ run }) => run(calls, session, checked, { ...how })));
+    return quiet(code.then(({ run }) => run(calls, session, checked, { ...how }, source)));
   }
 
   /** Sets all final values of transitions at once. */

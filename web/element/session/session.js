@@ -21,6 +21,7 @@ import { Reports } from './reports.js';
 import { Requests, postable } from './requests.js';
 import { DEPTH, reportedSettings } from '../attributes/settings.js';
 import { SourceFile } from '../attributes/source-file.js';
+import { FireHistory } from './history.js';
 import { FireState } from './state.js';
 import { hexOf } from '../attributes/values.js';
 import { FireView } from '../view/view.js';
@@ -56,6 +57,7 @@ export class FireSession {
   code = new OnDemandCode(this);
   /** The last report of the engine. */
   state = new FireState();
+  history = new FireHistory(this);
   /** For code that is loaded on request and must not load it a second time. */
   hexOf = hexOf;
   muted = MUTED;
@@ -99,7 +101,7 @@ export class FireSession {
   }
 
   /** @type {(values: {[id: string]: unknown}, source?: string) => Promise<void>} */
-  set(values, source = 'property') {
+  set(values, source = this.history.source('property')) {
     return this.call('set', postable(values, DEPTH), source);
   }
 
@@ -348,12 +350,15 @@ export class FireSession {
     } else if (type === 'changed') {
       // These values apply to a saved picture alone.
       if (message.source === 'picture') return;
+      const [source, key] = message.source.split(/:(.*)/s);
+      message.source = source;
+      const { settings } = state;
       state.take(message);
+      if (key !== undefined) this.history.record(key, settings, state.settings);
       this.code.reportToChildren(message);
       if (message.replaced && (this.fire.getAttribute('preset') ?? 'default') !== state.preset)
         this.reflectPreset(state.preset);
       if (!this.#ready.announced) return;
-      const { source } = message;
       for (const [id, value] of Object.entries(message.values)) reports.emit('params-change', { id, value, source });
       if (message.objects) reports.emit('objects-change', { objects: this.fire.objects, source });
     } else if (type === 'done') {

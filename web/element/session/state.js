@@ -6,6 +6,7 @@
  * @typedef {import('../../parameters.js').PresetName} PresetName
  * @typedef {import('../types.js').HearthQuality} HearthQuality
  * @typedef {import('../../parameters.js').HearthStats} HearthStats
+ * @typedef {{[part: string]: unknown}} Whole  All settings, as a settings file whose parts do not depend on each other.
  */
 
 import { DEFAULTS } from '../attributes/attributes.js';
@@ -15,8 +16,8 @@ export class FireState {
   params = /** @type {HearthParameters} */ ({ ...DEFAULTS });
   /** @type {Required<import('../../parameters.js').HearthObject>[]} */
   objects = [];
-  /** All settings as a file. @type {import('../types.js').HearthConfig | undefined} */
-  #config;
+  /** @type {Whole} */
+  settings = {};
   /** Whether the engine has reported the values of a fire. */
   started = false;
   /** @type {PresetName} */
@@ -27,11 +28,11 @@ export class FireState {
   stats = null;
 
   /** Takes over the values of a message. @param {Message} message */
-  take({ type, values, objects, config, preset }) {
+  take({ type, values, objects, settings, preset }) {
     if (type === 'ready') this.started = true;
     this.params = { ...this.params, ...values };
     this.objects = objects ?? this.objects;
-    this.#config = { ...this.#config, ...config };
+    this.settings = { ...this.settings, ...settings };
     this.preset = preset;
   }
 
@@ -43,7 +44,7 @@ export class FireState {
    */
   start(fire, paused, config) {
     const { quality } = this;
-    if (this.started) return { config: this.#config, quality, paused };
+    if (this.started) return { config: this.settings, quality, paused };
     const model = fire.getAttribute('model');
     return {
       preset: fire.getAttribute('preset') ?? undefined,

@@ -35,9 +35,10 @@ const ALLOWED = {
  * @param {FireSession} session
  * @param {Promise<unknown>} checked the answer whether the values are valid
  * @param {{duration?: unknown, easing?: unknown}} how
+ * @param {string} source the source of the calls that set values
  * @returns {Promise<boolean>} false if another call has set one of the values
  */
-export function run(calls, session, checked, how) {
+export function run(calls, session, checked, how, source) {
   calls.transitions ??= new Transitions(session);
   const { transitions } = calls;
   for (const call of calls.splice(0)) transitions.record(call);
@@ -45,7 +46,7 @@ export function run(calls, session, checked, how) {
   const push = (/** @type {Asked} */ call) => transitions.record(call);
   Object.defineProperty(calls, 'push', { configurable: true, value: push });
   calls.end = () => transitions.end();
-  return transitions.run(checked, how);
+  return transitions.run(checked, how, source);
 }
 
 /** The transitions of an element. */
@@ -71,7 +72,7 @@ class Transitions {
       this.#all.set(answer, { to: given, ids: new Set(Object.keys(given ?? {})), held: [], whole: true, end() {} });
       return 0;
     }
-    if (source === 'to' || !['set', 'preset', 'import'].includes(method)) return 0;
+    if (/^to\b/.test(source) || !['set', 'preset', 'import'].includes(method)) return 0;
     const named = method === 'set' && Object.keys(given);
     // Another model has other values.
     const all = !named || named.includes('model');
@@ -90,8 +91,11 @@ class Transitions {
     return 0;
   }
 
-  /** @type {(checked: Promise<unknown>, how: {duration?: unknown, easing?: unknown}) => Promise<boolean>} */
-  async run(checked, how) {
+  /**
+   * @type {(checked: Promise<unknown>, how: {duration?: unknown, easing?: unknown}, source: string) =>
+   *   Promise<boolean>}
+   */
+  async run(checked, how, source) {
     const transition = /** @type {Transition} */ (this.#all.get(checked));
     try {
       const effect = this.#effect(how);
@@ -100,7 +104,7 @@ class Transitions {
         if (older === transition) break;
         for (const id of transition.ids) release(older, id);
       }
-      await this.#animate(transition, effect);
+      await this.#animate(transition, effect, source);
       return transition.whole;
     } finally {
       this.#all.delete(checked);
@@ -124,10 +128,10 @@ class Transitions {
     }
   }
 
-  /** @type {(transition: Transition, effect: KeyframeEffect) => Promise<void>} */
-  async #animate(transition, effect) {
+  /** @type {(transition: Transition, effect: KeyframeEffect, source: string) => Promise<void>} */
+  async #animate(transition, effect, source) {
     const { fire } = this.#session;
-    const set = (/** @type {Values} */ values) => this.#session.call('set', values, 'to');
+    const set = (/** @type {Values} */ values) => this.#session.call('set', values, source);
     // Values without intermediate values, such as the model, are set first. The others start from
     // what they are in that model.
     const sudden = [...transition.ids].filter((id) => !isBetween(id, fire.get(/** @type {Id} */ (id))));

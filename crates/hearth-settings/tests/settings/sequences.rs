@@ -4,7 +4,7 @@ use hearth_core::params::{Kind, PARAMETERS, Param};
 use hearth_core::preset::Preset;
 use hearth_core::random::Random;
 use hearth_settings::untrusted::Untrusted;
-use hearth_settings::{Change, Settings, export};
+use hearth_settings::{Change, Settings, export, whole};
 
 use crate::harness::{number, object, text};
 
@@ -95,9 +95,12 @@ fn a_file_restores_the_settings_after_any_sequence_of_changes() {
         for _ in 0..=below(random, LONGEST) {
             settings = changed(random, &settings);
         }
-        let file = export(&settings);
-        let read = Settings::of_file(&file).unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
-        assert_eq!(export(&read), file, "{seed}");
-        assert!(read == settings, "{seed}: {file:?} is {read:?}");
+        for write in [export, whole] {
+            let file = write(&settings);
+            let read =
+                Settings::of_file(&file).unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
+            assert_eq!(write(&read), file, "{seed}");
+            assert!(read == settings, "{seed}: {file:?} is {read:?}");
+        }
     }
 }

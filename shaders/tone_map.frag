@@ -39,6 +39,6 @@ void main() {
     vec4 lit = texture(smoke_light, uv);
     vec3 grey = SOOT * (soot * lit.a);
     // Smoke shows its colour as far as it covers: thin smoke must not redden a page.
-    colour += sqrt(lit.rgb * lit.rgb + grey * grey) * (dark * dark / max(alpha, 1e-4));
+    colour += min(sqrt(lit.rgb * lit.rgb + grey * grey), 1.0) * (dark * dark / max(alpha, 1e-4));
     shown = dither(vec4(colour, alpha));
 }

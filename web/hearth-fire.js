@@ -275,7 +275,12 @@ class HearthFire extends FireAttributes {
    * @example <caption>Move the source</caption> fire.changeObject(fire.objects[0].id, { x: 0.2 })
    */
   changeObject(id, properties) {
-    return this.#session.call('changeObject', postable(id), postable(properties, 1), this.#session.history.source('property'));
+    return this.#session.call(
+      'changeObject',
+      postable(id),
+      postable(properties, 1),
+      this.#session.history.source('property'),
+    );
   }
 
   /**
@@ -378,7 +383,11 @@ class HearthFire extends FireAttributes {
    */
   importConfig(config) {
     try {
-      return this.#session.call('import', reportedSettings(config, 'config', this.#session.reports), this.#session.history.source('property'));
+      return this.#session.call(
+        'import',
+        reportedSettings(config, 'config', this.#session.reports),
+        this.#session.history.source('property'),
+      );
     } catch (error) {
       return quiet(Promise.reject(error));
     }

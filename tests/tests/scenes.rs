@@ -25,6 +25,8 @@ const GLOWING: usize = 20;
 /// Minimum temperature \[K\] and soot of glowing gas.
 const SHINES: f32 = 900.0;
 const SOOT: f32 = 0.02;
+/// Minimum rate of burning of blue gas [1/s].
+const BLUE: f32 = 0.3;
 
 fn scene(name: &str) -> Parameters {
     Preset::find(name).map_or_else(|| panic!("there is no scene {name}"), Preset::parameters)
@@ -48,10 +50,18 @@ fn every_scene_glows_is_stable_and_costs_little_more_than_twice_the_default() {
             preset.name,
             outcome.clamped
         );
-        let glows = |particle: &&Particle| {
+        let glows = |particle: &Particle| {
             particle.temperature > SHINES && (particle.soot > SOOT || !has_soot)
         };
-        let glowing = fire.particles().iter().filter(glows).count();
+        // Gas that burns without soot is blue.
+        let burns = fire.burn_rates().unwrap_or_default();
+        let blue = burns.iter().filter(|&&rate| rate > BLUE).count();
+        let glowing = fire
+            .particles()
+            .iter()
+            .filter(|particle| glows(particle))
+            .count()
+            + blue;
         assert!(glowing >= GLOWING, "{}: {glowing} glow", preset.name);
         if preset.name == "default" {
             default_work = outcome.work;

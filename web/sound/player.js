@@ -126,10 +126,11 @@ export class Player {
     this.state = state;
     const { reports, view } = this.#session;
     if (state === 'waiting') {
-      this.#button ??= reports
+      const button = reports
         .loads(import('./speaker.js'), 'The speaker button')
         .then(({ waitingButton }) => waitingButton(view));
-      this.#button.catch(() => {});
+      button.catch(() => {});
+      this.#button = button;
     } else {
       this.#button?.then((remove) => remove()).catch(() => {});
       this.#button = undefined;

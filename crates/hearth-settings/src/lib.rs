@@ -1,7 +1,7 @@
 //! Settings of a Hearth fire from untrusted data: values and objects applied to a scene, and the settings file.
 //!
-//! Data of a page, a message or a file becomes an [`Untrusted`] value. The tables of `hearth-core` check it:
-//! an invalid value is a [`ValidationError`] and changes nothing.
+//! Data of a page, a message or a file becomes an [`Untrusted`](untrusted::Untrusted) value. The tables of `hearth-core` check it:
+//! an invalid value is a [`ValidationError`](untrusted::ValidationError) and changes nothing.
 //!
 //! ```
 //! use hearth_settings::untrusted::Untrusted;

@@ -70,7 +70,10 @@ test('random steps are undone exactly, and changes of the page stay', async () =
     return failed.slice(0, 3);
   }, SEQUENCES);
   assert.deepEqual(failures, []);
-  assert.deepEqual(tab.problems.filter((problem) => !/is refused/.test(problem)), []);
+  assert.deepEqual(
+    tab.problems.filter((problem) => !/is refused/.test(problem)),
+    [],
+  );
 });
 
 test('a fire that is inserted again has the settings of the last one, and its history', async () => {

@@ -68,7 +68,9 @@ function mergedObjects(to, from, now) {
     ...kept.map((object) => {
       const [old, other] = [before.get(object.id), present.get(object.id)];
       // Another object may have the id by now.
-      return old && other && old.kind === object.kind && other.kind === object.kind ? merged(object, old, other) : object;
+      return old && other && old.kind === object.kind && other.kind === object.kind
+        ? merged(object, old, other)
+        : object;
     }),
     ...added,
   ];

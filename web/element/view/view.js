@@ -167,12 +167,13 @@ export class FireView {
     this.#surface = undefined;
     // What waits for a frame waits for one of this canvas.
     if (this.root.hasAttribute('data-drawn')) this.#drawn = deferred();
-    this.canvas = this.#host.ownerDocument.createElement('canvas');
-    this.canvas.setAttribute('part', 'canvas');
+    const canvas = this.#host.ownerDocument.createElement('canvas');
+    canvas.setAttribute('part', 'canvas');
+    this.canvas = canvas;
     this.describe(this.#alt);
-    this.root.prepend(...this.#corners, this.#room, this.canvas, this.#posterBox, this.#messageBox);
+    this.root.prepend(...this.#corners, this.#room, canvas, this.#posterBox, this.#messageBox);
     if (this.root.parentNode !== this.#shadow) this.#shadow.append(this.root);
-    return this.canvas;
+    return canvas;
   }
 
   /** Removes the canvas. */

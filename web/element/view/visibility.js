@@ -97,6 +97,7 @@ export function observe(host, canvas, on) {
   const sizes = new ResizeObserver((entries) => {
     const { contentRect: css, devicePixelContentBoxSize } = entries[entries.length - 1];
     const exact = devicePixelContentBoxSize?.[0];
+    density = densityNow();
     const side = (/** @type {number} */ length, /** @type {number | undefined} */ counted) => {
       const pixels = length * density;
       // The browser's count includes how the layout snaps to pixels. Some emulated screens count in

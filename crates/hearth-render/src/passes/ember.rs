@@ -11,7 +11,7 @@ use crate::shaders::uniforms;
 /// Brightness of an ember relative to gas of the same temperature: an ember is solid.
 const RELATIVE_BRIGHTNESS: f32 = 12.0;
 /// Minimum radius of a spark in texels of the light.
-const MIN_RADIUS_TEXELS: f32 = 2.0;
+const MIN_RADIUS_TEXELS: f32 = 2.2;
 
 /// Sparks behind the flame. In front of it they would look like dots.
 pub struct Ember;

@@ -1,5 +1,6 @@
 //! Stages about the libraries: the simulation for JavaScript, and the crates for Rust.
 
+use std::env;
 use std::path::PathBuf;
 
 use anyhow::{Result, ensure};
@@ -36,6 +37,23 @@ fn run_tests(folder: &str, variable: Option<(&str, PathBuf)>) -> Result<()> {
 /// tests run before a commit.
 pub(super) fn publishable() -> Result<()> {
     let sh = Shell::new()?;
+    // cargo unpacks the crates of a dry run where it finds those of the last one, which have the same version.
+    let home = env::var_os("CARGO_HOME").map(PathBuf::from);
+    let home = home.or_else(|| Some(env::home_dir()?.join(".cargo")));
+    for kept in home
+        .iter()
+        .flat_map(|home| ["src", "cache"].map(|kind| home.join("registry").join(kind)))
+    {
+        for registry in sh.read_dir(kept).unwrap_or_default() {
+            // The registry of a dry run has no host.
+            if registry
+                .file_name()
+                .is_some_and(|name| name.to_string_lossy().starts_with('-'))
+            {
+                sh.remove_path(registry)?;
+            }
+        }
+    }
     let publish = cmd!(sh, "cargo publish --workspace --dry-run --allow-dirty").ignore_status();
     eprintln!("$ {publish}");
     let output = publish.output()?;

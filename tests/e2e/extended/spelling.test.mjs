@@ -48,6 +48,25 @@ test('attributes without effect cause one warning, in HTML or set later; removed
   assert.deepEqual(more, []);
 });
 
+test('content that a fire does not show causes one warning that names the first element and the remedy', async () => {
+  const fire = (/** @type {string} */ content) => `<hearth-fire ${SMALL}>${content}</hearth-fire>`;
+  for (const [content, words] of /** @type {[string, RegExp | undefined][]} */ ([
+    ['<h1>Welcome</h1><p>Text</p>', /<hearth-fire>: <h1> inside it is not shown; close the fire by <\/hearth-fire>/],
+    [fire(''), /<hearth-fire> inside it is not shown; close/],
+    ['<hearth-sorce></hearth-sorce>', /<hearth-sorce> inside it is not shown; did you mean <hearth-source>\?/],
+    ['<hearth-solids></hearth-solids>', /did you mean <hearth-solid>\?/],
+    ['<div><img slot="poster" alt=""></div>', /<div> inside it is not shown;.*slot="poster"/],
+    ['<img slot="poster" alt=""><template></template><style></style>text', undefined],
+    ['<div><hearth-solid></hearth-solid></div>', undefined],
+  ])) {
+    const tab = await browser.show(fire(content));
+    await tab.ready();
+    if (words) assert.match((await warnings(tab, 1))[0], words);
+    await tab.frames(3);
+    assert.equal(tab.problems.length, words ? 1 : 0, tab.problems.join());
+  }
+});
+
 test('`controls` names the parameters of the panel, and unknown names are reported', async () => {
   const tab = await browser.open(
     recording(

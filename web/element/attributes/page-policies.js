@@ -40,11 +40,11 @@ export class PagePolicies {
   #panel;
   /** Removes the pointer listeners. @type {AbortController | undefined} */
   #pointer;
-  /** Observes the attributes that scripts set, and the children. */
+  /** Observes the attributes that scripts set, and the children with what they contain. */
   #observer = new MutationObserver((records) => {
-    for (const { attributeName } of records) {
+    for (const { attributeName, target } of records) {
       if (attributeName === null) this.#session.code.adopt();
-      else if (this.#fire.hasAttribute(attributeName)) check(attributeName);
+      else if (target === this.#fire && this.#fire.hasAttribute(attributeName)) check(attributeName);
     }
   });
 
@@ -59,7 +59,7 @@ export class PagePolicies {
   /** The element is on a page: checks the names of its attributes. */
   checkNames() {
     this.#fire.getAttributeNames().forEach(check);
-    this.#observer.observe(this.#fire, { attributes: true, childList: true });
+    this.#observer.observe(this.#fire, { attributes: true, childList: true, subtree: true });
   }
 
   /** There is a connection to the engine: sends the limits. */

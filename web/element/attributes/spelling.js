@@ -41,6 +41,30 @@ export function warnOnce(name, element = 'hearth-fire', known = KNOWN) {
   console.warn(`<${element}>: it has no attribute ${name.slice(0, 40)}${suggestion(name, known)}${size}`);
 }
 
+/** The fires that have been warned about. @type {WeakSet<Element>} */
+const LOSING = new WeakSet();
+
+/**
+ * Warns once about content of a fire that it does not show: HTML has no self-closing elements, so that `<hearth-fire />`
+ * contains the rest of the page.
+ * @param {Element} fire
+ */
+export function warnOfContent(fire) {
+  const objects = 'hearth-source,hearth-solid';
+  const lost = [...fire.children].find(
+    (child) => !child.matches(`[slot],${objects},link,noscript,script,style,template`) && !child.querySelector(objects),
+  );
+  if (!lost || LOSING.has(fire)) return;
+  LOSING.add(fire);
+  const name = lost.localName.slice(0, 40);
+  const near = name.startsWith('hearth-') && name !== 'hearth-fire' ? alike(name, objects.split(','), 3) : [];
+  const remedy =
+    near.length > 0
+      ? `did you mean <${near[0]}>?`
+      : 'close the fire by </hearth-fire> before it, or give it slot="poster" to show it until the fire burns.';
+  console.warn(`<hearth-fire>: <${name}> inside it is not shown; ${remedy}`);
+}
+
 /**
  * A question for the names that may be meant, as the end of a sentence; a full stop if none is similar.
  * @param {string} name

@@ -63,7 +63,11 @@ export class Children {
 
   /** The children of the element may have changed. */
   update() {
-    const elements = [...this.session.fire.children].filter(({ localName }) => Object.hasOwn(KINDS, localName));
+    const { fire } = this.session;
+    // HTML has no self-closing elements, and pages wrap children: descendants count, but those of a fire in this one.
+    const elements = [...fire.querySelectorAll(Object.keys(KINDS).join())].filter(
+      (element) => element.closest('hearth-fire') === fire,
+    );
     const before = this.#children;
     const of = (/** @type {Element} */ element) => before.find((child) => child.element === element);
     this.#children = elements.filter((element) => of(element)).map((element) => /** @type {Child} */ (of(element)));

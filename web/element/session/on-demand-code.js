@@ -73,7 +73,13 @@ export class OnDemandCode {
   /** The element may have other children. The code for those that are objects is loaded with the first one. */
   async adopt(begins = this.#session.begun) {
     const { fire, reports } = this.#session;
-    if (begins && fire.querySelector(':scope>hearth-source,:scope>hearth-solid')) {
+    if (fire.querySelector(':scope>:not([slot],hearth-source,hearth-solid)')) {
+      import('../attributes/spelling.js').then(
+        ({ warnOfContent }) => warnOfContent(fire),
+        () => {},
+      );
+    }
+    if (begins && fire.querySelector('hearth-source,hearth-solid')) {
       const load = () => reports.loads(import('../children/children.js'), 'The code for children');
       this.#childrenLoading ??= load().then(
         ({ Children }) => {

@@ -384,7 +384,7 @@ export interface HearthSolidAttributes {
   load?: number | `${number}` | null | undefined;
   /** A fuel that catches fire later. Mass of the water as a share of that of the dry fuel. [%] Default 8, from 0 to 100. */
   moisture?: number | `${number}` | null | undefined;
-  /** A solid that moves by itself, and pushes the gas. Sway: to and fro along a line. Spin: around its place. Free: it starts at its place and falls, rests on other solids and is pushed by the gas. The speed of each part is limited to 3 m/s. With a fuel it breaks where it has burnt through, while there are fewer than 64 solids. Default "still". */
+  /** A solid that moves by itself, and pushes the gas. Sway: to and fro along a line. Spin: around its place. Free: it starts at its place and falls, rests on other solids and is pushed by the gas. No part of it is faster than 3 m/s, but for a free solid that hits another or hangs. With a fuel it breaks where it has burnt through, while there are fewer than 64 solids. Default "still". */
   motion?: "still" | "sway" | "spin" | "free" | null | undefined;
   /** A solid that moves farther. Distance of its turning points from its place. [m] Default 0.3, from 0 to 5. */
   sway?: number | `${number}` | null | undefined;

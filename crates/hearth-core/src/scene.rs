@@ -259,9 +259,17 @@ impl Scene {
         let of_kind = |object: &Object<'_>| Some(object.kind.name) == kind.map(|kind| kind.name);
         let count = self.objects().filter(of_kind).count();
         let values = match kind {
-            _ if count >= MAX_OBJECTS => {
-                let count = Input::Number(count as f64 + 1.0);
-                Err(("length", count, "at most 64 of each kind"))
+            Some(kind) if count >= MAX_OBJECTS => {
+                let words = match kind.name {
+                    "solid" => "at most 64 solids",
+                    _ => "at most 64 sources",
+                };
+                errors.push(ParamError {
+                    id: "objects".to_owned(),
+                    value: format!("{} {}s", count + 1, kind.name),
+                    kind: ParamErrorKind::Other(words),
+                });
+                return;
             }
             None => Err((KIND, name, kinds::NAMES)),
             Some(_) if number == 0 || id != Input::Number(number.into()) => {
@@ -273,11 +281,7 @@ impl Scene {
         let values = match values {
             Ok(values) => values,
             Err((field, input, words)) => {
-                let name = match field {
-                    "length" => "objects.length".to_owned(),
-                    _ => path(index, field),
-                };
-                errors.push(must_be(name, input, words));
+                errors.push(must_be(path(index, field), input, words));
                 return;
             }
         };

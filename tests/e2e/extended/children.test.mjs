@@ -335,7 +335,7 @@ test('children beyond 64 are refused with a message, and get their index when th
     [...Array(64).fill(false), true],
   );
   assert.equal(warnings(tab).length, 1);
-  assert.match(warnings(tab)[0], /<hearth-solid>: objects.length = 65 is refused: it must be at most 64 of each kind/);
+  assert.match(warnings(tab)[0], /<hearth-solid>: objects = 65 solids is refused: it must be at most 64 solids/);
   await acts(tab, (fire) => fire.firstElementChild.remove());
   assert.ok((await ids()).every((id) => id > 0));
 });

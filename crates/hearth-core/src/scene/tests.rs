@@ -224,12 +224,15 @@ fn the_number_of_objects_is_limited() {
     let refused = words(scene.add(&[SOURCE]));
     assert_eq!(
         refused,
-        "objects.length = 65 is refused: it must be at most 64 of each kind"
+        "objects = 65 sources is refused: it must be at most 64 sources"
     );
     while scene.solids().count() < MAX_OBJECTS {
         assert!(scene.add(&[SOLID]).is_ok());
     }
-    assert_eq!(words(scene.add(&[SOLID])), refused);
+    assert_eq!(
+        words(scene.add(&[SOLID])),
+        "objects = 65 solids is refused: it must be at most 64 solids"
+    );
     let ids = ids(&scene);
     assert!((1..ids.len()).all(|at| !ids[..at].contains(&ids[at])));
 }

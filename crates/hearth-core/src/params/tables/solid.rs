@@ -81,8 +81,8 @@ properties! {
     moisture: number "Moisture" ["%"] Linear { (8.0, 0.0..=100.0) } when { fuel: BURNING }
     /// A solid that moves by itself, and pushes the gas. Sway: to and fro along a line. Spin: around
     /// its place. Free: it starts at its place and falls, rests on other solids and is pushed by the
-    /// gas. The speed of each part is limited to 3 m/s. With a fuel it breaks where it has burnt through,
-    /// while there are fewer than 64 solids.
+    /// gas. No part of it is faster than 3 m/s, but for a free solid that hits another or hangs. With a fuel
+    /// it breaks where it has burnt through, while there are fewer than 64 solids.
     motion: (choice Motion) "Motion" { (Still) }
     /// A solid that moves farther. Distance of its turning points from its place.
     sway: number "Sway" ["m"] Linear { (0.3, 0.0..=5.0) } when { motion: SWAYING }

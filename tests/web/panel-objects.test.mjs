@@ -111,6 +111,9 @@ test('a slider of a coordinate spans the frame, and a name lists what is visible
   assert.equal(nameOf({ id: 1, kind: 'source' }), 'Source 1');
   assert.equal(nameOf({ id: 2, kind: 'solid', shape: 'line', material: 'wood' }), 'Solid 2 · wood line');
   assert.equal(nameOf({ id: 3, kind: 'solid', shape: 'box', material: 'none' }), 'Solid 3 · invisible box');
+  for (const name of ['עץ', 'خشب', 'ދަރު', 'ܩܝܣܐ', '薪', 'Bûche'])
+    assert.equal(nameOf({ id: 4, kind: 'solid', name }), `\u2068${name}\u2069 · Solid 4`);
+  assert.equal(nameOf({ id: 4, kind: 'solid', name: 'Log' }), 'Log · Solid 4');
   assert.equal(isFull({ objects: Array(64).fill({ kind: 'solid' }) }, 'solid'), true);
   assert.equal(isFull({ objects: Array(64).fill({ kind: 'solid' }) }, 'source'), false);
 });

@@ -126,7 +126,9 @@ export function isFull(fire, kind) {
 export function nameOf({ id, kind, shape, material, name, enabled }) {
   const numbered = `${kind[0].toUpperCase()}${kind.slice(1)} ${id}`;
   const looks = isBody({ kind }) ? `${numbered} · ${material === 'none' ? 'invisible' : material} ${shape}` : numbered;
-  return `${name ? `${name} · ${numbered}` : looks}${enabled === false ? ' · off' : ''}`;
+  // Isolated, a name in a script from right to left keeps the words behind it in their order.
+  const isolated = /^[ -~]*$/.test(name ?? '') ? name : `\u2068${name}\u2069`;
+  return `${name ? `${isolated} · ${numbered}` : looks}${enabled === false ? ' · off' : ''}`;
 }
 
 /**

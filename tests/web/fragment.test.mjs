@@ -54,7 +54,7 @@ beforeEach(() => {
     Object.defineProperty(globalThis, name, { value, configurable: true });
   }
 });
-const { KEPT, applyFragment, hasFragment, keep } = await import('../../web/pages/fragment.js');
+const { KEPT, applyFragment, hasFragment, keep, keepLast } = await import('../../web/pages/fragment.js');
 
 /** What a page with that address shows; `act` is called when it does. */
 async function open(/** @type {string} */ href, act = () => {}) {
@@ -62,7 +62,7 @@ async function open(/** @type {string} */ href, act = () => {}) {
   /** @type {{shown: any[], refused: string[]}} */
   const seen = { shown: [], refused: [] };
   const importConfig = async (/** @type {any} */ config) => seen.shown.push(config);
-  applyFragment(/** @type {any} */ ({ importConfig }), (message) => seen.refused.push(message));
+  applyFragment(/** @type {any} */ ({ importConfig, set: importConfig }), (message) => seen.refused.push(message));
   await settled();
   act();
   await settled();
@@ -124,4 +124,13 @@ test('another tab says where such a fire is, and a shorter fire is kept no longe
   assert.match(refused.join(), /only the tab/);
   tab.stored.set('hearth-fire', '{"hearth":');
   assert.match((await open(`${PAGE}${KEPT}`)).refused.join(), /only the tab/);
+});
+
+test('the last changes of a fire survive one reload at the same address', async () => {
+  const changes = { wind: 0.5, objects: [{ kind: 'source', id: 1 }] };
+  keepLast(changes);
+  assert.deepEqual(await open(PAGE), { shown: [changes], refused: [] });
+  assert.deepEqual(await open(PAGE), { shown: [], refused: [] });
+  keepLast(changes);
+  assert.deepEqual(await open(`${PAGE}?scene=forge`), { shown: [], refused: [] });
 });

@@ -12,11 +12,15 @@ import { fromFragment } from '../share.js';
 export const KEPT = '#fire-of-this-tab';
 const KEY = 'hearth-fire';
 
+/** The key of the last change, which the URL does not have. */
+const LAST = 'hearth-fire-last';
+
 /** Whether the URL names a fire by its fragment. */
 export const hasFragment = () => location.hash.startsWith('#fire');
 
 /**
- * Applies the fragment of the URL to a fire, now and whenever it changes.
+ * Applies the fragment of the URL to a fire, now and whenever it changes. Returns whether
+ * changes that the URL does not have follow it.
  * @param {HearthFire} fire
  * @param {(message: string) => void} refuse  Reports why it is refused.
  */
@@ -32,9 +36,11 @@ export function applyFragment(fire, refuse) {
       refuse(/** @type {Error} */ (error).message);
     }
   };
-  apply();
+  const last = takeLast();
+  apply().then(() => last && fire.set(last).catch(() => {}));
   // Another address in the same tab loads nothing.
   addEventListener('hashchange', apply);
+  return last !== undefined;
 }
 
 /** The settings that the tab has. @returns {HearthConfig | undefined} */
@@ -65,5 +71,28 @@ export function keep(url, config) {
     else sessionStorage.removeItem(KEY);
   } catch {
     // A page without storage still has its history.
+  }
+}
+
+/**
+ * Keeps changes for a reload before the URL has them. While a page ends, its history takes no other URL.
+ * @param {{[id: string]: unknown}} changes
+ */
+export function keepLast(changes) {
+  try {
+    sessionStorage.setItem(LAST, JSON.stringify({ href: location.href, changes }));
+  } catch {
+    // Without storage, the URL is of the change before.
+  }
+}
+
+/** What `keepLast` has kept of a page with this URL, once. @returns {{[id: string]: any} | undefined} */
+function takeLast() {
+  try {
+    const { href, changes } = JSON.parse(sessionStorage.getItem(LAST) ?? '{}');
+    sessionStorage.removeItem(LAST);
+    return href === location.href ? changes : undefined;
+  } catch {
+    return undefined;
   }
 }

@@ -12,7 +12,7 @@
 import { applyUrlParameters, readUrlParameters } from './url-parameters.js';
 import '../hearth-fire.js';
 import { fadeChrome } from './chrome.js';
-import { KEPT, applyFragment, hasFragment, keep } from './fragment.js';
+import { KEPT, applyFragment, hasFragment, keep, keepLast } from './fragment.js';
 import { frameScenes } from './framing.js';
 import { showHint } from './hint.js';
 import { PagePanel } from './panel.js';
@@ -73,12 +73,13 @@ function applyLocation() {
   // Links from before the page had its own scene contain values alone.
   if (parameters.scene === undefined && parameters.values.length > 0) fire.removeAttribute('preset');
   applyUrlParameters(fire, parameters);
-  applyFragment(fire, refuse);
+  const isUnwritten = applyFragment(fire, refuse);
   // The poster shows the landing scene.
   if (fire.getAttribute('preset') !== LANDING || hasFragment()) document.getElementById('still')?.remove();
   // The settings contain the objects.
   const options = parameters.options.filter(([name]) => name !== 'objects');
-  updateUrl([...options, ...parameters.unknown]);
+  const plan = updateUrl([...options, ...parameters.unknown]);
+  if (isUnwritten) fire.ready.then(plan, () => {});
 }
 
 /**
@@ -99,15 +100,18 @@ async function fragmentOrKept(config) {
 }
 
 /**
- * Writes the settings of the fire into the URL after each change. The history gets no entry: "back" leaves
- * the page instead of stepping through positions of a slider.
+ * Writes the settings of the fire into the URL after each change. The history gets no entry: "back" leaves the page
+ * instead of stepping through positions of a slider. Returns what plans a writing.
  * @param {[string, string][]} options  The other URL parameters, which stay.
  */
 function updateUrl(options) {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let planned;
+  /** What the URL does not have yet. @type {{[id: string]: unknown}} */
+  let changes = {};
   const write = async () => {
     planned = undefined;
+    changes = {};
     const config = await fire.exportConfig();
     const query = queryOf(config);
     const others = new URLSearchParams(options).toString().replace(/=(?=&|$)/g, '');
@@ -127,8 +131,19 @@ function updateUrl(options) {
     if (planned !== undefined) return;
     planned = setTimeout(() => write().catch((error) => console.warn('Hearth:', error)), URL_MS);
   };
-  fire.addEventListener('params-change', plan);
-  fire.addEventListener('objects-change', plan);
+  fire.addEventListener('params-change', ({ detail: { id, value } }) => {
+    changes[id] = value;
+    plan();
+  });
+  fire.addEventListener('objects-change', () => {
+    changes.objects = fire.objects;
+    plan();
+  });
+  // A page that ends gets no answer of the fire any more; its tab keeps the last change.
+  addEventListener('pagehide', () => {
+    if (planned !== undefined) keepLast(changes);
+  });
+  return plan;
 }
 
 /** Opens the dialog that a button names. Its code is loaded with the first dialog. */

@@ -108,6 +108,22 @@ test('the address of the landing scene stays empty', async () => {
   assert.equal(await tab.evaluate(() => location.search), '');
 });
 
+test('a change right before a reload survives it, and the address has it then', async () => {
+  const tab = await browser.open('index.html?scene=candle&paused');
+  await tab.ready();
+  await tab.evaluate(async () => {
+    const fire = /** @type {any} */ (document.querySelector('hearth-fire'));
+    const changed = new Promise((resolve) => fire.addEventListener('params-change', resolve, { once: true }));
+    fire.set('wind', 0.25);
+    await changed;
+  });
+  await tab.page.reload();
+  await tab.ready();
+  await tab.until('the address', () => location.search.includes('wind=0.25') && location.hash === '');
+  const config = await tab.fire((fire) => fire.exportConfig());
+  assert.deepEqual([config.preset, config.values], ['candle', { wind: 0.25 }]);
+});
+
 test('a drawing that is too long for an address or for its fragment survives a reload', async () => {
   const tab = await browser.open('index.html?scene=default&paused');
   const kept = async (/** @type {string} */ hash, /** @type {number} */ strokes) => {

@@ -355,7 +355,11 @@ test('an invalid object changes nothing, and the error names its property', asyn
     [() => sim.removeObject(7), 'id', /id of an object/],
     [() => sim.set({ wind: 1, objects: [source(), source({ power: -1 })] }), 'objects[1].power', /0 to 600/],
     [() => sim.set('objects', 5), 'objects', /an array of objects/],
-    [() => sim.set('objects', Array.from({ length: 65 }, source)), 'objects', /65 sources is refused: it must be at most 64 sources/],
+    [
+      () => sim.set('objects', Array.from({ length: 65 }, source)),
+      'objects',
+      /65 sources is refused: it must be at most 64 sources/,
+    ],
     [() => sim.changeObject(1.5, {}), 'id', /whole number from 1 to 1000000/],
     [() => sim.removeObject('1'), 'id', /whole number/],
   ];

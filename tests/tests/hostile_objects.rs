@@ -129,7 +129,7 @@ fn outlines_in_another_form_are_refused() {
     let mut scene = Scene::default();
     assert_eq!(scene.add(&[text("kind", "solid")]), Ok(2));
     let many = "0,0 ".repeat(POINTS + 1);
-    let long = format!("0,0 1,1{}", " ".repeat(10_000));
+    let long = format!("0,0 1,1{}", " ".repeat(20_000));
     for points in [
         "0,0",
         "0,0 1",

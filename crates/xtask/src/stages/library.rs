@@ -1,6 +1,5 @@
 //! Stages about the libraries: the simulation for JavaScript, and the crates for Rust.
 
-use std::env;
 use std::path::PathBuf;
 
 use anyhow::{Result, ensure};
@@ -37,24 +36,12 @@ fn run_tests(folder: &str, variable: Option<(&str, PathBuf)>) -> Result<()> {
 /// tests run before a commit.
 pub(super) fn publishable() -> Result<()> {
     let sh = Shell::new()?;
-    // cargo unpacks the crates of a dry run where it finds those of the last one, which have the same version.
-    let home = env::var_os("CARGO_HOME").map(PathBuf::from);
-    let home = home.or_else(|| Some(env::home_dir()?.join(".cargo")));
-    for kept in home
-        .iter()
-        .flat_map(|home| ["src", "cache"].map(|kind| home.join("registry").join(kind)))
-    {
-        for registry in sh.read_dir(kept).unwrap_or_default() {
-            // The registry of a dry run has no host.
-            if registry
-                .file_name()
-                .is_some_and(|name| name.to_string_lossy().starts_with('-'))
-            {
-                sh.remove_path(registry)?;
-            }
-        }
-    }
-    let publish = cmd!(sh, "cargo publish --workspace --dry-run --allow-dirty").ignore_status();
+    // cargo takes a crate that was compiled in an earlier dry run for this one, which has the same version.
+    let folder = tools::target()?.join("publish");
+    sh.remove_path(&folder)?;
+    let publish = cmd!(sh, "cargo publish --workspace --dry-run --allow-dirty")
+        .env("CARGO_TARGET_DIR", &folder)
+        .ignore_status();
     eprintln!("$ {publish}");
     let output = publish.output()?;
     let printed = String::from_utf8_lossy(&output.stderr);

@@ -67,8 +67,8 @@ test('custom-elements.json names what the element has', async () => {
   });
   assert.deepEqual(names('attributes'), [...new Set(has.attributes)].sort());
   assert.deepEqual(names('slots'), has.slots.sort());
-  // The playback button is loaded for reduced motion only.
-  assert.deepEqual(names('cssParts'), [...new Set([...has.cssParts, 'play', 'retry'])].sort());
+  // The playback button is loaded for reduced motion only, the speaker button while the sound waits for a gesture.
+  assert.deepEqual(names('cssParts'), [...new Set([...has.cssParts, 'play', 'retry', 'speaker'])].sort());
   const members = manifest.members.filter((member) => !member.static).map(({ name }) => name);
   // What the parts of the element have for each other, no one else calls.
   const inner = ['constructor', 'keepEarlyProperties', 'chosen'];

@@ -352,7 +352,7 @@ test('where pixels may not be read the box counts, with one warning', async () =
     [`<img id="it" ${style}>`, 'it has no pixels'],
     [`<canvas id="it" ${style} width="0" height="10"></canvas>`, 'it has no pixels'],
     [`<canvas id="it" ${style} width="16384" height="16384"></canvas>`, 'it has more than 67108864 pixels'],
-    [`<svg id="it" ${style}>${'<g/>'.repeat(1000)}</svg>`, 'it has more than 1000 elements'],
+    [`<svg id="it" ${style}>${'<g/>'.repeat(1000)}</svg>`, 'it has more than 1000 elements, or draws more than 20000'],
     [`<div id="it" ${style}>${'letters '.repeat(12_500)}</div>`, 'its text has more than 1000 letters', 'of-text'],
     [
       `<div id="it" ${style.replace('left', 'writing-mode: vertical-rl; left')}>Fire</div>`,

@@ -7,6 +7,11 @@ import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
 import { events, recording } from '../assertions.mjs';
 import { acts, fireOf, openChildren, owned, settled, warnings } from '../children.mjs';
+import { table } from '../site.mjs';
+
+const { PRESETS } = await table();
+/** The power of the candle's source [kW/m]. */
+const CANDLE = PRESETS.find(({ name }) => name === 'candle').values.fuel_power;
 
 /** @type {Browser} */
 let browser;
@@ -50,9 +55,9 @@ test('the first source takes the place of the source of the settings, which come
   await acts(tab, (fire) => fire.append(Object.assign(document.createElement('hearth-source'), { id: 'second' })));
   assert.equal(await tab.fire((fire) => fire.objects.filter(({ kind }) => kind === 'source').length), 2);
   await acts(tab, (fire) => fire.firstElementChild.removeAttribute('power'));
-  assert.deepEqual(await tab.fire(values), [0.2, 26, 0.1]);
+  assert.deepEqual(await tab.fire(values), [0.2, CANDLE, 0.1]);
   await acts(tab, (fire) => fire.replaceChildren());
-  assert.deepEqual(await tab.fire(values), [0, 26, 0.1]);
+  assert.deepEqual(await tab.fire(values), [0, CANDLE, 0.1]);
   assert.equal(await tab.fire((fire) => fire.objects.filter(({ kind }) => kind === 'source').length), 1);
 });
 
@@ -352,7 +357,7 @@ test('a preset, settings and a reset keep the objects of the children', async ()
   await acts(tab, (fire) => fire.changeObject(fire.lastElementChild.objectId, { y: 1.1 }));
   await acts(tab, (fire) => fire.setAttribute('preset', 'candle'));
   await kept('a preset');
-  assert.equal(await tab.fire((fire) => fire.params.fuel_power), 26);
+  assert.equal(await tab.fire((fire) => fire.params.fuel_power), CANDLE);
   assert.equal((await listed(tab)).length, 4);
   await acts(tab, (fire) => fire.importConfig({ hearth: 2, values: { wind: 1 } }));
   await kept('settings');

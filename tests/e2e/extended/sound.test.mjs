@@ -73,7 +73,8 @@ const heard = (tab, what, holds) =>
       const { audio } = /** @type {any} */ (document.querySelector('hearth-fire'));
       if (!audio) return false;
       if (navigator.userAgent.includes('Firefox')) return true;
-      if (!page.analyser) {
+      if (page.analysed !== audio) {
+        page.analysed = audio;
         page.analyser = new AnalyserNode(audio.context, { fftSize: 2048 });
         audio.connect(page.analyser);
       }
@@ -142,7 +143,7 @@ for (const kind of BROWSERS) {
       await tab.evaluate((html) => document.body.insertAdjacentHTML('beforeend', html), FIRE);
       await tab.ready();
       await tab.click({ x: 300, y: 300 });
-      await heard(tab, 'another fire is heard', 'sound');
+      await tab.until('another context runs', () => /** @type {any} */ (window).mixes.at(-1).state === 'running');
       assert.deepEqual(await contexts(tab), ['closed', 'running']);
       assert.deepEqual(await tab.problemsAfterFrame(), []);
     });

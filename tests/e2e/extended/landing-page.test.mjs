@@ -170,7 +170,7 @@ for (const [about, sizes] of /** @type {[string, number[][]][]} */ ([
 /** The controls on the stage overlap neither each other nor the middle of the fire. */
 async function assertApart(tab, width, size) {
   const parts = await tab.evaluate(() =>
-    ['#head h1', '#head p', '#head nav', '#hint', '#draw', '#toggle', '#scenes .tiles']
+    ['#head h1', '#head p', '#head nav', '#hint', '#speaker', '#draw', '#toggle', '#scenes .tiles']
       .map((selector) => ({ selector, element: document.querySelector(selector) }))
       .filter(({ element }) => element?.checkVisibility())
       .map(({ selector, element }) => {

@@ -138,8 +138,9 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
   atEnd(() => accessible.destroy());
   const fold = inside ? addFold(host) : undefined;
   atEnd(fold?.remove ?? stayAboveKeyboard(host));
-  if (inside) {
-    const speaker = speakerControls(fire, 'hearth-fold hearth-speaker');
+  // The page of a fire has a speaker button of its own; a panel of chosen parameters shows these alone.
+  if (inside || (page === undefined && only === undefined && fire instanceof Node)) {
+    const speaker = speakerControls(fire, inside ? 'hearth-fold hearth-speaker' : 'hearth-speaker');
     host.append(...speaker.parts);
     atEnd(speaker.remove);
   }

@@ -62,7 +62,7 @@ export function speakerControls(fire, className) {
       element('input', { type: 'range', min: '0', max: '1', step: '0.05', 'data-sound': name })
     );
     label.append(name === 'sound' ? 'Volume' : 'Crackle', slider);
-    slider.addEventListener('input', () => fire.setAttribute(name, slider.value));
+    slider.addEventListener('input', () => Object.assign(fire, { [name]: Number(slider.value) }));
     sliders.append(label);
     return slider;
   });

@@ -3,6 +3,7 @@
 
 use hearth_core::params::{Input, Model, Parameters};
 use hearth_core::preset::Preset;
+use hearth_core::warm_up::WarmUp;
 use hearth_core::{Simulation, StepRecord, Vec2};
 use hearth_tests::fires::combustion;
 
@@ -144,4 +145,22 @@ fn what_nobody_reads_is_dropped_and_a_reset_gives_nothing() {
     assert!(first.births <= 100.0 && first.deaths == 0.0, "{first:?}");
     fire.record_series(false);
     assert_eq!(records(&mut fire, 3), []);
+}
+
+#[test]
+fn a_fire_that_warms_up_anew_or_has_another_number_of_particles_stays_recorded() {
+    let scene = |name| scene(name).scene().clone();
+    let mut fire = recorded(Simulation::new(scene("default")));
+    let mut warm_up = WarmUp::new(0.1, Vec::new());
+    assert!(warm_up.begin(&mut fire, scene("candle")).is_none());
+    assert_eq!(records(&mut fire, 3).len(), 3);
+    warm_up.begin(&mut fire, scene("forge"));
+    hearth_settings::adapt(&mut fire, scene("campfire"));
+    let steps = records(&mut fire, 3);
+    assert_eq!(steps.len(), 3);
+    // It gives what it gives itself alone.
+    assert_eq!(
+        steps,
+        records(&mut recorded(Simulation::new(scene("campfire"))), 3)
+    );
 }

@@ -97,6 +97,13 @@ impl Simulation {
         self.see(self.seen);
     }
 
+    /// Becomes a new fire of a scene, which is [recorded](Simulation::record_series) if this one is.
+    pub fn begin(&mut self, scene: impl Into<Scene>) {
+        let recorded = self.recorder.is_some();
+        *self = Simulation::new(scene);
+        self.record_series(recorded);
+    }
+
     /// Sets which part of the world is seen, by its lower left and upper right corner \[m\];
     /// `None`: the domain alone. With open edges there is gas up to a margin beyond the domain and
     /// beyond what is seen, as far as 4 heights of the domain. A change keeps every particle; gas

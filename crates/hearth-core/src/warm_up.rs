@@ -60,7 +60,7 @@ impl WarmUp {
     /// after that, the caller replaces a new fire by a coarse one, or resamples a burning one. Returns what is wrong with the saved fire.
     pub fn begin(&mut self, simulation: &mut Simulation, scene: Scene) -> Option<BurningError> {
         self.left = 0.0;
-        *simulation = Simulation::new(scene);
+        simulation.begin(scene);
         if !self.is_enabled() {
             return None;
         }

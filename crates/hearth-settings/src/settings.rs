@@ -291,6 +291,6 @@ pub fn adapt(simulation: &mut Simulation, scene: Scene) {
     if simulation.time() > 0.0 {
         simulation.set_scene(scene);
     } else {
-        *simulation = Simulation::new(scene);
+        simulation.begin(scene);
     }
 }

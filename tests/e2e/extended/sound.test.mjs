@@ -114,6 +114,14 @@ for (const kind of BROWSERS) {
       await heard(tab, 'a paused fire is silent', 'silence');
       await tab.fire((fire) => fire.play());
       await heard(tab, 'the fire is heard again', 'sound');
+      await tab.fire((fire) => fire.pause());
+      await heard(tab, 'a paused fire is silent', 'silence');
+      // Another preset is another fire, which is heard as well.
+      await tab.fire(async (fire) => {
+        fire.preset = 'candle';
+        await fire.play();
+      });
+      await heard(tab, 'the fire of another preset is heard', 'sound');
       await tab.fire((fire) => {
         fire.sound = 0;
       });
@@ -145,6 +153,7 @@ for (const kind of BROWSERS) {
       await tab.click({ x: 300, y: 300 });
       await tab.until('another context runs', () => /** @type {any} */ (window).mixes.at(-1).state === 'running');
       assert.deepEqual(await contexts(tab), ['closed', 'running']);
+      await heard(tab, 'the new fire is heard', 'sound');
       assert.deepEqual(await tab.problemsAfterFrame(), []);
     });
 

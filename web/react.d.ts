@@ -6,7 +6,8 @@
  * instead of `'hearth-fire'`, and attributes and events have their types.
  */
 
-import type { DetailedHTMLProps, HTMLAttributes } from 'react';
+/// <reference path="./react-global.d.cts" />
+
 import type {
   HearthChangeDetail,
   HearthErrorDetail,
@@ -25,12 +26,14 @@ import type {
 
 export * from './hearth-fire.js';
 
-declare module 'react' {
+import React = globalThis.React;
+
+declare module './react-global.cjs' {
   namespace JSX {
     interface IntrinsicElements {
-      'hearth-fire': DetailedHTMLProps<HearthFireProps, HearthFire>;
-      'hearth-source': DetailedHTMLProps<HearthSourceAttributes & HTMLAttributes<HearthSourceElement>, HearthSourceElement>;
-      'hearth-solid': DetailedHTMLProps<HearthSolidAttributes & HTMLAttributes<HearthSolidElement>, HearthSolidElement>;
+      'hearth-fire': React.DetailedHTMLProps<HearthFireProps, HearthFire>;
+      'hearth-source': React.DetailedHTMLProps<HearthSourceAttributes & React.HTMLAttributes<HearthSourceElement>, HearthSourceElement>;
+      'hearth-solid': React.DetailedHTMLProps<HearthSolidAttributes & React.HTMLAttributes<HearthSolidElement>, HearthSolidElement>;
     }
   }
 }
@@ -38,7 +41,7 @@ declare module 'react' {
 /** Everything that `<hearth-fire>` takes in JSX. */
 export type HearthFireProps = HearthFireAttributes &
   HearthFireListeners &
-  Omit<HTMLAttributes<HearthFire>, keyof HearthFireAttributes | keyof HearthFireListeners>;
+  Omit<React.HTMLAttributes<HearthFire>, keyof HearthFireAttributes | keyof HearthFireListeners>;
 
 /** The attributes of `<hearth-fire>`; one that is taken away is back at its default. */
 export interface HearthFireAttributes {

@@ -37,12 +37,20 @@ export async function alone(...names) {
   return folder;
 }
 
+/** What `docs/package.md` gives to `npm install`: the archive of `npm pack`, a copy of the folder, a link to it. */
+export const WAYS = {
+  archive: async () => [await packed()],
+  copy: async () => ['--install-links', PACKAGE],
+  link: async () => [PACKAGE],
+};
+
 /**
- * A project beside this file, with the packages of its lock file and the packed package
+ * A project beside this file, with the packages of its lock file and the package
  * installed; gives its folder.
  * @param {string} name
+ * @param {keyof typeof WAYS} [way]
  */
-export async function installed(name) {
+export async function installed(name, way = 'archive') {
   const folder = path.join(YARD, name);
   const modules = path.join(folder, 'node_modules');
   const lock = await readFile(path.join(HERE, name, 'package-lock.json'), 'utf8');
@@ -59,7 +67,7 @@ export async function installed(name) {
   }
   // npm takes a package of a name and version that it has for the same one.
   await rm(path.join(modules, 'hearth-fire'), { recursive: true, force: true });
-  await npm(folder, 'install', '--no-save', '--no-package-lock', '--prefer-offline', await packed());
+  await npm(folder, 'install', '--no-save', '--no-package-lock', '--prefer-offline', ...(await WAYS[way]()));
   await writeFile(marker, lock);
   return folder;
 }

@@ -1,6 +1,6 @@
 /**
- * A page in React 19 and TypeScript: attributes and events are typed, and React creates,
- * changes and removes the element, in strict mode.
+ * A page in React 19 and TypeScript: attributes and events are typed in each way of installing
+ * the package, and React creates, changes and removes the element, in strict mode.
  */
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
@@ -31,12 +31,30 @@ async function byDefault(id) {
   return PARAMETERS.find((parameter) => parameter.id === id).domains.classic.default;
 }
 
-test('attributes and events are typed', async () => {
-  const compiler = path.join(root, 'node_modules/typescript/bin/tsc');
-  await promisify(execFile)(process.execPath, [compiler, '--project', root]).catch(({ stdout }) => {
-    assert.fail(stdout);
+/**
+ * Compilers, and how they find files. Those of `node10` read no `exports`.
+ * @type {[compiler: string, ...options: string[]][]}
+ */
+const COMPILERS = [
+  ['typescript'],
+  ['typescript', '--module', 'nodenext', '--moduleResolution', 'nodenext'],
+  ['typescript-5'],
+  ['typescript-5', '--moduleResolution', 'node10', '--ignoreDeprecations', '5.0'],
+];
+
+// The archive is installed last, for the tests below.
+for (const way of /** @type {const} */ (['link', 'copy', 'archive'])) {
+  test(`attributes and events are typed where the package is installed as ${way}`, async () => {
+    await installed('react', way);
+    for (const [compiler, ...options] of COMPILERS) {
+      const program = path.join(root, 'node_modules', compiler, 'bin/tsc');
+      const words = [program, '--project', root, ...options];
+      await promisify(execFile)(process.execPath, words).catch(({ stdout }) => {
+        assert.fail(`${[compiler, ...options].join(' ')}:\n${stdout}`);
+      });
+    }
   });
-});
+}
 
 test('a fire in strict mode burns, accepts properties and sends events', async () => {
   const options = { root, logLevel: 'error', configFile: false };

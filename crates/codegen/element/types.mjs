@@ -69,7 +69,7 @@ ${all.map(({ name, type, doc }) => entry(doc, name, type === 'number' ? NUMBER :
   const elements = children
     .map(
       ({ tag, type }) => `\
-      '${tag}': DetailedHTMLProps<${attributesOf(tag)} & HTMLAttributes<${type}>, ${type}>;
+      '${tag}': React.DetailedHTMLProps<${attributesOf(tag)} & React.HTMLAttributes<${type}>, ${type}>;
 `,
     )
     .join('');
@@ -80,15 +80,18 @@ ${all.map(({ name, type, doc }) => entry(doc, name, type === 'number' ? NUMBER :
  * instead of \`'hearth-fire'\`, and attributes and events have their types.
  */
 
-import type { DetailedHTMLProps, HTMLAttributes } from 'react';
+/// <reference path="./react-global.d.cts" />
+
 ${imports(names, './hearth-fire.js', `HearthFire ${attributes}${listens}${elements}`)}
 
 export * from './hearth-fire.js';
 
-declare module 'react' {
+import React = globalThis.React;
+
+declare module './react-global.cjs' {
   namespace JSX {
     interface IntrinsicElements {
-      'hearth-fire': DetailedHTMLProps<HearthFireProps, HearthFire>;
+      'hearth-fire': React.DetailedHTMLProps<HearthFireProps, HearthFire>;
 ${elements}    }
   }
 }
@@ -96,7 +99,7 @@ ${elements}    }
 /** Everything that \`<hearth-fire>\` takes in JSX. */
 export type HearthFireProps = HearthFireAttributes &
   HearthFireListeners &
-  Omit<HTMLAttributes<HearthFire>, keyof HearthFireAttributes | keyof HearthFireListeners>;
+  Omit<React.HTMLAttributes<HearthFire>, keyof HearthFireAttributes | keyof HearthFireListeners>;
 
 /** The attributes of \`<hearth-fire>\`; one that is taken away is back at its default. */
 export interface HearthFireAttributes {

@@ -52,6 +52,11 @@ await writeFile(
   await inlined(path.join(ROOT, 'web'), path.join(out, 'wasm'), built),
 );
 
+// For tools that read no `exports`, which look for a file or a folder of that name.
+await mkdir(path.join(out, 'inline'));
+const inline = { main: '../hearth-fire.inline.js', types: '../hearth-fire.d.ts', type: 'module', sideEffects: true };
+await writeFile(path.join(out, 'inline/package.json'), `${JSON.stringify(inline, null, 2)}\n`);
+
 /** @type {(from: string, to: string) => Promise<void>} */
 async function put(from, to) {
   const target = path.join(out, to);

@@ -50,9 +50,28 @@ async function entryPointsAreThere() {
     }
     assert(!target.endsWith('.js') || types, `exports["${entry}"] has no types`);
   }
-  // Some tools read no `exports`.
-  assert.equal(manifest.main, manifest.exports['.'].default, 'main is another file than the main entry point');
+  await worksWithoutExports();
   for (const name of manifest.sideEffects) await stat(path.join(folder, name));
+}
+
+/** Tools that read no `exports` find the same files: by `main`, by the address, or by a folder's own package.json. */
+async function worksWithoutExports() {
+  for (const { entry, target, types } of entries(manifest)) {
+    const beside = await json(path.join(folder, entry, 'package.json'));
+    const found = beside
+      ? { target: path.posix.join(entry, beside.main), types: path.posix.join(entry, beside.types) }
+      : { target: types ? `${entry}.js` : entry, types: types && `${entry}.d.ts` };
+    assert.deepEqual(
+      [found.target, found.types].map((file) => file && path.posix.normalize(file)),
+      [target, types].map((file) => file && path.posix.normalize(file)),
+      `exports["${entry}"] is another file for tools that read no exports`,
+    );
+  }
+}
+
+/** The package.json at that place, if there is one. @param {string} file @returns {Promise<any>} */
+async function json(file) {
+  return JSON.parse(await readFile(file, 'utf8').catch(() => 'null'));
 }
 
 /** npm's own list of what it would publish, and its warnings. */
@@ -72,6 +91,7 @@ async function packsExactly() {
   const wanted = [
     ...DOCUMENTS,
     'hearth-fire.inline.js',
+    'inline/package.json',
     ...(await reached(folder, beginningsOf(manifest))),
     ...(await typesReached(folder, typesOf(manifest))),
     ...(await pictures(folder)),

@@ -9,7 +9,7 @@ import { build } from '../scripts/esbuild.mjs';
 
 const BESIDE = /new URL\(\s*(['"])(\.\.?\/[^'"]+)\1,\s*import\.meta\.url\s*\)/g;
 const IN_PAGE = /(?:src|href|content)=(['"])(\.\/[^'"]+)\1/g;
-const TYPES = /(?:from|import\()\s*(['"])(\.\.?\/[^'"]+)\.js\1/g;
+const TYPES = /(?:from|import\(|declare module)\s*(['"])(\.\.?\/[^'"]+\.c?js)\1/g;
 
 /**
  * The files that these scripts and pages reach, including themselves, as paths below `folder`.
@@ -61,7 +61,7 @@ export async function typesReached(folder, files) {
   for (let file = waiting.shift(); file !== undefined; file = waiting.shift()) {
     if (found.has(file)) continue;
     found.add(file);
-    waiting.push(...(await named(folder, file, TYPES)).map((script) => `${script}.d.ts`));
+    waiting.push(...(await named(folder, file, TYPES)).map((script) => script.replace(/(c?)js$/, 'd.$1ts')));
   }
   return [...found].sort();
 }

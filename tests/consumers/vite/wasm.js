@@ -1,4 +1,4 @@
 import { HearthFire } from 'hearth-fire';
-import url from 'hearth-fire/hearth-engine_bg.wasm?url';
+import url from 'hearth-fire/wasm/hearth-engine_bg.wasm?url';
 
 HearthFire.wasmUrl = url;

@@ -262,7 +262,7 @@ export function sharedPage(browser) {
   let page;
   return async (model = 'classic', draws = browser().draws) => {
     if (!page || page.tab !== browser().tab || page.tab.draws !== draws) {
-      const tab = await browser().open('index.html?model=classic', { width: 760, height: 600, draws });
+      const tab = await browser().open('index.html?scene=default&model=classic', { width: 760, height: 600, draws });
       await tab.ready();
       // A reset would burn the fire warm, and fade into it.
       await tab.fire((fire) => fire.removeAttribute('warm'));

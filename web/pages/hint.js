@@ -10,8 +10,8 @@ const HINT_MS = 8000;
 /** The movement over the fire after which the hint disappears [CSS pixels]. */
 const MOVED = 400;
 
-const MOUSE = 'Move to blow, click for sparks, drag the fire';
-const TOUCH = 'Swipe to blow, tap for sparks, drag the fire';
+const MOUSE = 'Move to blow, click for sparks, drag the base';
+const TOUCH = 'Swipe to blow, tap for sparks, drag the base';
 
 /**
  * Shows the hint if this browser has not shown it before and the fire plays.

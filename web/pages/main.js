@@ -2,7 +2,7 @@
  * The full page: one fire, its chrome and its panel, and a URL that describes the fire.
  *
  * Without URL parameters the page shows the scene in its HTML. `?scene=seed&viscosity=0.01&paused` sets a
- * scene and attributes of the element; values without a scene change the scene `default`. The page and
+ * scene and attributes of the element; values without a scene change the scene of the page. The page and
  * the console report what is refused. Later changes are written back, so the URL always shows this fire; settings that
  * are too long for URL parameters are its fragment.
  *
@@ -70,12 +70,11 @@ function applyLocation() {
   };
   fire.addEventListener('error', refused);
   fire.ready.catch(() => {}).then(() => fire.removeEventListener('error', refused));
-  // Links from before the page had its own scene contain values alone.
-  if (parameters.scene === undefined && parameters.values.length > 0) fire.removeAttribute('preset');
   applyUrlParameters(fire, parameters);
   const isUnwritten = applyFragment(fire, refuse);
-  // The poster shows the landing scene.
-  if (fire.getAttribute('preset') !== LANDING || hasFragment()) document.getElementById('still')?.remove();
+  // The poster shows the landing scene, without changes.
+  if (fire.getAttribute('preset') !== LANDING || parameters.values.length > 0 || hasFragment())
+    document.getElementById('still')?.remove();
   // The settings contain the objects.
   const options = parameters.options.filter(([name]) => name !== 'objects');
   const plan = updateUrl([...options, ...parameters.unknown]);

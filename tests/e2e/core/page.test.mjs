@@ -32,7 +32,7 @@ test('fire burns in the lower middle and nowhere else, and it moves', async () =
 test('the fire still burns after ten seconds, with its full number of particles', async () => {
   // Few of them, so that a slow machine comes to the end of it as well.
   const most = 1000;
-  const tab = await browser.open(`index.html?particles=${most}`);
+  const tab = await browser.open(`index.html?scene=default&particles=${most}`);
   await tab.burnt(10);
   await assertBurns(tab);
   const { particles, fps, time } = await tab.fire((fire) => fire.stats);
@@ -44,7 +44,7 @@ test('the fire still burns after ten seconds, with its full number of particles'
 });
 
 test('values in the address set the fire, and bad ones are rejected with a warning', async () => {
-  const values = 'model=classic&viscosity=0.02&buoyancy=99&seed=7';
+  const values = 'scene=default&model=classic&viscosity=0.02&buoyancy=99&seed=7';
   const tab = await browser.open(`index.html?${values}`);
   await tab.ready();
   await tab.burnt(1);

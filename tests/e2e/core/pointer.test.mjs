@@ -16,15 +16,16 @@ after(() => browser?.close());
 
 const CALM = 'paused interactive ember-rate="0" ember-size="0.02"';
 
-/** Where the middle of the source's foot is on the screen. */
-const source = (tab) =>
-  tab.fire(async (fire) => {
+/** Where the middle of the source's foot is on the screen, or a place above it, in widths of the source. */
+const source = (tab, above = 0) =>
+  tab.fire(async (fire, up) => {
     // The engine answers in order: every earlier drag counts.
     await fire.exportConfig();
     const { left, top } = fire.getBoundingClientRect();
-    const { x, y } = fire.toPixels(fire.params.source_x, fire.params.source_height);
+    const { source_x, source_height, source_width } = fire.params;
+    const { x, y } = fire.toPixels(source_x, source_height + up * source_width);
     return { x: left + x, y: top + y };
-  });
+  }, above);
 
 /** Waits until the fire is ready, and listens to pointers. */
 const listens = async (tab) => {
@@ -119,12 +120,16 @@ test('a click throws sparks at its place, and a drag throws none', async () => {
 });
 
 for (const style of ['', 'transform: scale(0.6); transform-origin: 0 0']) {
-  test(`a drag on the source moves it ${style && 'in a scaled element'}`, async () => {
+  test(`a drag on the lower flame moves its source ${style && 'in a scaled element'}`, async () => {
     const tab = await browser.show(`<div style="${style}">${recording(`<hearth-fire ${CALM}></hearth-fire>`)}</div>`);
     await listens(tab);
     await tab.fire((fire) => fire.step(4));
     const cursor = () => tab.fire((fire) => getComputedStyle(fire.shadowRoot.querySelector('canvas')).cursor);
-    const from = await source(tab);
+    const from = await source(tab, 0.8);
+    const above = await source(tab, 1.5);
+    await tab.mouse('move', above);
+    await tab.frames();
+    assert.equal(await cursor(), 'auto');
     await tab.mouse('move', from);
     await tab.frames();
     assert.equal(await cursor(), 'grab');

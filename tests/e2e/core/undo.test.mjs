@@ -14,7 +14,7 @@ before(async () => {
 });
 after(() => browser?.close());
 
-async function openPage(query = 'model=classic') {
+async function openPage(query = 'scene=default&model=classic') {
   const tab = await browser.open(`index.html?${query}&paused`, { width: 760, height: 640 });
   await tab.ready();
   return { tab, panel: await new Panel(tab).mounted() };

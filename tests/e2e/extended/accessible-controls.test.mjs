@@ -20,7 +20,7 @@ after(() => browser?.close());
 
 /** @param {{before?: () => void}} [options] */
 async function openPage(options) {
-  const tab = await browser.open('index.html?model=classic', { width: 760, height: 600, ...options });
+  const tab = await browser.open('index.html?scene=default&model=classic', { width: 760, height: 600, ...options });
   await tab.ready();
   return { tab, panel: await new Panel(tab).mounted() };
 }

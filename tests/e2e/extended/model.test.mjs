@@ -77,7 +77,7 @@ for (const [model, only] of Object.entries(ONLY)) {
 test('the classic model in the address decides the ranges of values before it', async () => {
   const { emission_speed, max_particles } = ONLY.classic;
   const tab = await browser.open(
-    `index.html?emission_speed=${emission_speed}&max_particles=${max_particles}&model=classic&paused`,
+    `index.html?scene=default&emission_speed=${emission_speed}&max_particles=${max_particles}&model=classic&paused`,
   );
   await tab.ready();
   assert.deepEqual(await tab.fire((fire) => fire.params), {

@@ -1,6 +1,6 @@
 /**
  * A pointer on a fire: it moves gas along, twice as fast while it is pressed; a click throws sparks;
- * a drag that begins on the source moves the source and the objects attached to it, or the solid that the source is
+ * a drag that begins on the source or the lower flame moves the source and the objects attached to it, or the solid that the source is
  * on. Other gestures enlarge the picture.
  *
  * @typedef {import('../../hearth-fire.js').HearthPoint} Point
@@ -19,7 +19,7 @@ const PAUSE_MS = 200;
 /** Maximum speed of the gas that a pointer moves along [m/s]. */
 const MAX_SPEED = 20;
 
-/** Maximum movement of a click, and minimum half-width of a source's grip area [px]. */
+/** Maximum movement of a click, and minimum half-width and height of a source's grip area [px]. */
 const CLICK_PX = 6;
 const GRIP_PX = 16;
 
@@ -81,8 +81,10 @@ export function listenToPointer(session, signal) {
       return isOn(solid, from, CLICK_PX * perPixel) ? { ...from, id: solid.id } : undefined;
     }
     const reach = GRIP_PX * perPixel;
+    // The lower flame is about as high as the source is wide.
+    const up = metres.y - source.y;
     const near =
-      Math.abs(metres.x - source.x) <= Math.max(source.half, reach) && Math.abs(metres.y - source.y) <= reach;
+      Math.abs(metres.x - source.x) <= Math.max(source.half, reach) && up >= -reach && up <= Math.max(2 * source.half, reach);
     // The box of another shape may be mostly empty.
     const isOnAttached = () =>
       attachedObjects(fire).some(
@@ -148,7 +150,7 @@ export function listenToPointer(session, signal) {
       if (!press.clicks) drag(/** @type {Press & {held: Grip}} */ (press), at);
       return;
     }
-    root.style.cursor = event.pointerType === 'mouse' && grip(event) !== undefined ? 'grab' : '';
+    root.style.cursor = event.pointerType !== 'touch' && grip(event) !== undefined ? 'grab' : '';
     const before = last.get(event.pointerId);
     const position = at.inside && isForFire(event) ? at.metres : null;
     if (!position) {

@@ -2,6 +2,7 @@
  * What the tests of the toolbar share: the page with its toolbar, a mouse or a finger at places of the world, and
  * the state of the fire and of the toolbar.
  */
+import assert from 'node:assert/strict';
 
 export const WIDE = { width: 1280, height: 800 };
 export const PHONES = [
@@ -60,3 +61,25 @@ export async function drag(tab, from, to, touch = false) {
 }
 
 export const close = (a, b, off = 0.02) => Math.abs(a - b) <= off;
+
+/** The scale of a quantity lies apart from the toolbar and its status. */
+export async function assertScaleApart(tab) {
+  await tab.fire((fire) => fire.set('display_mode', 'temperature'));
+  const [scale, ...others] = await tab.until('the scale', () => {
+    const inside = document.querySelector('hearth-fire')?.shadowRoot;
+    const scale = inside?.querySelector('.scale');
+    if (!scale?.checkVisibility()) return false;
+    const root = inside?.querySelector('.hearth-toolbar') ? inside : document;
+    const parts = [...root.querySelectorAll('.hearth-toolbar, .hearth-status')];
+    return [scale, ...parts.filter((part) => part.checkVisibility())].map((part) => {
+      const { left, right, top, bottom } = part.getBoundingClientRect();
+      return { left, right, top, bottom };
+    });
+  });
+  for (const { left, right, top, bottom } of others)
+    assert.ok(
+      scale.left >= right || scale.right <= left || scale.top >= bottom || scale.bottom <= top,
+      JSON.stringify([scale, ...others]),
+    );
+  await tab.fire((fire) => fire.restore('display_mode'));
+}

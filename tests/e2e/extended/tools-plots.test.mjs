@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { violations } from '../axe.mjs';
 import { Browser, eventually } from '../driver.mjs';
-import { canUndo, openTools, PHONES, tool, WIDE } from '../tools.mjs';
+import { assertScaleApart, canUndo, openTools, PHONES, tool, WIDE } from '../tools.mjs';
 import { keepSaved } from '../waits.mjs';
 
 /** @type {Browser} */
@@ -117,6 +117,7 @@ for (const size of PHONES) {
   test(`at ${size.width} × ${size.height}, a button shows the plots beside the tools and their message`, async () => {
     const tab = await openTools(browser, size, PAUSED);
     await assertShows(tab, size);
+    await assertScaleApart(tab);
     assert.equal(await canUndo(tab), false);
     if (size.width < size.height) return;
     await tool(tab, 'plots');

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
-import { chord, close, openTools, toolStatus, tap, tool } from '../tools.mjs';
+import { assertScaleApart, chord, close, openTools, toolStatus, tap, tool } from '../tools.mjs';
 import { objectsUntil as until } from '../waits.mjs';
 
 /** @type {Browser} */
@@ -16,6 +16,7 @@ after(() => browser?.close());
 
 test('keys and clicks add to the selection, move, duplicate, align and order all of it', async () => {
   const tab = await openTools(browser);
+  await assertScaleApart(tab);
   await tab.fire((fire) =>
     fire.set({
       objects: [

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
-import { chord, close, drag, openTools, toolStatus, WIDE } from '../tools.mjs';
+import { assertScaleApart, chord, close, drag, openTools, toolStatus, WIDE } from '../tools.mjs';
 import { objectsUntil as until } from '../waits.mjs';
 
 /** @type {Browser} */
@@ -62,6 +62,7 @@ test('a fire with controls offers the tools inside of it, loaded on request', as
   await tab.page.click('hearth-fire >>> [data-tool="box"]');
   await drag(tab, [-0.1, 1.1], [0.1, 0.9]);
   await until(tab, 'two', (all) => all.length === 2);
+  await assertScaleApart(tab);
   await tab.page.click('hearth-fire >>> [data-tool="close"]');
   await tab.until(
     'no toolbar',

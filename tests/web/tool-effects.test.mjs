@@ -3,7 +3,9 @@
  * pointer and by the cross that stands for it while keys draw. None is a step of the history.
  */
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
+import { TOOLS } from '../../web/tools/table.js';
 import { toolsOf } from './tool-context.mjs';
 
 const close = (a, b) => Math.abs(a - b) < 1e-9;
@@ -198,4 +200,20 @@ test('pointers and keys probe where they are, and keys have it announced', async
       [0.1, true],
     ],
   );
+});
+
+test('the document of the toolbar names the key of every tool, and every tool that acts on the fire', async () => {
+  const text = await readFile(new URL('../../docs/embedding.md', import.meta.url), 'utf8');
+  const [, keys] = /Keys for tools\.\*\* 1 to 9, (.*?) choose a tool/.exec(text);
+  const named = keys.split(/, | and /);
+  assert.deepEqual(
+    named.sort(),
+    TOOLS.map(({ key }) => key.toUpperCase())
+      .filter((key) => !/[1-9]/.test(key))
+      .sort(),
+  );
+  const [, acts] = /\*\*Act on the fire\.\*\*(.*?)\n- /s.exec(text);
+  for (const { name, label } of TOOLS)
+    if (['blow', 'sparks', 'ignite', 'extinguish', 'water'].includes(name))
+      assert.ok(acts.includes(`*${label}*`), label);
 });

@@ -18,6 +18,16 @@ export interface HearthSharedConfig {
   description?: string;
 }
 
+/** How generated HTML shows a fire. */
+export interface HearthShown {
+  /** Its width in CSS pixels, 320 by default. */
+  width?: number;
+  /** Its height in CSS pixels, 400 by default. */
+  height?: number;
+  /** The element's own attributes, such as `{ warm: '', fit: 'contain' }`. */
+  attributes?: Record<string, string>;
+}
+
 /** The URL of this file, or of the bundle that contains it. */
 export const FILE: string;
 
@@ -50,9 +60,13 @@ export function pageLink(config: HearthSharedConfig, base: string | URL): Promis
 
 /**
  * HTML that shows this fire on any page: script and element, or the element alone without `scriptUrl`.
- * Throws a `RangeError` if a name is not a parameter.
+ * Throws a `RangeError` if a name is not a parameter or an attribute.
  */
-export function elementCode(config: HearthSharedConfig, scriptUrl?: string | URL): string;
+export function elementCode(config: HearthSharedConfig, scriptUrl?: string | URL, shown?: HearthShown): string;
 
 /** HTML that shows this fire in an iframe; `embedUrl` is the absolute URL of `embed.html`. Rejects as `pageLink` does. */
-export function iframeCode(config: HearthSharedConfig, embedUrl: string | URL): Promise<string>;
+export function iframeCode(
+  config: HearthSharedConfig,
+  embedUrl: string | URL,
+  shown?: HearthShown,
+): Promise<string>;

@@ -14,6 +14,11 @@
  * @property {object[]} [objects]  The objects, unless they are the preset's.
  * @property {string} [label]  A title for people.
  * @property {string} [description]  A description for people.
+ *
+ * @typedef {object} Shown  How generated HTML shows a fire.
+ * @property {number} [width]  Its width [CSS px], 320 by default.
+ * @property {number} [height]  Its height [CSS px], 400 by default.
+ * @property {{[name: string]: string}} [attributes]  The element's own attributes, such as `warm`.
  */
 
 import { DEFAULTS, OWN_ATTRIBUTES } from './generated/defaults.js';
@@ -29,9 +34,6 @@ const OWN = OWN_ATTRIBUTES.filter((name) => !PRESET.includes(name));
 
 /** The most characters of URL parameters that are written; longer settings become a fragment. */
 export const MAX_QUERY = 2000;
-
-/** The size of a fire in generated HTML. */
-const SIZE = { width: 320, height: 400 };
 
 /**
  * The URL parameters of a fire, without the question mark; empty for the defaults.
@@ -108,10 +110,12 @@ async function urlOf(base, config, otherwise = '') {
  * HTML that shows this fire on any page.
  * @param {Config} config
  * @param {string | URL} [scriptUrl]  The URL of `hearth-fire.js`; without it, the HTML is the element alone.
+ * @param {Shown} [shown]
  * @throws {RangeError} a name is not a parameter
  */
-export function elementCode(config, scriptUrl) {
+export function elementCode(config, scriptUrl, shown) {
   checkConfig(config);
+  const { width, height, own } = checked(shown);
   const named = attributes(config).map(([name, value]) => {
     const id = name.replaceAll('-', '_');
     if (!Object.hasOwn(DEFAULTS, id) && id !== 'objects') {
@@ -119,8 +123,9 @@ export function elementCode(config, scriptUrl) {
     }
     return value === 'true' ? name : attribute(name, value);
   });
+  named.push(...own.map(([name, value]) => (value === '' ? name : attribute(name, value))));
   if (config.preset !== undefined) named.unshift(attribute('preset', config.preset));
-  named.push(attribute('style', `width: ${SIZE.width}px; height: ${SIZE.height}px`));
+  named.push(attribute('style', `width: ${width}px; max-width: 100%; height: ${height}px`));
   const element = `<hearth-fire ${named.join(' ')}></hearth-fire>`;
   if (scriptUrl === undefined) return element;
   return `<script type="module" ${attribute('src', String(scriptUrl))}></script>\n${element}`;
@@ -130,16 +135,21 @@ export function elementCode(config, scriptUrl) {
  * HTML that shows this fire in an iframe.
  * @param {Config} config
  * @param {string | URL} embedUrl  The absolute URL of `embed.html`.
+ * @param {Shown} [shown]
  * @returns {Promise<string>}
  * @throws {RangeError} the settings are too long for an address
  */
-export async function iframeCode(config, embedUrl) {
+export async function iframeCode(config, embedUrl, shown) {
+  const { width, height, own } = checked(shown);
+  const url = new URL(await urlOf(embedUrl, config));
+  const options = new URLSearchParams(own).toString().replace(/=(?=&|$)/g, '');
+  url.search = [url.search.slice(1), options].filter(Boolean).join('&');
   const attributes = [
-    attribute('src', await urlOf(embedUrl, config)),
-    attribute('width', String(SIZE.width)),
-    attribute('height', String(SIZE.height)),
+    attribute('src', url.href),
+    attribute('width', String(width)),
+    attribute('height', String(height)),
     // An iframe with another colour scheme than its page gets an opaque background.
-    'style="border: 0; color-scheme: light" loading="lazy" allow="autoplay" title="A fire"',
+    'style="border: 0; max-width: 100%; color-scheme: light" loading="lazy" allow="autoplay" title="A fire"',
   ];
   return `<iframe ${attributes.join(' ')}></iframe>`;
 }
@@ -167,6 +177,21 @@ const ESCAPES = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;', "'": '&
 /** @param {string} text */
 function escaped(text) {
   return text.replace(/[&<>"']/g, (character) => ESCAPES[character]);
+}
+
+/**
+ * How a fire is shown, with defaults.
+ * @param {Shown} [shown]
+ * @throws {RangeError} a size is no size, or an attribute is not the element's own
+ */
+function checked({ width = 320, height = 400, attributes: own = {} } = {}) {
+  for (const [name, size] of Object.entries({ width, height }))
+    if (!(typeof size === 'number' && size > 0 && size < Infinity))
+      throw new RangeError(`shown.${name} must be a positive number, not ${kindOf(size)}`);
+  for (const name of Object.keys(own))
+    if (!OWN.includes(name))
+      throw new RangeError(`shown.attributes: ${JSON.stringify(shortened(name))} is no attribute`);
+  return { width, height, own: Object.entries(own).map(([name, value]) => [name, String(value)]) };
 }
 
 /**

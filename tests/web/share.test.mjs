@@ -136,6 +136,23 @@ describe('code to paste', () => {
     assert.ok(Number(width) > 0 && Number(height) > 0);
   });
 
+  test('shows the fire as its page does: its size and its own attributes', async () => {
+    const shown = { width: 940, height: 800, attributes: { warm: '', interactive: '', fit: 'contain', align: '"<' } };
+    const config = { hearth: 2, preset: 'seed', values: {} };
+    const { preset, style, ...attributes } = attributesOf(elementCode(config, undefined, shown), 'hearth-fire');
+    assert.deepEqual(
+      [preset, style, attributes],
+      ['seed', 'width: 940px; max-width: 100%; height: 800px', shown.attributes],
+    );
+    const { src, width, height } = attributesOf(await iframeCode(config, EMBED, shown), 'iframe');
+    assert.deepEqual([width, height], ['940', '800']);
+    assert.equal(src, `${EMBED}?scene=seed&warm&interactive&fit=contain&align=%22%3C`);
+    for (const wrong of [{ width: 0 }, { height: NaN }, { width: '9px' }, { attributes: { onclick: 'x' } }]) {
+      assert.throws(() => elementCode(config, undefined, wrong), RangeError);
+      await assert.rejects(iframeCode(config, EMBED, wrong), RangeError);
+    }
+  });
+
   test('escapes every character of a value', async () => {
     const config = { hearth: 2, preset: HOSTILE, values: { background: HOSTILE } };
     const code = elementCode(config, `${SCRIPT}?${HOSTILE}`);

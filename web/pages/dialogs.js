@@ -2,10 +2,8 @@
  * The dialogs in the HTML of the page: what Hearth is, and the code that embeds the fire in another page.
  */
 
+import { shownAs } from '../panel/exchange.js';
 import { elementCode, iframeCode } from '../share.js';
-
-/** The attributes of the page's fire that its code includes. */
-const ATTRIBUTES = 'warm interactive';
 
 /** The dialogs that have their listeners. @type {Set<string>} */
 const ready = new Set();
@@ -19,7 +17,7 @@ export async function openDialog(id, fire) {
   const dialog = /** @type {HTMLDialogElement} */ (document.getElementById(id));
   if (!ready.has(id)) prepare(dialog);
   ready.add(id);
-  if (id === 'embed') await write(dialog, await fire.exportConfig());
+  if (id === 'embed') await write(dialog, await fire.exportConfig(), shownAs(fire));
   dialog.showModal();
   for (const field of dialog.querySelectorAll('textarea')) showAll(field);
 }
@@ -62,14 +60,14 @@ function prepare(dialog) {
  * Fills in the code of the current fire.
  * @param {HTMLDialogElement} dialog
  * @param {import('../share.js').HearthSharedConfig} config
+ * @param {import('../share.js').HearthShown} shown
  */
-async function write(dialog, config) {
+async function write(dialog, config, shown) {
   const beside = (/** @type {string} */ file) => new URL(`../${file}`, import.meta.url);
-  const within = (/** @type {string} */ html) => html.replace('></hearth-fire>', ` ${ATTRIBUTES}></hearth-fire>`);
   const codes = {
-    element: within(elementCode(config, beside('hearth-fire.js'))),
-    iframe: await iframeCode(config, beside('embed.html')).catch(({ message }) => message),
-    module: `import 'hearth-fire';\n\n${within(elementCode(config))}`,
+    element: elementCode(config, beside('hearth-fire.js'), shown),
+    iframe: await iframeCode(config, beside('embed.html'), shown).catch(({ message }) => message),
+    module: `import 'hearth-fire';\n\n${elementCode(config, undefined, shown)}`,
   };
   for (const [what, code] of Object.entries(codes)) {
     const field = /** @type {HTMLTextAreaElement} */ (dialog.querySelector(`[data-code="${what}"]`));

@@ -4,7 +4,7 @@
 
 import { askForSettings, offerFile, showKeys, showText } from './cards.js';
 import { download, saveSettings } from './download.js';
-import { COPIES, beside, isSettings, settingsOf, textOf } from './exchange.js';
+import { COPIES, beside, isSettings, settingsOf, shownAs, textOf } from './exchange.js';
 import { ownScenesOf } from './own-scenes.js';
 import { askForPicture } from './picture-card.js';
 import { Report } from './report.js';
@@ -100,7 +100,7 @@ export class CardCommands {
       text =
         name === 'report'
           ? this.#report.text(page && config && (await pageLink(config, page).catch(() => undefined)), config)
-          : await textOf(name, /** @type {HearthConfig} */ (config), this.#addresses);
+          : await textOf(name, /** @type {HearthConfig} */ (config), this.#addresses, shownAs(this.#fire));
     } catch (error) {
       const { message } = /** @type {Error} */ (error);
       this.#notify('', message);
@@ -131,12 +131,10 @@ export class CardCommands {
       return;
     }
     const save = async (/** @type {{scale: number, background: string}} */ { scale, background }) => {
-      const plain = await this.#fire.toBlob('image/png');
-      const { width } = await createImageBitmap(plain);
-      const isPlain = scale === 1 && background === 'scene';
-      const blob = isPlain ? plain : await this.#fire.toBlob({ width: scale * width, background });
-      download(blob, 'hearth.png');
-      this.#notify('picture', `Saved an image, ${scale * width} pixels wide`);
+      // A fire of low quality is drawn with fewer pixels than its place on the screen has.
+      const width = scale * Math.round(this.#fire.offsetWidth * devicePixelRatio);
+      download(await this.#fire.toBlob({ width, background }), 'hearth.png');
+      this.#notify('picture', `Saved an image, ${width} pixels wide`);
     };
     this.#show(askForPicture({ host: this.#host, save }));
   }

@@ -43,22 +43,38 @@ export const COPIES = [
   },
 ];
 
+/** The own attributes of a fire that change what it shows or does at first. */
+const ATTRIBUTES = ['warm', 'interactive', 'fit', 'align', 'zoom', 'pan'];
+
+/**
+ * How a page shows a fire, for its HTML on another page.
+ * @param {import('../hearth-fire.js').HearthFire} fire
+ * @returns {import('../share.js').HearthShown}
+ */
+export function shownAs(fire) {
+  const named = ATTRIBUTES.map((name) => [name, fire.getAttribute?.(name) ?? null]);
+  const attributes = Object.fromEntries(named.filter(([, value]) => value !== null));
+  const { offsetWidth: width, offsetHeight: height } = fire;
+  return width > 0 && height > 0 ? { width, height, attributes } : { attributes };
+}
+
 /**
  * The settings of a fire in one of these forms.
  * @param {string} name  Of one of {@link COPIES}, but the report.
  * @param {HearthConfig} config
  * @param {{page?: string | URL, script?: string | URL, embed?: string | URL}} addresses
+ * @param {import('../share.js').HearthShown} shown
  * @returns {Promise<string>}
  * @throws {RangeError} they are too long for an address
  */
-export async function textOf(name, config, { page, script, embed }) {
+export async function textOf(name, config, { page, script, embed }, shown) {
   switch (name) {
     case 'link':
       return pageLink(config, page ?? location.href);
     case 'element':
-      return elementCode(config, script);
+      return elementCode(config, script, shown);
     case 'iframe':
-      return iframeCode(config, embed ?? '');
+      return iframeCode(config, embed ?? '', shown);
     default: {
       const text = JSON.stringify(config, null, 2);
       if (text.length > MAX_SETTINGS)

@@ -338,7 +338,12 @@ test('the pause button stops and continues time and picture', async () => {
 });
 
 test('a finger selects a choice from a list', async () => {
-  const phone = await browser.open('index.html?scene=default&model=classic', { width: 360, height: 640, ratio: 3, touch: true });
+  const phone = await browser.open('index.html?scene=default&model=classic', {
+    width: 360,
+    height: 640,
+    ratio: 3,
+    touch: true,
+  });
   await phone.burnt(0.3);
   const sheet = await new Panel(phone).mounted();
   await sheet.choose('display_mode', 'sprites');

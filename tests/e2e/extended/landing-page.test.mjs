@@ -340,8 +340,12 @@ test('the embed dialog shows the code of the current fire, and Escape closes it'
       ]),
     ),
   );
-  assert.match(codes.element, /<hearth-fire preset="candle" exposure="0\.3" .*warm interactive><\/hearth-fire>/);
-  assert.match(codes.iframe, /<iframe src="http.*embed\.html\?scene=candle&amp;exposure=0\.3"/);
+  // As this page shows it.
+  const style = 'width: 660px; max-width: 100%; height: 640px';
+  const element = `<hearth-fire preset="candle" exposure="0.3" warm interactive style="${style}"></hearth-fire>`;
+  assert.ok(codes.element.endsWith(`\n${element}`), codes.element);
+  const address = 'embed.html?scene=candle&amp;exposure=0.3&amp;warm&amp;interactive';
+  assert.ok(codes.iframe.includes(`/${address}" width="660" height="640"`), codes.iframe);
   assert.match(codes.module, /^import 'hearth-fire';/);
   // The page ignores keys in a dialog.
   const before = await panelIs(tab);

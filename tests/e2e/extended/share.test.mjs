@@ -92,6 +92,7 @@ describe('the panel', () => {
   test('copies HTML of the element that burns where it is pasted', async () => {
     const { tab, panel, params } = await openPage();
     const code = await copied(tab, panel, 'element');
+    assert.match(code, / warm interactive style="width: 420px; max-width: 100%; height: 600px"/, 'as it is shown here');
     const other = await browser.show(`<style>hearth-fire { background: black }</style>${code}`);
     await other.ready();
     assert.deepEqual(await paramsOf(other), params);
@@ -228,9 +229,9 @@ describe('the panel', () => {
     await tab.until('the card is there', () => document.querySelector('[data-card="save"]'));
     await tab.page.select('[data-card="scale"]', '2');
     await tab.page.select('[data-card="background"]', 'black');
-    const { width } = await tab.fire((fire) =>
-      createImageBitmap(/** @type {any} */ (fire.shadowRoot).querySelector('canvas')).then(({ width }) => ({ width })),
-    );
+    // As many pixels as the screen has, however few the fire is drawn with.
+    await tab.fire((fire) => fire.setAttribute('max-pixels', '20000'));
+    const width = await tab.fire((fire) => fire.offsetWidth * devicePixelRatio);
     await tab.page.click('[data-card="save"]');
     const { name, start, size } = await tab.until('a file', () => /** @type {any} */ (window).saved);
     assert.match(name, /\.png$/);

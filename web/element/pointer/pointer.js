@@ -84,7 +84,9 @@ export function listenToPointer(session, signal) {
     // The lower flame is about as high as the source is wide.
     const up = metres.y - source.y;
     const near =
-      Math.abs(metres.x - source.x) <= Math.max(source.half, reach) && up >= -reach && up <= Math.max(2 * source.half, reach);
+      Math.abs(metres.x - source.x) <= Math.max(source.half, reach) &&
+      up >= -reach &&
+      up <= Math.max(2 * source.half, reach);
     // The box of another shape may be mostly empty.
     const isOnAttached = () =>
       attachedObjects(fire).some(

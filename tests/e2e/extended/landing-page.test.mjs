@@ -154,7 +154,7 @@ for (const [about, sizes] of /** @type {[string, number[][]][]} */ ([
   test(`on ${about} words, hint, buttons and scenes lie apart`, async () => {
     const touch = about === 'phones';
     const [[first, second]] = sizes;
-    const tab = await browser.open('index.html', { width: first, height: second, touch });
+    const tab = await browser.open('index.html', { width: first, height: second, touch, draws: true });
     await tab.until('the hint', () => document.getElementById('hint')?.textContent);
     await tab.ready();
     await strip(tab);
@@ -164,7 +164,41 @@ for (const [about, sizes] of /** @type {[string, number[][]][]} */ ([
       await tab.frames(4);
       await assertApart(tab, width, `${width} × ${height}`);
     }
+    await assertReadable(tab);
   });
+}
+
+/** Words over a white stage have a contrast of 4.5:1 or more. */
+async function assertReadable(tab) {
+  const words = await tab.evaluate(() => {
+    const stage = /** @type {HTMLElement} */ (document.getElementById('stage'));
+    const fire = /** @type {any} */ (document.getElementById('fire'));
+    stage.style.background = '#fff';
+    for (const part of fire.shadowRoot.querySelectorAll('.root, canvas')) part.style.visibility = 'hidden';
+    const all = [...document.querySelectorAll('#head h1, #head p, #head nav > *')].filter((part) =>
+      part.checkVisibility(),
+    );
+    const found = all.map((part) => {
+      const range = document.createRange();
+      range.selectNodeContents(part);
+      const { x, y, width, height } = range.getBoundingClientRect();
+      const colour = /** @type {number[]} */ (getComputedStyle(part).color.match(/\d+/g)?.map(Number));
+      return { name: part.textContent, rectangle: { x, y, width, height }, colour };
+    });
+    for (const part of all) /** @type {HTMLElement} */ (part).style.visibility = 'hidden';
+    return found;
+  });
+  const linear = (byte) => (byte <= 10 ? byte / 3295 : ((byte / 255 + 0.055) / 1.055) ** 2.4);
+  const luminance = (r, g, b) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+  for (const { name, rectangle, colour } of words) {
+    const ground = await tab.picture(rectangle);
+    const light = luminance(...colour) + 0.05;
+    assert.equal(
+      ground.share((...rgb) => light / (luminance(...rgb) + 0.05) >= 4.5),
+      1,
+      name,
+    );
+  }
 }
 
 /** The controls on the stage overlap neither each other nor the middle of the fire. */

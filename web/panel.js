@@ -14,6 +14,7 @@ import { listenToKeys } from './panel/keys.js';
 import { listenToDrops } from './panel/own-scenes.js';
 import { addSheet } from './panel/sheet.js';
 import { addStyle } from './panel/style.js';
+import { addTooltip } from './panel/tooltip.js';
 import { zoomKey } from './panel/zoom-keys.js';
 import { speakerControls } from './sound/speaker.js';
 
@@ -154,14 +155,15 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
     event.stopPropagation();
   });
 
+  const tooltip = addTooltip(host);
+  atEnd(() => tooltip.remove());
   const update = () => {
     if (!canvas) return;
     const shown = canvas.getBoundingClientRect();
-    accessible.position(
-      /** @type {Record<string, number[]>} */ (panel?.rectangles() ?? {}),
-      shown,
-      shown.width / canvas.offsetWidth || 1,
-    );
+    const scale = shown.width / canvas.offsetWidth || 1;
+    accessible.position(/** @type {Record<string, number[]>} */ (panel?.rectangles() ?? {}), shown, scale);
+    const [text, top, height] = panel?.tooltip() ?? [];
+    tooltip.show(text && [text, shown.y + top * scale, height * scale]);
   };
   // eframe sizes the canvas from `devicePixelContentBoxSize`, which emulated
   // phones report at a ratio of 1: the panel would be painted too large.
@@ -196,6 +198,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
     canvas?.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
     stage?.remove();
     stage = canvas = undefined;
+    tooltip.show();
   }
 
   /** Shows a message and the accessible controls. @param {string} reason */

@@ -47,12 +47,14 @@ impl Panel {
     pub fn ui(&mut self, ui: &mut Ui) {
         self.output.rectangles.clear();
         self.output.hovered = None;
+        self.output.tooltip = None;
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, theme::GROUND);
         if area.width() < 120.0 || area.height() < 80.0 {
             return;
         }
         self.state.close_stale_field();
+        self.output.pointer.follow(ui);
         self.views(ui, area);
         if !ui.input(|input| input.pointer.any_down()) {
             self.output.pointer.gesture = None;
@@ -130,6 +132,12 @@ impl Panel {
         let subject = self.output.hovered?;
         let value = self.state.fire.text(subject);
         Some((value, subject.param.description().label))
+    }
+
+    /// What the row under a resting pointer is about, and the row.
+    pub fn tooltip(&self) -> Option<(&str, Rect)> {
+        let (text, row) = self.output.tooltip.as_ref()?;
+        Some((text, *row))
     }
 
     /// The position of each visible control in points. The page's accessible controls and

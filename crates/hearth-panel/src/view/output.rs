@@ -15,6 +15,9 @@ pub struct Output {
     pub rectangles: BTreeMap<String, Rect>,
     /// What the row under the pointer shows.
     pub hovered: Option<Subject>,
+    /// What the row under a resting pointer is about, and the row. The page shows it beside the
+    /// panel, where it covers no other row.
+    pub tooltip: Option<(String, Rect)>,
     /// The top of each visible row.
     pub tops: Vec<(&'static str, f32)>,
     /// Whether a control of the present row shows its own tooltip.

@@ -72,17 +72,17 @@ pub fn framed(
     }
 }
 
-/// The tooltip of the whole row.
+/// The tooltip of the whole row, unless it would disturb what the pointer does.
 fn hover(state: &State, out: &mut Output, ui: &Ui, subject: Subject, rect: Rect) {
     let row = ui.interact(rect, Id::unique(("row", subject.id)), Sense::hover());
     if row.contains_pointer() {
         out.hovered = Some(subject);
     }
     let quiet = std::mem::take(&mut out.quiet);
-    // A tooltip would cover the field or the list.
-    let busy = state.open.field.is_some() || state.open.choice == Some(subject.id);
-    if !state.device.finger && !quiet && !busy {
-        row.on_hover_text(description(state, subject));
+    let typed = state.open.field.is_some() || state.open.choice == Some(subject.id);
+    let busy = typed || out.pointer.acts || state.device.finger;
+    if row.contains_pointer() && !quiet && !busy {
+        out.tooltip = Some((description(state, subject), rect));
     }
 }
 

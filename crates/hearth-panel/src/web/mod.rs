@@ -141,6 +141,15 @@ impl Panel {
         Some(vec![value, label.to_owned()])
     }
 
+    /// What the row under a resting pointer is about, its top and its height in CSS pixels;
+    /// undefined without one.
+    pub fn tooltip(&self) -> Option<js_sys::Array> {
+        let panel = self.panel.try_borrow().ok()?;
+        let (text, row) = panel.tooltip()?;
+        let values = [text.into(), row.top().into(), row.height().into()];
+        Some(values.iter().collect::<js_sys::Array>())
+    }
+
     /// Repaints soon, after the page has changed the canvas's resolution.
     pub fn repaint(&self) {
         paint_soon(&self.ctx);

@@ -1,7 +1,7 @@
 //! The panel at the first visit: a short header, simple controls first, a visible slider on every
 //! screen, and truthful numbers.
 
-use egui::{Event, Key};
+use egui::{Event, Key, vec2};
 use hearth_core::params::{Input, Model, Param, Value};
 use hearth_panel::state::Command;
 use hearth_panel::state::fire::Stats;
@@ -290,4 +290,43 @@ fn the_value_under_the_pointer_can_be_copied() {
     let copied = harness.panel.hovered_value();
     assert_eq!(copied, Some(("220".to_owned(), "Strength")));
     assert_eq!(harness.value("fuel_power"), Value::Number(220.0));
+}
+
+#[test]
+fn a_row_has_a_tooltip_while_the_pointer_rests_and_none_while_it_drags_or_turns() {
+    let mut harness = Harness::of_model(Model::Combustion, TALL);
+    let rail = harness.rect("fuel_power");
+    let name = harness.rect("label:fuel_power");
+    let tooltip = |harness: &Harness| {
+        let (text, row) = harness.panel.tooltip()?;
+        Some((text.to_owned(), row))
+    };
+    assert_eq!(tooltip(&harness), None);
+    harness.frame(vec![Event::PointerMoved(rail.center())]);
+    harness.wait();
+    let (text, row) = tooltip(&harness).expect("the pointer rests");
+    assert!(text.ends_with("Attribute fuel-power"), "{text}");
+    assert!(row.contains_rect(rail) && row.contains_rect(name));
+
+    harness.button(rail.center(), true);
+    harness.frame(vec![Event::PointerMoved(rail.center() + vec2(20.0, 0.0))]);
+    assert_eq!(tooltip(&harness), None, "it drags");
+    harness.button(rail.center() + vec2(20.0, 0.0), false);
+    harness.wait();
+    harness.frame(vec![Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Line,
+        delta: vec2(0.0, -1.0),
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Unknown,
+        modifiers: egui::Modifiers::NONE,
+    }]);
+    harness.wait();
+    assert_eq!(tooltip(&harness), None, "it has turned");
+    let other = harness.rect("wind").center();
+    harness.frame(vec![Event::PointerMoved(other)]);
+    let (text, _) = tooltip(&harness).expect("it moves freely");
+    assert!(text.ends_with("Attribute wind"), "{text}");
+    harness.frame(vec![Event::PointerGone]);
+    harness.wait();
+    assert_eq!(tooltip(&harness), None, "it is gone");
 }

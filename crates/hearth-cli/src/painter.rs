@@ -97,6 +97,7 @@ impl<'a> Painter<'a> {
             height,
             time: simulation.time(),
             camera: self.options.camera,
+            is_paused: false,
         }
     }
 }

@@ -33,6 +33,8 @@ pub struct FrameInput<'a> {
     pub camera: Camera,
     /// Age of the fire \[s\].
     pub time: f64,
+    /// Whether it is paused.
+    pub is_paused: bool,
     /// Settings and objects.
     pub scene: &'a Scene,
     /// The particles.
@@ -111,6 +113,7 @@ impl FireRenderer {
         };
         let &FrameInput {
             time,
+            is_paused,
             scene,
             camera,
             ..
@@ -135,6 +138,7 @@ impl FireRenderer {
                 height,
                 time,
                 camera,
+                is_paused,
             };
             let on_pass = &mut |name| passes.end(context, clock, name);
             let painted = renderer.paint_in_passes(gl, &view, parameters, input.history, on_pass);

@@ -240,23 +240,18 @@ impl History {
         self.fades = fades;
     }
 
-    /// The visible slices of a picture at `time` \[s\], from the front, `count` at most.
-    pub(crate) fn slices(&self, time: f64, count: usize, source: &Source) -> Vec<Slice> {
+    /// The visible slices of a picture at `time` \[s\], from the front, `count` at most. A
+    /// fraction of `count` is a part of the last one's weight.
+    pub(crate) fn slices(&self, time: f64, count: f32, source: &Source) -> Vec<Slice> {
         let mut slices = vec![Slice::present(time)];
-        let faded = self.samples.last().map_or(0.0, |last| time - last.time);
-        for index in 1..count.min(MAX_SLICES) {
+        let faded = self.samples.last().map_or(0.0, |last| time - last.time) as f32;
+        for (index, fade) in self.fades.iter().enumerate().skip(1) {
             let moment = time - slices::lag(index, source.width);
+            let weight = fade.after(faded).min((count - index as f32).max(0.0));
             if self.around(moment).is_some() {
                 let base = self.base_at(moment, source);
-                let fade = &self.fades[index];
-                slices.extend(Slice::behind(
-                    index,
-                    moment,
-                    fade,
-                    faded as f32,
-                    source,
-                    base,
-                ));
+                let slice = Slice::behind(index, moment, fade, weight, source, base);
+                slices.extend(slice);
             }
         }
         slices::share(&mut slices);

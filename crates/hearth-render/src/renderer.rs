@@ -26,7 +26,7 @@ use crate::resolution::{Layout, ResolutionLimits};
 use crate::ring::Ring;
 use crate::scale::{Scale, extremes};
 use crate::shared::SharedResources;
-use crate::slices::{MAX_SLICES, Slice};
+use crate::slices::{Count, MAX_SLICES, Slice};
 use crate::solids::Solids;
 use crate::targets::Targets;
 use crate::viewport::Viewport;
@@ -42,6 +42,8 @@ pub struct View {
     pub time: f64,
     /// Part of the world in the picture.
     pub camera: Camera,
+    /// Whether the fire stands still: then another number of slices is shown at once.
+    pub is_paused: bool,
 }
 
 /// Draws a fire into a framebuffer, with premultiplied alpha.
@@ -64,6 +66,8 @@ pub struct Renderer<G: Graphics = glow::Context> {
     noise: [slices::Noise; MAX_SLICES],
     /// Number of slices of the last picture.
     slices: usize,
+    /// Number of slices that scene and quality want, as they fade.
+    count: Count,
     scale: Scale,
     /// The source on a solid of the uploaded scene.
     source: Option<Source>,
@@ -110,6 +114,7 @@ impl<G: Graphics> Renderer<G> {
             ring: Ring::new(max_rows),
             noise: Default::default(),
             slices: 0,
+            count: Count::default(),
             scale: Scale::default(),
             source: None,
             scenery: None,
@@ -258,7 +263,8 @@ impl<G: Graphics> Renderer<G> {
         let mut slices = vec![present];
         // Eight bits store roots, which do not blend. The classic model's gas is a cloud without sheets.
         if frame.advects_noise() {
-            let count = self.limits.slices.min(parameters.depth as usize);
+            let wanted = self.limits.slices.min(parameters.depth as usize);
+            let count = self.count.advance(view.time, wanted, view.is_paused);
             slices = history.slices(view.time, count, &source);
             self.ring.upload(gl, history)?;
         }

@@ -98,8 +98,30 @@ impl Fade {
     }
 
     /// The weight a time after the last sample \[s\], 0 to 1.
-    fn after(&self, elapsed: f32) -> f32 {
+    pub fn after(&self, elapsed: f32) -> f32 {
         (self.weight + self.rate * elapsed).clamp(0.0, 1.0)
+    }
+}
+
+/// The number of slices of a picture. It follows the wanted number with the time of the fire, so that slices beyond
+/// it fade.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Count {
+    /// The number and the time of the last picture \[s\].
+    last: Option<(f32, f64)>,
+}
+
+impl Count {
+    /// The number at a moment \[s\]; its fraction is the weight of the last slice. In the first picture and while the fire
+    /// is paused it is the wanted number.
+    pub fn advance(&mut self, time: f64, wanted: usize, is_paused: bool) -> f32 {
+        let mut count = wanted as f32;
+        if let Some((last, then)) = self.last.filter(|_| !is_paused) {
+            let change = ((time - then).max(0.0) / f64::from(FADE_SECONDS)) as f32;
+            count = last + (count - last).clamp(-change, change);
+        }
+        self.last = Some((count, time));
+        count
     }
 }
 
@@ -136,17 +158,16 @@ impl Slice {
         }
     }
 
-    /// A slice behind the present one. `base_then`: the base of the source at its moment. `None` while it is invisible. Its depth and
-    /// smoke are its weight.
+    /// A slice behind the present one. `weight`: how far it has faded in. `base_then`: the base of the source at its moment.
+    /// `None` while it is invisible. Its depth and smoke are its weight.
     pub fn behind(
         index: usize,
         moment: f64,
         fade: &Fade,
-        faded: f32,
+        weight: f32,
         source: &Source,
         base_then: [f32; 2],
     ) -> Option<Slice> {
-        let weight = fade.after(faded);
         let layer = &LAYERS[index];
         let Arrangement { mirrors, spreads } = fade.arrangement;
         let (offset, scale) = if spreads {
@@ -238,7 +259,7 @@ mod tests {
                 let fade = visible(Arrangement { mirrors, spreads });
                 for index in 1..MAX_SLICES {
                     let then = [-0.2, 0.3];
-                    let slice = Slice::behind(index, 1.0, &fade, 0.0, &source(0.4), then)
+                    let slice = Slice::behind(index, 1.0, &fade, 1.0, &source(0.4), then)
                         .expect("a visible slice");
                     let [x, y, ..] = slice.moved([then[0], then[1], then[0], then[1]]);
                     assert!((x - 0.4 - slice.shift).abs() < 1e-6 && (y - 0.1).abs() < 1e-6);
@@ -250,7 +271,7 @@ mod tests {
 
     #[test]
     fn moved_bounds_enclose_moved_gas() {
-        let slice = Slice::behind(1, 1.0, &visible(FREE), 0.0, &source(0.0), [0.0, 0.1]);
+        let slice = Slice::behind(1, 1.0, &visible(FREE), 1.0, &source(0.0), [0.0, 0.1]);
         let [left, lower, right, upper] = slice.expect("visible").moved([-0.1, 0.0, 0.5, 1.0]);
         assert!(left < right && lower < upper && left < -0.4);
     }
@@ -278,6 +299,24 @@ mod tests {
         assert!(weights[20..].contains(&0.0) && weights[39] == 1.0);
         fade.advance(0.0, None);
         assert_eq!(fade.after(FADE_SECONDS), 0.0);
+    }
+
+    #[test]
+    fn another_number_of_slices_is_reached_as_each_fades() {
+        let mut count = Count::default();
+        assert_eq!(count.advance(7.0, 5, false), 5.0);
+        let (mut time, mut last) = (7.0, 5.0);
+        for wanted in [1, 5] {
+            for _ in 0..40 {
+                time += 1.0 / 30.0;
+                let next = count.advance(time, wanted, false);
+                assert!((next - last).abs() <= 1.0 / 30.0 / FADE_SECONDS + 1e-4);
+                assert_eq!(count.advance(time, wanted, false), next);
+                last = next;
+            }
+            assert_eq!(last, wanted as f32);
+        }
+        assert_eq!(count.advance(time, 3, true), 3.0);
     }
 
     #[test]

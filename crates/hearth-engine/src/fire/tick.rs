@@ -227,6 +227,7 @@ impl Fire {
                 limits: ResolutionLimits::of(self.quality.level()),
                 camera: self.camera,
                 time: self.simulation.time(),
+                is_paused: !self.playing,
                 scene: self.simulation.scene(),
                 particles: &self.instances,
                 embers: &self.embers,

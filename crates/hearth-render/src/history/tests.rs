@@ -35,7 +35,7 @@ fn burn(history: &mut History, scene: &Scene, from: f64, to: f64) {
 
 fn visible(history: &History, scene: &Scene, time: f64) -> Vec<usize> {
     let source = Source::of(scene.settings());
-    let slices = history.slices(time, MAX_SLICES, &source);
+    let slices = history.slices(time, 5.0, &source);
     slices.iter().map(|slice| slice.index).collect()
 }
 
@@ -66,6 +66,21 @@ fn slices_appear_as_soon_as_the_fire_is_as_old_as_their_lag() {
 }
 
 #[test]
+fn the_last_slice_of_a_fractional_number_is_faint() {
+    let (mut history, scene) = (History::default(), fire(&[]));
+    burn(&mut history, &scene, 0.0, 3.0);
+    let smoke = |count| {
+        let source = Source::of(scene.settings());
+        let slices = history.slices(3.0, count, &source);
+        slices.iter().map(|slice| slice.smoke).collect::<Vec<_>>()
+    };
+    assert_eq!(smoke(1.0), [1.0]);
+    let faint = smoke(2.5);
+    assert!(faint.len() == 3 && (faint[2] - 0.5 * faint[1]).abs() < 1e-6);
+    assert!(smoke(3.001)[3] < 1e-4);
+}
+
+#[test]
 fn slices_of_another_scene_fade_out_and_return() {
     let wind = fire(&[("wind", 1.0)]);
     let far = fire(&[("source_x", 0.35)]);
@@ -85,7 +100,7 @@ fn slices_follow_a_source_and_are_not_mirrored_in_wind() {
     let (mut history, still, moved) = (History::default(), fire(&[]), fire(&[("source_x", 0.2)]));
     burn(&mut history, &still, 0.0, 3.0);
     burn(&mut history, &moved, 3.01, 3.05);
-    for slice in history.slices(3.05, MAX_SLICES, &source(&moved)) {
+    for slice in history.slices(3.05, 5.0, &source(&moved)) {
         let [x, ..] = slice.moved([0.0, 0.0, 0.0, 0.0]);
         assert!(
             slice.index == 0 || (x - 0.2 - slice.shift).abs() < 1e-5,
@@ -95,7 +110,7 @@ fn slices_follow_a_source_and_are_not_mirrored_in_wind() {
     for (wind, mirrored) in [(0.0, 2), (0.5, 0)] {
         let (mut history, scene) = (History::default(), fire(&[("wind", wind)]));
         burn(&mut history, &scene, 0.0, 3.0);
-        let slices = history.slices(3.0, MAX_SLICES, &source(&scene));
+        let slices = history.slices(3.0, 5.0, &source(&scene));
         let count = slices.iter().filter(|slice| slice.scale[0] < 0.0).count();
         assert_eq!(count, mirrored);
     }

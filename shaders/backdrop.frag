@@ -35,8 +35,8 @@ const float FLOOR_DEPTH = 0.14;
 // On a page: share of the ground's own colours besides a mean one; share of the adapted hue; displayed light of which
 // a half is drawn, since dim light reddens a white page; and where it ends at the edges of the picture.
 const float OWN = 0.4;
-const vec3 MEAN_GROUND = vec3(0.33, 0.28, 0.24);
-const float ADAPTED = 0.15;
+const vec3 MEAN_GROUND = vec3(0.28);
+const float ADAPTED = 0.5;
 const float PAGE_DIM = 0.25;
 const float EDGE = 0.1;
 // Soot on the wall: a plume from the foot, whose width grows upwards and which begins above it.
@@ -75,7 +75,7 @@ void main() {
     // Light covers as much of a page as it adds.
     float peak = max(lit.r, max(lit.g, lit.b));
     vec2 inside = clamp((0.5 - abs(uv - 0.5)) / EDGE, 0.0, 1.0);
-    lit = mix(lit, adapted(lit, peak, ADAPTED) * (inside.x * inside.y * peak / (peak + PAGE_DIM)), page);
+    lit = mix(lit, adapted(lit, peak, ADAPTED * (1.0 - peak) * (1.0 - peak)) * (inside.x * inside.y * peak / (peak + PAGE_DIM)), page);
     cover = max(cover, max(lit.r, max(lit.g, lit.b)));
     vec4 whole = vec4(lit, cover) + background * (1.0 - cover);
     // Displayed colours are about roots of light. Flame adds its light to that of a wall, and hides only what it covers

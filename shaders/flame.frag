@@ -101,7 +101,7 @@ const float BURNOUT = 0.4;
 const float GRAVITY = 9.81;      // [m/s²]
 const float ROOT = 0.2;          // height over which the flame begins, in source widths
 // Light of CH* (431 nm) and C2* (473, 516 nm) of gas that burns at 1/s.
-const vec3 BLUE = vec3(0.03, 0.18, 1.0) * 0.2;
+const vec3 BLUE = vec3(0.03, 0.18, 1.0) * 0.1;
 
 // Half the chord of a ball of radius 1 whose square is `squared` from the line of sight.
 float half_chord(float squared) {

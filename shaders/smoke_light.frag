@@ -37,5 +37,7 @@ void main() {
     vec3 lit = fire_light * (light_range * exp(-extinction * way / float(STEPS) * between) / (NEAREST + way * way));
     float over = 0.0;
     for (int i = 0; i < 3; i++) over += casts(uv + vec2(0.0, ABOVE[i] / size.y));
-    smoke_light = vec4(displayed(ALBEDO * lit), exp(-OVERCAST * over));
+    vec3 colour = displayed(ALBEDO * lit);
+    float peak = max(colour.r, max(colour.g, colour.b));
+    smoke_light = vec4(adapted(colour, peak, 1.0 - 0.4 * peak), exp(-OVERCAST * over));
 }

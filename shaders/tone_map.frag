@@ -17,7 +17,7 @@ out vec4 shown;
 // Coverage, the root of the glow, and light below one step of eight bits.
 const float INVISIBLE = 0.004;
 const float DARK = 0.0003;
-const float ADAPTED = 0.7; // share of the adapted hue in the faintest glow
+const float ADAPTED = 0.9; // share of the adapted hue in the faintest glow
 const vec3 SOOT = vec3(0.36, 0.33, 0.31); // displayed colour of lit soot, a warm grey
 
 void main() {

@@ -4,16 +4,10 @@
  * @typedef {import('./child-picture.js').Drawing} Drawing
  */
 
-import { MAX_DRAWN, elementsDrawn } from '../../mask/svg-elements.js';
+import { imageOfSvg } from './picture-of-svg.js';
 
 /** The most pixels of a picture: those of 8192 x 8192. */
 const MAX_PIXELS = 2 ** 26;
-
-/** The most elements of an SVG element. */
-const MAX_ELEMENTS = 1000;
-
-/** The properties of the page's style that an SVG element inherits. */
-const STYLES = /^(clip-|display|fill|font-[fsw]|letter|opacity|stop-o|stroke|text-anchor|visibility)/;
 
 /** Whether an image has loaded or cannot. @param {Element} element */
 export const isComplete = (element) => !('complete' in element) || Boolean(element.complete);
@@ -25,10 +19,11 @@ export const isComplete = (element) => !('complete' in element) || Boolean(eleme
  */
 export async function imageIn(element) {
   const isSvg = element.localName === 'svg';
-  const image = isSvg
-    ? await imageOf(/** @type {SVGSVGElement} */ (element))
-    : /** @type {HTMLImageElement | HTMLCanvasElement} */ (element);
-  if (!image) return `it has more than ${MAX_ELEMENTS} elements, or draws more than ${MAX_DRAWN}`;
+  const copied = isSvg
+    ? await imageOfSvg(/** @type {SVGSVGElement} */ (element), contentOf(element).inner)
+    : { image: /** @type {HTMLImageElement | HTMLCanvasElement} */ (element), drawTexts: undefined };
+  if (typeof copied === 'string') return copied;
+  const { image, drawTexts } = copied;
   const [across, up] =
     'naturalWidth' in image ? [image.naturalWidth, image.naturalHeight] : [image.width, image.height];
   if (!(across > 0 && up > 0)) return isSvg ? 'the policy of the page forbids data: images' : 'it has no pixels';
@@ -40,7 +35,14 @@ export async function imageIn(element) {
   const [x, y = x] = css.objectPosition.split(' ');
   const left = inner.left + offset(x, inner.width - width, scale);
   const top = inner.top + offset(y, inner.height - height, scale);
-  return { outer, box: inner, draw: (context) => context.drawImage(image, left, top, width, height) };
+  return {
+    outer,
+    box: inner,
+    draw: (context) => {
+      context.drawImage(image, left, top, width, height);
+      drawTexts?.(context);
+    },
+  };
 }
 
 /**
@@ -82,40 +84,4 @@ function offset(text, room, scale) {
   const number = parseFloat(text);
   if (Number.isNaN(number)) return room / 2;
   return text.endsWith('%') ? (number / 100) * room : number * scale;
-}
-
-/**
- * An image of an SVG element, with what the style of the page does to its opacity; undefined if it is too large.
- * @param {SVGSVGElement} svg
- */
-async function imageOf(svg) {
-  const elements = [svg, ...svg.querySelectorAll('*')];
-  if (elements.length > MAX_ELEMENTS) return undefined;
-  const copy = /** @type {SVGSVGElement} */ (svg.cloneNode(true));
-  const copies = [copy, ...copy.querySelectorAll('*')];
-  const names = [...getComputedStyle(svg)].filter((name) => STYLES.test(name));
-  elements.forEach((element, at) => {
-    const css = getComputedStyle(element);
-    for (const name of names) copies[at].setAttribute(name, css.getPropertyValue(name));
-  });
-  const { css, inner } = contentOf(svg);
-  // As for images, the opacity of the whole does not count.
-  for (const name of ['style', 'class', 'opacity']) copy.removeAttribute(name);
-  if (!copy.hasAttribute('viewBox'))
-    copy.setAttribute('viewBox', `0 0 ${parseFloat(css.width)} ${parseFloat(css.height)}`);
-  copy.setAttribute('width', `${inner.width}`);
-  copy.setAttribute('height', `${inner.height}`);
-  // What a `<use>` shows may be elsewhere on the page.
-  const root = /** @type {Document | ShadowRoot} */ (svg.getRootNode());
-  for (const use of svg.querySelectorAll('use')) {
-    const found = root.getElementById(use.href.baseVal.slice(1));
-    if (found && !svg.contains(found))
-      copy.appendChild(document.createElementNS(svg.namespaceURI, 'defs')).append(found.cloneNode(true));
-  }
-  const text = new XMLSerializer().serializeToString(copy);
-  if (elementsDrawn(text) > MAX_DRAWN) return undefined;
-  const image = new Image();
-  image.src = `data:image/svg+xml,${encodeURIComponent(text)}`;
-  await image.decode().catch(() => {});
-  return image;
 }

@@ -1,0 +1,283 @@
+/**
+ * `of` of an inline SVG: its mask is what the page draws of it, with all that it gets from elsewhere in the document.
+ */
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { after, before, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { decoded } from '../masks.mjs';
+
+/** @typedef {ReturnType<typeof decoded>} Pixels */
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+});
+after(() => browser?.close());
+
+/** Pixels of a mask that are compared along each side, and the share of them that may differ, at edges. */
+const SIDE = 40;
+const EDGES = 0.02;
+
+const asImage = (/** @type {string} */ content) =>
+  `data:image/svg+xml,${encodeURIComponent(`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100" width="100" height="100">${content}</svg>`)}`;
+
+/** A page with a drawing, a plain picture of the same and a fire with solids of both. */
+async function opened(/** @type {string} */ style, elsewhere, drawing, plain) {
+  const tab = await browser.show(`<style>
+    body { margin: 0 } #it, #plain { position: absolute; left: 20px; top: 20px; width: 100px; height: 100px } #plain { left: 150px }
+    hearth-fire { position: absolute; left: 0; top: 0; width: 300px; height: 300px } ${style}</style>
+    ${elsewhere}<svg id="it" viewBox="0 0 100 100">${drawing}</svg>
+    <img id="plain" src="${asImage(plain)}">
+    <hearth-fire autoplay="false" quality="low" max-pixels="10000"><hearth-solid of="#it"></hearth-solid><hearth-solid of="#plain"></hearth-solid></hearth-fire>`);
+  await tab.ready();
+  return tab;
+}
+
+/** The masks of both solids. @param {import('../driver.mjs').Tab} tab */
+async function masks(tab) {
+  await tab.until('both solids are there', () => {
+    const fire = /** @type {any} */ (document.querySelector('hearth-fire'));
+    const solids = fire.objects.filter((/** @type {any} */ { kind }) => kind === 'solid');
+    return solids.length === 2 && solids.every((/** @type {any} */ { shape }) => shape !== 'circle');
+  });
+  return tab.fire((fire) =>
+    [...fire.children].map(({ objectId }) => {
+      const { shape, mask, width, height } = fire.objects.find(({ id }) => id === objectId);
+      return { shape, mask, width, height };
+    }),
+  );
+}
+
+/** The share of places at which one mask is opaque and the other is not. */
+function difference(/** @type {Pixels} */ mask, /** @type {Pixels} */ other) {
+  const shares = Array.from({ length: SIDE }, (_, at) => (at + 0.5) / SIDE);
+  const places = shares.flatMap((y) => shares.map((x) => [x, y]));
+  return places.filter(([x, y]) => mask.at(x, y) > 7 !== other.at(x, y) > 7).length / places.length;
+}
+
+const STROKED = '<path d="M50 12 88 84H12Z" fill="none" stroke="red" stroke-width="8"/>';
+const LEFT = '<rect width="50" height="100"/>';
+const DISC = '<circle cx="50" cy="50" r="40"/>';
+const outside = (/** @type {string} */ content) =>
+  `<svg style="position: absolute; width: 0; height: 0">${content}</svg>`;
+const hidden = (/** @type {string} */ content) => `<svg style="display: none">${content}</svg>`;
+
+const FONT = await readFile(
+  new URL('../../../crates/hearth-panel/font/Ubuntu-Light-derivative-Hearth.ttf', import.meta.url),
+  'base64',
+);
+const OWN_FONT = `@font-face { font-family: Own; src: url(data:font/ttf;base64,${FONT}) }`;
+
+/** @type {[about: string, style: string, elsewhere: string, drawing: string, plain: string][]} */
+const DRAWINGS = [
+  [
+    'a colour that is a variable',
+    ':root { --line: gold }',
+    '',
+    '<path style="fill: none; stroke: var(--line); stroke-width: 8" d="M50 12 88 84H12Z"/>',
+    STROKED,
+  ],
+  [
+    'a fill that is a variable',
+    ':root { --none: none }',
+    '',
+    '<path style="fill: var(--none); stroke: gold; stroke-width: 8" d="M50 12 88 84H12Z"/>',
+    STROKED,
+  ],
+  [
+    'a width that is a variable',
+    ':root { --w: 8 }',
+    '',
+    '<path style="fill: none; stroke: gold; stroke-width: var(--w)" d="M50 12 88 84H12Z"/>',
+    STROKED,
+  ],
+  [
+    'the current colour, which may be transparent',
+    '#it { color: transparent } #it .b { color: red }',
+    '',
+    `<rect x="50" width="50" height="100" fill="currentColor"/><g class="b"><rect width="50" height="100" style="fill: currentColor"/></g>`,
+    LEFT,
+  ],
+  [
+    'a style sheet inside that overrides',
+    '',
+    '',
+    '<style>#it rect { fill: none !important } #it .c { fill: red !important; display: inline }</style><rect width="100" height="100" style="fill: red"/><circle class="c" cx="50" cy="50" r="40"/>',
+    DISC,
+  ],
+  ['geometry of the style', '#it circle { r: 40px; cx: 50px; cy: 50px }', '', '<circle r="3"/>', DISC],
+  [
+    'transforms of the style',
+    '#it rect { transform: translate(-50px) } #it .turned { transform: rotate(90deg); transform-origin: center; transform-box: fill-box }',
+    '',
+    '<rect x="50" width="50" height="100"/><rect class="turned" x="40" y="45" width="20" height="10" /><rect x="80" y="80" width="10" height="10" style="transform: none" transform="translate(90 0)"/>',
+    `${LEFT}<rect x="45" y="40" width="10" height="20"/><rect x="30" y="80" width="10" height="10"/><rect x="80" y="80" width="10" height="10"/>`,
+  ],
+  [
+    'a symbol elsewhere, with the fill of its use',
+    '#it use { fill: none; stroke: gold; stroke-width: 8 }',
+    hidden('<symbol id="s" viewBox="0 0 100 100"><path d="M50 12 88 84H12Z"/></symbol>'),
+    '<use href="#s" width="100" height="100"/>',
+    STROKED,
+  ],
+  [
+    'a shape inside, with the fill of its use',
+    '#it use { fill: none; stroke: gold; stroke-width: 8 }',
+    '',
+    '<defs><path id="inner" d="M50 12 88 84H12Z"/></defs><use xlink:href="#inner"/>',
+    STROKED,
+  ],
+  [
+    'a use elsewhere of a use elsewhere',
+    '',
+    outside('<g id="deep"><rect width="50" height="100"/></g><g id="deeper"><use href="#deep"/></g>'),
+    '<use href="#deeper"/>',
+    LEFT,
+  ],
+  [
+    'a gradient elsewhere, whose stops are another’s',
+    '.end { stop-opacity: 0 }',
+    hidden(
+      '<linearGradient id="stops"><stop offset="0.5" stop-color="red"/><stop class="end" offset="0.5"/></linearGradient>',
+    ) + outside('<linearGradient id="g" href="#stops"/>'),
+    '<rect width="100" height="100" fill="url(#g)"/>',
+    LEFT,
+  ],
+  [
+    'a clip path elsewhere',
+    '#it rect { clip-path: url(#clip) }',
+    outside('<clipPath id="clip"><circle cx="50" cy="50" r="40"/></clipPath>'),
+    '<rect width="100" height="100"/>',
+    DISC,
+  ],
+  ['a clip path of the style', '#it rect { clip-path: circle(40px) }', '', '<rect width="100" height="100"/>', DISC],
+  [
+    'a mask elsewhere, with the colour of the style',
+    '#m circle { fill: white }',
+    outside('<mask id="m"><circle cx="50" cy="50" r="40"/></mask>'),
+    '<g mask="url(#m)"><rect width="100" height="100"/></g>',
+    DISC,
+  ],
+  [
+    'a pattern elsewhere, with what it inherits there',
+    '.there { fill: none; stroke: red; stroke-width: 8 }',
+    `<div class="there">${outside('<pattern id="p" width="1" height="1"><path d="M50 12 88 84H12Z"/></pattern>')}</div>`,
+    '<rect width="100" height="100" style="fill: url(#p)"/>',
+    STROKED,
+  ],
+  [
+    'a marker elsewhere',
+    '',
+    outside(
+      '<marker id="arrow" markerUnits="userSpaceOnUse" markerWidth="80" markerHeight="80" refX="40" refY="40"><circle cx="40" cy="40" r="40"/></marker>',
+    ),
+    '<path d="M50 50H50.1" marker-start="url(#arrow)"/>',
+    DISC,
+  ],
+  [
+    'a filter elsewhere',
+    '',
+    outside(
+      '<filter id="f" x="0" y="0" width="1" height="1"><feFlood flood-color="red"/><feOffset dx="-50"/></filter>',
+    ),
+    '<rect width="100" height="100" filter="url(#f)"/>',
+    LEFT,
+  ],
+  [
+    'the first of two elements of an id, as the page has it',
+    '',
+    outside('<clipPath id="twice"><rect width="50" height="100"/></clipPath>'),
+    '<clipPath id="twice"><rect width="5" height="5"/></clipPath><rect width="100" height="100" clip-path="url(#twice)"/>',
+    LEFT,
+  ],
+  [
+    'the style of an ancestor',
+    '.above { fill: none; stroke: red; stroke-width: 8 }',
+    '<div class="above">',
+    '<path d="M50 12 88 84H12Z"/>',
+    STROKED,
+  ],
+  [
+    'a drawing in a drawing',
+    '#it svg { overflow: hidden } #it rect { opacity: .9 }',
+    '',
+    '<svg width="50" height="100" viewBox="0 0 10 20" style="stroke-width: 0"><rect width="30" height="20"/></svg>',
+    LEFT,
+  ],
+  [
+    'a text in a font of the page',
+    `${OWN_FONT} #it text { font: 40px "Own", monospace }`,
+    '',
+    '<text x="10" y="60"><tspan>ab</tspan><tspan dx="5" style="fill: none; stroke: red; stroke-width: 3">y</tspan></text>',
+    `<style>${OWN_FONT}</style><text x="10" y="60" style="font: 40px Own">ab<tspan dx="5" style="fill: none; stroke: red; stroke-width: 3">y</tspan></text>`,
+  ],
+  [
+    'an image in it',
+    '',
+    '',
+    `<image width="100" height="100" href="${asImage('<circle cx="50" cy="50" r="40"/>')}"/>`,
+    DISC,
+  ],
+  [
+    'a text in the size and weight of the style',
+    '#it text { font: 700 2em monospace; letter-spacing: 4px; text-anchor: middle } #it { font-size: 20px }',
+    '',
+    '<text x="50" y="60">HI</text>',
+    '<text x="50" y="60" style="font: 700 40px monospace; letter-spacing: 4px; text-anchor: middle">HI</text>',
+  ],
+];
+
+for (const [about, style, elsewhere, drawing, plain] of DRAWINGS) {
+  test(`an SVG counts with ${about}`, async () => {
+    const tab = await opened(style, elsewhere, drawing, plain);
+    let differ = 1;
+    // A mask follows the fonts of the page when they have loaded.
+    for (let tries = 0; differ > EDGES && tries < 20; tries += 1) {
+      if (tries > 0) await tab.frames(5);
+      const [it, reference] = await masks(tab);
+      assert.deepEqual([it.shape, it.width, it.height], [reference.shape, reference.width, reference.height]);
+      differ = difference(decoded(it.mask), decoded(reference.mask));
+    }
+    assert.deepEqual(tab.problems, []);
+    assert.ok(differ <= EDGES, `${differ} of the pixels differ`);
+  });
+}
+
+for (const [why, drawing, elsewhere = '', style = ''] of [
+  ['it contains HTML', '<foreignObject width="100" height="50"><p>Fire</p></foreignObject>'],
+  ['it refers to another file', '<image href="/web/poster.jpg" width="50" height="100"/>'],
+  ['it refers to another file', '<use href="/sprite.svg#flame"/>'],
+  ['it refers to another file', `${LEFT}<circle r="9" style="fill: url(/other.svg#paint)"/>`],
+  [
+    'it refers to another file',
+    '<filter id="photo"><feImage href="/web/poster.jpg"/></filter><rect width="50" height="50" filter="url(#photo)"/>',
+  ],
+  ['it contains HTML', '<use href="#label"/>', hidden('<g id="label"><foreignObject><b>Fire</b></foreignObject></g>')],
+  [
+    'a part of its text has a font that only the page has',
+    '<use href="#word"/>',
+    hidden('<text id="word" y="60" font-family="Own">ab</text>'),
+    OWN_FONT,
+  ],
+  [
+    'a part of its text has a font that only the page has',
+    '<text y="60" style="font: 40px Own; text-transform: uppercase">ab</text>',
+    '',
+    OWN_FONT,
+  ],
+  [
+    'it has more than 1000 elements, or draws more than 20000',
+    '<use href="#many"/>',
+    hidden(`<g id="many">${LEFT.repeat(1000)}</g>`),
+  ],
+]) {
+  test(`an SVG counts as its box, because ${why}: ${drawing.slice(0, 60)}`, async () => {
+    const tab = await opened(style, elsewhere, drawing, LEFT);
+    const [it] = await masks(tab);
+    assert.equal(it.shape, 'box');
+    const warnings = tab.problems.filter((problem) => problem.includes('hearth-solid'));
+    assert.deepEqual(warnings, [`console.warn: <hearth-fire>: <hearth-solid>: of = #it counts as a box: ${why}.`]);
+  });
+}

@@ -1,8 +1,9 @@
 //! The search for parameters, with a rank for each match.
 //!
-//! Every word of the query must match. The rank of a word is best at the start of the label,
-//! then at the start of a word of the label or the id, then as a synonym, then in unit, group or
-//! description. The search ignores case and accepts British and American spelling.
+//! The parameters of a known phrase come first. Of others, every word of the query must match. The rank of
+//! a word is best at the start of the label, then at the start of a word of the label or the id, then as
+//! a synonym, then as a word of unit, group or description. The search ignores case and accepts British
+//! and American spelling.
 
 use hearth_core::params::{Model, Param, Property};
 use hearth_core::scene::Kind;
@@ -16,7 +17,9 @@ const SYNONYMS: &[(&str, &[&str])] = &[
     ("amount", &["strength", "particles"]),
     ("backdrop", &["background"]),
     ("big", &["size", "width", "height"]),
+    ("black", &["palette", "colour", "background"]),
     ("bloom", &["glow"]),
+    ("blue", &["palette", "colour", "background"]),
     ("box", &["edges", "domain"]),
     ("bricks", &["backdrop"]),
     ("brightness", &["exposure"]),
@@ -34,6 +37,7 @@ const SYNONYMS: &[(&str, &[&str])] = &[
     ("flicker", &["turbulence", "noise"]),
     ("frame", &["domain"]),
     ("gamma", &["luminance"]),
+    ("green", &["palette", "colour", "background"]),
     ("ground", &["floor"]),
     ("heat", &["temperature", "strength", "haze"]),
     ("height", &["strength", "life", "longest"]),
@@ -45,11 +49,15 @@ const SYNONYMS: &[(&str, &[&str])] = &[
     ("neighbors", &["smoothing"]),
     ("neighbours", &["smoothing"]),
     ("open", &["edges"]),
+    ("orange", &["palette", "colour", "background"]),
     ("pace", &["speed"]),
-    ("position", &["height", "source"]),
+    ("pink", &["palette", "colour", "background"]),
+    ("position", &["height", "source", "place"]),
     ("power", &["strength"]),
+    ("purple", &["palette", "colour", "background"]),
     ("quality", &["particles", "detail", "spacing"]),
     ("random", &["seed", "noise"]),
+    ("red", &["palette", "colour", "background"]),
     ("resolution", &["particles", "smoothing", "spacing"]),
     ("saturation", &["palette", "luminance"]),
     ("scale", &["size"]),
@@ -67,10 +75,43 @@ const SYNONYMS: &[(&str, &[&str])] = &[
     ("transparency", &["background"]),
     ("transparent", &["background"]),
     ("view", &["display", "layers"]),
+    ("violet", &["palette", "colour", "background"]),
     ("wall", &["backdrop", "walls"]),
+    ("white", &["palette", "colour", "background"]),
     ("world", &["domain", "edges"]),
+    ("yellow", &["palette", "colour", "background"]),
     ("zoom", &["domain"]),
 ];
+
+/// Quantities by the words that people use, and the ids of the parameters that change them, the best
+/// first. A fire counts as a flame.
+const PHRASES: &[(&str, &[&str])] = &[
+    ("air speed", &["wind"]),
+    ("amount smoke", &["smoke_opacity", "smoke_life"]),
+    ("flame brightness", &["exposure", "flame_rise", "bloom"]),
+    ("flame colour", &["palette", "hot_colour", "cool_colour"]),
+    ("flame height", &["fuel_power", "lifetime_max"]),
+    ("flame position", &["source_x", "source_height"]),
+    (
+        "flame size",
+        &["source_width", "fuel_power", "emission_rate"],
+    ),
+    ("flame speed", &["buoyancy", "terminal_speed", "time_scale"]),
+    ("flame temperature", &["flame_rise", "maximum_temperature"]),
+    ("flame width", &["source_width"]),
+    ("frame rate", &["particles", "max_particles", "detail"]),
+    ("heat release", &["fuel_power", "emission_rate"]),
+    ("number sparks", &["ember_rate"]),
+    ("room temperature", &["ambient_temperature"]),
+    ("slow motion", &["time_scale"]),
+    ("spark life", &["ember_life_max", "ember_life_min"]),
+];
+
+/// Rank of what matches by its words, after what matches by a phrase.
+const AFTER_PHRASES: u32 = 8;
+
+/// Least letters of a part of a word in a description.
+const LEAST_PART: usize = 5;
 
 /// American spellings, and the British ones of the table.
 const SPELLINGS: &[(&str, &str)] = &[
@@ -85,7 +126,34 @@ const SPELLINGS: &[(&str, &str)] = &[
 /// The rank of `param` for `query`, the lowest the best; `None` if it does not match. An empty
 /// query matches every parameter with the same rank.
 pub fn rank(query: &str, param: &Param) -> Option<u32> {
-    Words::of(param).rank_all(query)
+    rank_in_phrase(query, param.id)
+        .or_else(|| Some(AFTER_PHRASES + Words::of(param).rank_all(query)?))
+}
+
+/// The place of a parameter in the phrase with all words of the query, the last ones maybe incomplete.
+fn rank_in_phrase(query: &str, id: &str) -> Option<u32> {
+    let query = query.to_lowercase();
+    let words = query.split_whitespace().map(|word| match word {
+        "fire" => "flame".to_owned(),
+        word => in_british(word),
+    });
+    let words = words.filter(|word| !matches!(&**word, "of" | "the" | "a"));
+    let words: Vec<String> = words.collect();
+    let is_meant = |(phrase, _): &&(&str, _)| {
+        let is_in = |word: &String| phrase.split(' ').any(|part| part.starts_with(&**word));
+        words.len() > 1 && words.iter().all(is_in)
+    };
+    let mut ids = PHRASES.iter().filter(is_meant).flat_map(|(_, ids)| *ids);
+    Some(ids.position(|known| *known == id)? as u32)
+}
+
+fn in_british(typed: &str) -> String {
+    let mut word = typed.to_owned();
+    for (american, british) in SPELLINGS {
+        // A replaced word stays the same: "colour" does not contain "color".
+        word = word.replace(american, british);
+    }
+    word
 }
 
 /// Whether `param` matches `query`.
@@ -146,12 +214,7 @@ impl Words {
     }
 
     fn rank(&self, typed: &str) -> Option<u32> {
-        let mut word = typed.to_owned();
-        for (american, british) in SPELLINGS {
-            // A replaced word stays the same: "colour" does not contain "color".
-            word = word.replace(american, british);
-        }
-        let word = word.as_str();
+        let word = &*in_british(typed);
         let starts = |text: &str, with: &str| text.split(' ').any(|part| part.starts_with(with));
         if self.label.starts_with(word) {
             Some(0)
@@ -161,10 +224,15 @@ impl Words {
             Some(2)
         } else if self.is_synonym(typed) || self.is_synonym(word) {
             Some(3)
-        } else if self.label.contains(word) || self.details.contains(word) {
-            Some(if starts(&self.details, word) { 4 } else { 5 })
         } else {
-            None
+            // A part of another word is rarely meant: "red" is not in "powered".
+            let mut all = self.details.split_whitespace();
+            let is_part = |text: &str| word.len() >= LEAST_PART && text.starts_with(word);
+            let found = all.any(|text| {
+                let text = text.trim_matches(|c: char| c.is_ascii_punctuation());
+                text == word || is_part(text)
+            });
+            found.then_some(4)
         }
     }
 
@@ -223,6 +291,34 @@ mod tests {
         assert_eq!(found("wind")[0], "wind");
         assert_eq!(found("smoke")[..2], ["smoke_opacity", "smoke_life"]);
         assert_eq!(found("visc")[..2], ["viscosity", "kinematic_viscosity"]);
+    }
+
+    #[test]
+    fn a_quantity_or_a_colour_finds_what_changes_it_first() {
+        for (query, ids) in [
+            ("flame height", &["fuel_power", "lifetime_max"][..]),
+            ("Height of the fire", &["fuel_power", "lifetime_max"]),
+            ("fire color", &["palette", "hot_colour"]),
+            ("flame temp", &["flame_rise", "maximum_temperature"]),
+            ("wind speed", &["wind"]),
+            ("red", &["palette"]),
+            ("blue", &["palette"]),
+            ("slow motion", &["time_scale"]),
+            ("wind", &["wind"]),
+        ] {
+            let found = found(query);
+            assert!(found.starts_with(ids), "{query} finds {found:?}");
+        }
+        for (query, id) in [("red", "radiative_cooling"), ("red", "diffusion")] {
+            assert!(!found(query)[..3].contains(&id), "{query} finds {id}");
+        }
+        let solid = hearth_core::scene::KINDS.iter().find(|kind| kind.is_body);
+        let solid = solid.expect("there are solids");
+        let windy = properties("wind", solid, Model::Combustion);
+        assert!(windy.is_empty(), "{windy:?}");
+        for (_, ids) in PHRASES {
+            assert!(ids.iter().all(|id| Param::find(id).is_some()), "{ids:?}");
+        }
     }
 
     #[test]

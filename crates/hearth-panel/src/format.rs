@@ -28,13 +28,21 @@ pub fn significant(x: f64, digits: i32) -> String {
 pub fn value_text(value: &Value) -> String {
     match value {
         Value::Number(_) => significant(value.as_number().unwrap_or_default(), 4),
-        Value::Integer(_)
-        | Value::Seed(_)
-        | Value::Choice(_)
-        | Value::Flag(_)
-        | Value::Colour(_)
-        | Value::Text(_) => value.to_string(),
+        Value::Choice(name) => choice_text(name),
+        Value::Integer(_) | Value::Seed(_) | Value::Flag(_) | Value::Colour(_) | Value::Text(_) => {
+            value.to_string()
+        }
     }
+}
+
+/// A choice by words, as a line of its own: "Black body", "None".
+pub fn choice_text(name: &str) -> String {
+    let words = match name {
+        "blackbody" => "black body".to_owned(),
+        name => name.replace(['-', '_'], " "),
+    };
+    let (initial, rest) = words.split_at(words.chars().next().map_or(0, char::len_utf8));
+    initial.to_uppercase() + rest
 }
 
 /// A bound of a range, with its unit.

@@ -150,7 +150,7 @@ mod tests {
 
     #[test]
     fn the_font_has_every_character_of_the_parameter_table() {
-        let mut texts: Vec<&str> = vec!["0123456789.,+-−e×·…°²³ρβ₀\u{a0}#"];
+        let mut texts: Vec<&str> = vec!["0123456789.,+-−e×·…•°²³ρβ₀\u{a0}#"];
         for (param, about) in PARAMETERS.iter().zip(DESCRIPTIONS) {
             texts.extend([param.id, about.group, param.unit, about.label, about.doc]);
             if let Kind::Choice(names) = param.kind {

@@ -1,5 +1,6 @@
 //! Buttons with an icon, a text or both, and check boxes, in a given rectangle.
 
+use egui::text::{LayoutJob, TextFormat, TextWrapping};
 use egui::{Align2, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
 
 use crate::theme;
@@ -100,16 +101,33 @@ pub fn show(ui: &Ui, rect: Rect, id: Id, face: Face<'_>) -> Response {
     response
 }
 
-/// Paints a text at the left of `room`, and cuts it at the end.
+/// Paints a text at the left of `room`. One that is too long ends in "…".
 pub fn left_text(ui: &Ui, room: Rect, text: &str) {
-    let painter = ui.painter();
-    painter.with_clip_rect(room.intersect(ui.clip_rect())).text(
-        room.left_center(),
-        Align2::LEFT_CENTER,
-        text,
-        theme::body(),
-        theme::TEXT,
-    );
+    let format = TextFormat::simple(theme::body(), theme::TEXT);
+    let mut job = LayoutJob::single_section(text.to_owned(), format);
+    job.wrap = TextWrapping::truncate_at_width(room.width());
+    let galley = ui.painter().layout_job(job);
+    let rect = Align2::LEFT_CENTER.anchor_size(room.left_center(), galley.size());
+    ui.painter().galley(rect.min, galley, theme::TEXT);
+}
+
+/// The width of a text of a button.
+fn width_of(ui: &Ui, text: &str) -> f32 {
+    let galley = ui
+        .painter()
+        .layout_no_wrap(text.to_owned(), theme::body(), theme::TEXT);
+    galley.size().x
+}
+
+/// The room of the text in a button that opens a list, left of its mark.
+fn text_room(rect: Rect) -> Rect {
+    rect.shrink2(vec2(10.0, 0.0))
+        .with_max_x(rect.right() - 24.0)
+}
+
+/// Whether a text fits into a button that opens a list.
+pub fn fits(ui: &Ui, rect: Rect, text: &str) -> bool {
+    width_of(ui, text) <= text_room(rect).width()
 }
 
 /// Shows a button that opens a list, with its present choice.
@@ -124,11 +142,7 @@ pub fn unfolder(ui: &Ui, rect: Rect, id: Id, text: &str, open: bool) -> Response
     } else {
         theme::weak()
     };
-    // A text that is too long is cut at the mark.
-    let room = rect
-        .shrink2(vec2(10.0, 0.0))
-        .with_max_x(rect.right() - 24.0);
-    left_text(ui, room, text);
+    left_text(ui, text_room(rect), text);
     icons::chevron(
         ui.painter(),
         pos2(rect.right() - 14.0, rect.center().y),
@@ -174,15 +188,7 @@ pub fn split(rect: Rect, parts: usize, gap: f32) -> impl Iterator<Item = Rect> {
 /// Splits `rect` among buttons with these labels: each has the width of its label and an
 /// equal share of the rest.
 pub fn split_by_words(ui: &Ui, rect: Rect, words: &[&str], gap: f32) -> Vec<Rect> {
-    let widths: Vec<f32> = words
-        .iter()
-        .map(|&word| {
-            let galley = ui
-                .painter()
-                .layout_no_wrap(word.to_owned(), theme::body(), theme::TEXT);
-            galley.size().x
-        })
-        .collect();
+    let widths: Vec<f32> = words.iter().map(|word| width_of(ui, word)).collect();
     let gaps = gap * words.len().saturating_sub(1) as f32;
     let left = rect.width() - gaps - widths.iter().sum::<f32>();
     let share = left / words.len().max(1) as f32;

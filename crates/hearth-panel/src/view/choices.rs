@@ -8,6 +8,7 @@ use egui::style::ScrollAnimation;
 use egui::{EventFilter, Id, Key, PointerButton, Rect, Ui};
 use hearth_core::params::Value;
 
+use crate::format::choice_text;
 use crate::state::{Action, Fire, State, Subject};
 use crate::view::button::{self, Face};
 use crate::view::layout::strip;
@@ -23,6 +24,9 @@ const PER_LINE: usize = 3;
 /// Maximum height of a line of the list: the longest list fits into a sheet.
 const MAX_LINE_HEIGHT: f32 = 30.0;
 
+/// Space between the label and the names below it.
+const LABEL_GAP: f32 = 3.0;
+
 /// Width of the button that unfolds a list.
 const BUTTON_WIDTH: f32 = 150.0;
 
@@ -34,6 +38,7 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject, name
     let measures = state.device.measures;
     if names.len() <= MAX_UNFOLDED {
         title::line(state, out, ui, subject, measures.line);
+        ui.add_space(LABEL_GAP);
         let rect = strip(ui, measures.control);
         buttons(&state.fire, out, ui, subject, names, rect, names.len());
         out.record(ui, subject.id, rect);
@@ -75,7 +80,13 @@ fn unfolder(
     let Value::Choice(now) = fire.value(subject) else {
         return false;
     };
-    let response = button::unfolder(ui, rect, Id::unique(("list", subject.id)), now, open);
+    let response = button::unfolder(
+        ui,
+        rect,
+        Id::unique(("list", subject.id)),
+        &choice_text(now),
+        open,
+    );
     // egui counts Space as a click, but Space pauses the fire.
     let clicked = response.clicked_by(PointerButton::Primary);
     if clicked {
@@ -113,9 +124,10 @@ pub fn buttons(
 ) {
     let now = fire.value(subject);
     for (rect, &name) in button::split(rect, parts, 4.0).zip(names) {
+        let text = choice_text(name);
         let face = Face {
             lit: now == Value::Choice(name),
-            ..Face::text(name)
+            ..Face::text(&text)
         };
         let key = format!("choice:{}:{name}", subject.id);
         let clicked = button::show(ui, rect, Id::unique(&key), face).clicked();

@@ -3,7 +3,7 @@
 use egui::{Id, Rect, Ui, pos2, vec2};
 use hearth_core::params::{Kind, Param};
 
-use crate::state::{Action, MODEL, State};
+use crate::state::{Action, ControllerState, MODEL, State};
 use crate::theme;
 use crate::view::button::{self, Face};
 use crate::view::icons::Icon;
@@ -37,7 +37,7 @@ pub fn fixed(state: &State, out: &mut Output, ui: &mut Ui, low: bool) {
         let right = line.right() - 2.0 * control - gap;
         let scene =
             Rect::from_x_y_ranges(line.left() + control + gap..=right - gap, line.y_range());
-        scene_button(&state.controller.scene, out, ui, scene);
+        scene_button(&state.controller, out, ui, scene);
         tools::line(state, out, ui, at(right), &[Tool::Undo]);
         tools::line(state, out, ui, at(line.right() - control), &[Tool::More]);
     } else {
@@ -53,7 +53,7 @@ pub fn fixed(state: &State, out: &mut Output, ui: &mut Ui, low: bool) {
         } else {
             (line, None)
         };
-        scene_button(&state.controller.scene, out, ui, scene);
+        scene_button(&state.controller, out, ui, scene);
         ui.add_space(gap);
         let variants = beside.unwrap_or_else(|| {
             let line = labelled(ui, control, "Compare");
@@ -115,13 +115,17 @@ fn model(state: &State, out: &mut Output, ui: &mut Ui, scrolls: bool) {
     });
 }
 
-/// The button of the scene that the fire started from, which shows all scenes.
-fn scene_button(scene: &str, out: &mut Output, ui: &Ui, rect: Rect) {
+/// The button of the scene that the fire started from, which shows all scenes. Where the words "Campfire,
+/// changed" have no room, a dot stands for the change.
+fn scene_button(controller: &ControllerState, out: &mut Output, ui: &Ui, rect: Rect) {
     let name = "action:scenes";
-    let scene = if scene.is_empty() {
-        "All scenes"
-    } else {
-        scene
+    let ControllerState { scene, preset, .. } = controller;
+    let dotted = format!("{preset} •");
+    let scene = match &**scene {
+        "" => "All scenes",
+        whole if whole == preset => whole,
+        whole if button::fits(ui, rect, whole) => whole,
+        _ => &dotted,
     };
     let response = button::unfolder(ui, rect, Id::unique(name), scene, false);
     out.record(ui, name, rect);

@@ -330,3 +330,37 @@ fn a_row_has_a_tooltip_while_the_pointer_rests_and_none_while_it_drags_or_turns(
     harness.wait();
     assert_eq!(tooltip(&harness), None, "it is gone");
 }
+
+#[test]
+fn the_scene_is_named_whole_and_a_dot_stands_for_a_change_without_room() {
+    let mut harness = Harness::of_model(Model::Combustion, TALL);
+    for (preset, scene, shown) in [
+        ("Candle", "Candle, changed", "Candle, changed"),
+        ("Burning word", "Burning word", "Burning word"),
+        ("Burning word", "Burning word, changed", "Burning word •"),
+    ] {
+        preset.clone_into(&mut harness.panel.state.controller.preset);
+        scene.clone_into(&mut harness.panel.state.controller.scene);
+        let button = harness.rect("action:scenes");
+        let texts = harness.painted_texts();
+        let found = texts.iter().find(|(text, _)| text == shown);
+        assert!(
+            found.is_some_and(|(_, rect)| button.contains_rect(*rect)),
+            "{texts:?}"
+        );
+    }
+}
+
+#[test]
+fn a_choice_reads_as_words_and_has_room_below_its_label() {
+    let mut harness = Harness::of_model(Model::Combustion, TALL);
+    let texts = harness.texts();
+    for words in ["Black body", "Bricks", "None"] {
+        assert!(
+            texts.iter().any(|text| text == words),
+            "{words} in {texts:?}"
+        );
+    }
+    let (label, names) = (harness.rect("label:backdrop"), harness.rect("backdrop"));
+    assert!(names.top() - label.bottom() >= 3.0);
+}

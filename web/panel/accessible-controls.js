@@ -189,6 +189,9 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     control.addEventListener('focus', () => reveal(id));
     control.addEventListener('blur', () => reveal(''));
   }
+  // As on the panel, the quality ends the first group.
+  const first = root.querySelector('fieldset');
+  if (first && !limited) first.append(/** @type {HTMLElement} */ (quality.parentElement));
   root.append(status);
   host.append(root);
 

@@ -158,9 +158,15 @@ function slider(parameter, control, set) {
   };
 }
 
+/** A choice by words, as on the panel. @param {string} name */
+function choiceText(name) {
+  const words = name === 'blackbody' ? 'black body' : name.replaceAll(/[-_]/g, ' ');
+  return words[0].toUpperCase() + words.slice(1);
+}
+
 /** @type {(parameter: Pick<Parameter, 'choices'>, control: HTMLSelectElement, set: (value: Value) => void) => Show} */
 export function list(parameter, control, set) {
-  for (const name of parameter.choices ?? []) control.add(new Option(name, name));
+  for (const name of parameter.choices ?? []) control.add(new Option(choiceText(name), name));
   control.addEventListener('change', () => set(control.value));
   return (value) => {
     if (value !== undefined) control.value = String(value);

@@ -71,7 +71,10 @@ impl Update<'_> {
                 // The tools unfold above the rows.
                 self.state.reveal.start = open.tools;
             }
-            Action::ToggleSharing => open.sharing ^= true,
+            Action::ToggleSharing => {
+                open.sharing ^= true;
+                open.shares_for_focus = false;
+            }
             Action::ToggleTimes => {
                 self.state.memory.times ^= true;
                 self.remember();

@@ -188,8 +188,19 @@ test('the panel takes no focus when it loads', async () => {
   assert.equal(await tab.evaluate(() => document.activeElement?.tagName), 'BODY');
 });
 
-test('the Tab key leaves the panel, forwards and backwards', async () => {
+test('the Tab key goes through the panel in its order on the screen, and leaves it, forwards and backwards', async () => {
   const { tab, panel } = await sharePage();
+  await panel.reveal('time_scale');
+  const boxes = await tab.evaluate(() =>
+    [...document.querySelectorAll('.hearth-controls [data-rect]')].map((control) => {
+      const [, y, , height] = /** @type {HTMLElement} */ (control).dataset.rect?.split(' ').map(Number) ?? [];
+      const { action, parameter, property } = /** @type {HTMLElement} */ (control).dataset;
+      return { name: action ?? parameter ?? property, top: y, bottom: y + height };
+    }),
+  );
+  assert.ok(boxes.some(({ name }) => name === 'quality'));
+  for (const [at, { name, top }] of boxes.entries())
+    for (const next of boxes.slice(at + 1)) assert.ok(next.bottom > top, `${next.name} is above ${name}`);
   const inPanel = () => tab.evaluate(() => document.activeElement?.closest('#panel') !== null);
   for (const backwards of [false, true]) {
     await tab.click(along(await panel.reveal('buoyancy'), 0.5));

@@ -140,14 +140,19 @@ impl State {
 
     /// Scrolls to the row of a parameter, or of a property of the selected object, and marks it;
     /// or scrolls to [`SHARE`], [`TOOLS`], [`QUALITY`], [`OBJECTS`] or [`SEARCH`], which takes the
-    /// focus. Any other id removes the mark.
+    /// focus. Any other id removes the mark. What [`SHARE`] has unfolded folds again with the next id.
     pub fn reveal(&mut self, id: &str) {
         let model = self.fire.parameters.model();
         let param = Param::find(id).filter(|param| param.domain(model).is_some());
         self.reveal.marked = param.map(|param| param.id);
+        if id == SHARE {
+            self.open.shares_for_focus |= !self.open.sharing;
+            self.open.sharing = true;
+        } else if std::mem::take(&mut self.open.shares_for_focus) {
+            self.open.sharing = false;
+        }
         match id {
             SHARE | TOOLS | SEARCH | MODEL => {
-                self.open.sharing |= id == SHARE;
                 self.search.focus |= id == SEARCH;
                 self.open.tools = true;
                 self.reveal.tools = id != MODEL;

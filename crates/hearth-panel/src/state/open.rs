@@ -19,6 +19,8 @@ pub struct Open {
     pub tools: bool,
     /// Whether copy and paste are unfolded.
     pub sharing: bool,
+    /// Whether they are unfolded only while the page's own controls of them have the focus.
+    pub shares_for_focus: bool,
 }
 
 impl Open {

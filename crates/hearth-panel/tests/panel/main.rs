@@ -10,9 +10,9 @@ mod rows;
 
 use egui::{Event, vec2};
 use hearth_core::params::{Input, Param, Value};
-use hearth_panel::state::SHARE;
 use hearth_panel::state::fire::Stats;
 use hearth_panel::state::{Command, ControllerState, CopyForm, MODEL};
+use hearth_panel::state::{SHARE, TOOLS};
 use hearth_panel::theme::Measures;
 
 use harness::{Harness, PHONE, TALL, models};
@@ -132,6 +132,26 @@ fn copy_forms(names: &[&str]) -> Vec<CopyForm> {
         ..CopyForm::default()
     };
     names.iter().map(form).collect()
+}
+
+#[test]
+fn copy_and_paste_fold_again_when_the_focus_goes_on_unless_a_press_has_opened_them() {
+    let mut harness = Harness::new(TALL);
+    let link = CopyForm {
+        name: "link".to_owned(),
+        button: "Link".to_owned(),
+        hint: String::new(),
+    };
+    harness.panel.state.controller.copies = vec![link];
+    harness.reveal(SHARE);
+    assert!(harness.in_sight("action:copy:link"));
+    harness.reveal(SHARE);
+    harness.reveal(TOOLS);
+    assert!(!harness.in_sight("action:copy:link"));
+    harness.click("action:share");
+    harness.reveal(SHARE);
+    harness.reveal(TOOLS);
+    assert!(harness.in_sight("action:copy:link"));
 }
 
 #[test]

@@ -28,6 +28,7 @@ uniform float smoke;            // optical depth of cold gas with a soot of 1
 uniform float gain; // brightness of gas of 1500 K
 uniform float fire_share;       // 1: fire is visible; 0: only its smoke
 uniform float roundness;        // 0: a plane flame; 1: a flame that is round about its axis
+uniform float premixed;         // burn time of gas that was mixed with air [s]; 0: gas that forms soot
 uniform float soot_per_fuel;    // soot that a share of fuel leaves
 uniform float per_soft_floor;   // 1 / height over which gas fades above a visible floor, in heights of the domain
 
@@ -100,6 +101,15 @@ const float FORMATION = 0.03;
 const float BURNOUT = 0.4;
 const float GRAVITY = 9.81;      // [m/s²]
 const float ROOT = 0.2;          // height over which the flame begins, in source widths
+// Gas that was mixed with air burns without soot: shares of it that burn in the burn time at the end of the mantle, at the
+// cone and in the unburnt middle of the cone, and the chord of that middle.
+const float OXIDES = 0.0025;
+const float CONE = 0.01;
+const float UNBURNT = 0.014;
+const float CONE_CORE = 0.8;
+// Light of the cone, mostly of C2*, and of the mantle, where carbon monoxide burns with a pale continuum.
+const vec3 SWAN = vec3(0.06, 0.5, 1.8);
+const vec3 MANTLE = vec3(0.04, 0.06, 0.25);
 // Light of CH* (431 nm) and C2* (473, 516 nm) of gas that burns at 1/s.
 const vec3 BLUE = vec3(0.03, 0.18, 1.0) * 0.1;
 
@@ -124,7 +134,7 @@ void main() {
     vec4 along = dFdy(places);
     across = max(across * across, along * along);
     float around = field_at(uv).z * field_range.z;
-    if (around < INVISIBLE) return;
+    if (around < INVISIBLE && premixed == 0.0) return;
     vec2 level = 0.5 * log2(max(across.xz, across.yw)) + (NOISE_LEVELS + LEVEL_BIAS);
     vec4 broad = pattern(places, level, 1.0);
     vec4 fine = pattern(places, level, 2.0);
@@ -155,7 +165,13 @@ void main() {
     kilokelvin -= SHEET_COOLING * detail * sheet;
 
     vec3 blue = vec3(0.0);
-    if (roundness > 0.0) {
+    if (premixed > 0.0) {
+        // About an axis, gas that burns is normally distributed, so the logarithm of its share is a squared chord.
+        float burns = premixed * gas.w / weight * share;
+        float cone = half_chord(log(burns / CONE)) - CONE_CORE * half_chord(log(burns / UNBURNT));
+        blue = SWAN * cone + MANTLE * half_chord(log(burns / OXIDES));
+        left = 0.0;
+    } else if (roundness > 0.0) {
         vec3 moments = vec3(0.0);
         vec4 sums = vec4(0.0);
         vec2 burning = vec2(0.0);

@@ -1,5 +1,5 @@
 /**
- * A candle in still air: a round flame with a bright rim and a blue root.
+ * Round flames in still air: a candle with a bright rim and a blue root, and the cones of a gas burner.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -11,6 +11,8 @@ const [WIDTH, HEIGHT] = [320, 400];
 const [PICTURES, APART] = [8, 0.2];
 /** Relative luminance from which a pixel is of the flame. */
 const LUMINOUS = 0.1;
+/** Relative luminance from which a pixel is of a cone of gas that was mixed with air. */
+const CONE = 0.12;
 
 const painter = new Painter();
 after(() => painter.close());
@@ -93,4 +95,34 @@ test('the root of a candle is blue', () => {
     upper += blueShare(rgba, Math.round(foot - height), Math.round(foot - height / 2)) / PICTURES;
   }
   assert.ok(root > 10 * upper, `${root} against ${upper}`);
+});
+
+test('each nozzle of the gas burner has an equal blue cone that narrows, and a pale mantle above', async () => {
+  const values = { bloom: 0, background: '#000000' };
+  const { width, height, rgba } = await painter.still({ lit: 'gas-burner', values });
+  const nozzles = 5;
+  const lights = [];
+  for (let nozzle = 0; nozzle < nozzles; nozzle += 1) {
+    // The nozzles divide the picture evenly, and solids are below the flames.
+    const columns = [Math.round((nozzle * width) / nozzles), Math.round(((nozzle + 1) * width) / nozzles)];
+    /** The pixels of this flame in a row whose light is in a range. */
+    const across = (/** @type {number} */ row, /** @type {number} */ least, most = 1) => {
+      const found = [];
+      for (let column = columns[0]; column < columns[1]; column += 1) {
+        const at = 4 * (row * width + column);
+        const light = relativeLuminance(rgba[at], rgba[at + 1], rgba[at + 2]);
+        if (light >= least && light < most) found.push(light);
+      }
+      return found;
+    };
+    const rows = Array.from({ length: Math.round(0.77 * height) }, (_, row) => row);
+    const cone = rows.filter((row) => across(row, CONE).length > 0);
+    const mantle = rows.filter((row) => across(row, CONE / 8, CONE).length > 0);
+    const wide = (/** @type {number} */ share) => across(cone[Math.floor(share * cone.length)], CONE).length;
+    assert.ok(wide(0.2) < 0.75 * wide(0.65), `${wide(0.2)} above ${wide(0.65)} pixels`);
+    assert.ok(cone.length > 1.4 * wide(0.65), `${cone.length} high, ${wide(0.65)} wide`);
+    assert.ok(cone[0] - mantle[0] > 0.5 * cone.length, `${cone[0] - mantle[0]} above ${cone.length} pixels`);
+    lights.push(cone.flatMap((row) => across(row, CONE)).reduce((sum, light) => sum + light, 0));
+  }
+  assert.ok(Math.min(...lights) > 0.8 * Math.max(...lights), `${lights}`);
 });

@@ -1,6 +1,6 @@
 //! Shades the field of the combustion model.
 
-use hearth_core::params::Model;
+use hearth_core::params::{Model, Palette};
 
 use crate::frame_uniforms::{FrameUniforms, wrapped};
 use crate::image::Image;
@@ -34,6 +34,8 @@ impl Pass for Flame {
 
     fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Flame {
         let (source, kernel, slice) = (frame.source, frame.kernel, &frame.slice);
+        let parameters = frame.parameters;
+        let is_premixed = parameters.palette == Palette::Gas && parameters.roundness > 0.0;
         let tiles = TILES_OF_TONGUES.map(|share| share / (noise::CELLS as f32 * kernel.noise_tile));
         let risen = if frame.advects_noise() {
             0.0
@@ -71,6 +73,11 @@ impl Pass for Flame {
             light_scale: frame.format.light_scale(),
             fire_share: frame.fire_share(),
             roundness: frame.parameters.roundness,
+            premixed: if is_premixed {
+                parameters.burn_time
+            } else {
+                0.0
+            },
             soot_per_fuel: 1.0 + frame.parameters.air_demand,
             // A fade of no visible height where the floor is not visible.
             per_soft_floor: if below { 1.0 / soft } else { 1e6 },

@@ -10,7 +10,7 @@
  * what tests its own name. Properties keep their names, and licences
  * stay.
  */
-import { readFile, readdir, rm } from 'node:fs/promises';
+import { readFile, readdir, rm, rmdir } from 'node:fs/promises';
 import path from 'node:path';
 import { beginningsOf } from '../packaging/manifest.mjs';
 import { build, transform } from './esbuild.mjs';
@@ -46,6 +46,9 @@ await build({
 });
 const merged = [...owners].filter(([file, owner]) => owner !== file);
 await Promise.all(merged.map(([file]) => rm(path.join(folder, file))));
+// A folder whose scripts all went into others is empty.
+for (const below of new Set(merged.map(([file]) => path.dirname(file))))
+  await rmdir(path.join(folder, below)).catch(() => {});
 
 /**
  * Lets esbuild follow an import only inside one owner.

@@ -13,6 +13,7 @@ use crate::{npm, paths, script, site, tools};
 
 /// Builds the site and makes the package of it.
 pub(crate) fn build() -> Result<()> {
+    let _lock = tools::writing(&paths::dist())?;
     site::build()?;
     make()?;
     sizes(&folder(), false)?;
@@ -26,6 +27,7 @@ pub(crate) fn build() -> Result<()> {
 /// Makes the package of the built site, and checks it.
 pub(crate) fn make() -> Result<()> {
     npm::install(&paths::packaging())?;
+    let _lock = tools::writing(&paths::dist())?;
     let (package, site, scripts) = (folder(), paths::site(), paths::packaging());
     let scratch = tools::target()?.join("package-check");
     // The crates of the workspace have the version of the package.
@@ -58,5 +60,5 @@ pub(crate) fn sizes(folder: &Path, write: bool) -> Result<()> {
 
 /// Where the package is made.
 pub(crate) fn folder() -> PathBuf {
-    paths::root().join("dist/npm")
+    paths::dist().join("npm")
 }

@@ -15,14 +15,19 @@ pub fn root() -> PathBuf {
         .unwrap_or_default()
 }
 
+/// The folder of all that is made of the checkout.
+pub(crate) fn dist() -> PathBuf {
+    root().join("dist")
+}
+
 /// The site that `cargo xtask build` makes.
 pub fn site() -> PathBuf {
-    root().join("dist/site")
+    dist().join("site")
 }
 
 /// The site that Trunk makes: the `dist` of `Trunk.toml`.
 pub(crate) fn trunk_site() -> PathBuf {
-    root().join("dist/trunk")
+    dist().join("trunk")
 }
 
 /// Tools that take minutes to compile, outside the checkout, so that all checkouts of a

@@ -37,6 +37,7 @@ const PANEL: Module = Module::new("hearth-panel", "panel");
 pub fn build() -> Result<()> {
     tools::wasm_target()?;
     script::tools()?;
+    let _lock = tools::writing(&paths::dist())?;
     let start = Instant::now();
     println!("Building the site (the first time takes some minutes) …");
     // Each build ends in one long link on one core, and profiles share no folder: so both

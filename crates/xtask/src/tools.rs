@@ -6,8 +6,9 @@
 
 use std::collections::BTreeSet;
 use std::env;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
 use anyhow::{Context, Result, anyhow, bail, ensure};
 use xshell::cmd;
@@ -50,6 +51,23 @@ pub(crate) fn fingerprints() -> Result<(&'static str, PathBuf)> {
 pub(crate) fn installing() -> MutexGuard<'static, ()> {
     static ONE: Mutex<()> = Mutex::new(());
     ONE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// While this lives, no other process writes into `dist`: it waits.
+pub(crate) fn writing(dist: &Path) -> Result<Arc<File>> {
+    static HELD: Mutex<Weak<File>> = Mutex::new(Weak::new());
+    let mut held = HELD.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(lock) = held.upgrade() {
+        return Ok(lock);
+    }
+    fs::create_dir_all(dist)?;
+    let lock = Arc::new(File::create(dist.join(".lock"))?);
+    if lock.try_lock().is_err() {
+        println!("Another `cargo xtask` writes into dist; waiting for it …");
+        lock.lock()?;
+    }
+    *held = Arc::downgrade(&lock);
+    Ok(lock)
 }
 
 fn metadata(arguments: &[&str]) -> Result<serde_json::Value> {
@@ -343,6 +361,20 @@ mod tests {
         let entry = format!("name = \"wasm-bindgen\"\nversion = \"{WASM_BINDGEN}\"");
         assert!(lock.replace("\r\n", "\n").contains(&entry));
         Ok(())
+    }
+
+    #[test]
+    fn one_process_writes_into_dist_at_a_time_and_its_own_parts_do_not_wait() -> Result<()> {
+        let dist = env::temp_dir().join(format!("hearth-dist-{}", std::process::id()));
+        let held = writing(&dist)?;
+        let inner = writing(&dist)?;
+        let other = File::open(dist.join(".lock"))?;
+        assert!(other.try_lock().is_err());
+        drop(held);
+        assert!(other.try_lock().is_err());
+        drop(inner);
+        other.try_lock()?;
+        Ok(fs::remove_dir_all(dist)?)
     }
 
     #[test]

@@ -152,6 +152,8 @@ export interface HearthHistory {
   readonly canUndo: boolean;
   /** Whether there is a step to redo. */
   readonly canRedo: boolean;
+  /** All present settings, without waiting for the fire: `importConfig` applies them, on another page too. */
+  readonly settings: HearthConfig;
   /**
    * Runs a function and returns what it returns. The changes that it calls for before it returns or waits are a step;
    * with the key of the last step, they belong to that.

@@ -12,7 +12,7 @@ import { fromFragment } from '../share.js';
 export const KEPT = '#fire-of-this-tab';
 const KEY = 'hearth-fire';
 
-/** The key of the last change, which the URL does not have. */
+/** The key of the last settings, which the URL does not have. */
 const LAST = 'hearth-fire-last';
 
 /** Whether the URL names a fire by its fragment. */
@@ -20,7 +20,7 @@ export const hasFragment = () => location.hash.startsWith('#fire');
 
 /**
  * Applies the fragment of the URL to a fire, now and whenever it changes. Returns whether
- * changes that the URL does not have follow it.
+ * settings that the URL does not have follow it.
  * @param {HearthFire} fire
  * @param {(message: string) => void} refuse  Reports why it is refused.
  */
@@ -37,7 +37,7 @@ export function applyFragment(fire, refuse) {
     }
   };
   const last = takeLast();
-  apply().then(() => last && fire.set(last).catch(() => {}));
+  apply().then(() => last && fire.importConfig(last).catch(() => {}));
   // Another address in the same tab loads nothing.
   addEventListener('hashchange', apply);
   return last !== undefined;
@@ -75,23 +75,23 @@ export function keep(url, config) {
 }
 
 /**
- * Keeps changes for a reload before the URL has them. While a page ends, its history takes no other URL.
- * @param {{[id: string]: unknown}} changes
+ * Keeps settings for a reload before the URL has them. While a page ends, its history takes no other URL.
+ * @param {HearthConfig} config
  */
-export function keepLast(changes) {
+export function keepLast(config) {
   try {
-    sessionStorage.setItem(LAST, JSON.stringify({ href: location.href, changes }));
+    sessionStorage.setItem(LAST, JSON.stringify({ href: location.href, config }));
   } catch {
-    // Without storage, the URL is of the change before.
+    // Without storage, the URL is of the settings before.
   }
 }
 
-/** What `keepLast` has kept of a page with this URL, once. @returns {{[id: string]: any} | undefined} */
+/** What `keepLast` has kept of a page with this URL, once. @returns {HearthConfig | undefined} */
 function takeLast() {
   try {
-    const { href, changes } = JSON.parse(sessionStorage.getItem(LAST) ?? '{}');
+    const { href, config } = JSON.parse(sessionStorage.getItem(LAST) ?? '{}');
     sessionStorage.removeItem(LAST);
-    return href === location.href ? changes : undefined;
+    return href === location.href ? config : undefined;
   } catch {
     return undefined;
   }

@@ -106,11 +106,10 @@ async function fragmentOrKept(config) {
 function updateUrl(options) {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let planned;
-  /** What the URL does not have yet. @type {{[id: string]: unknown}} */
-  let changes = {};
+  /** Whether the fire has changed since it was asked for its settings. */
+  let isStale = false;
   const write = async () => {
-    planned = undefined;
-    changes = {};
+    isStale = false;
     const config = await fire.exportConfig();
     const query = queryOf(config);
     const others = new URLSearchParams(options).toString().replace(/=(?=&|$)/g, '');
@@ -127,20 +126,18 @@ function updateUrl(options) {
     }
   };
   const plan = () => {
-    if (planned !== undefined) return;
-    planned = setTimeout(() => write().catch((error) => console.warn('Hearth:', error)), URL_MS);
+    isStale = true;
+    planned ??= setTimeout(async () => {
+      await write().catch((error) => console.warn('Hearth:', error));
+      planned = undefined;
+      if (isStale) plan();
+    }, URL_MS);
   };
-  fire.addEventListener('params-change', ({ detail: { id, value } }) => {
-    changes[id] = value;
-    plan();
-  });
-  fire.addEventListener('objects-change', () => {
-    changes.objects = fire.objects;
-    plan();
-  });
-  // A page that ends gets no answer of the fire any more; its tab keeps the last change.
+  fire.addEventListener('params-change', plan);
+  fire.addEventListener('objects-change', plan);
+  // A page that ends gets no answer of the fire any more; its tab keeps the settings that the URL does not have.
   addEventListener('pagehide', () => {
-    if (planned !== undefined) keepLast(changes);
+    if (planned !== undefined) keepLast(fire.history.settings);
   });
   return plan;
 }

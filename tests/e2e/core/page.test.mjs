@@ -108,6 +108,34 @@ test('the address of the landing scene stays empty', async () => {
   assert.equal(await tab.evaluate(() => location.search), '');
 });
 
+test('a change whose writing waits for the fire survives a reload, with its scene', async () => {
+  const tab = await browser.open('index.html?paused', {
+    before: () => {
+      const wait = window.setTimeout;
+      /** @type {any} */ (window).setTimeout = (act, time, ...rest) => wait(act, time === 1000 ? 0 : time, ...rest);
+    },
+  });
+  await tab.ready();
+  await tab.evaluate(async () => {
+    const fire = /** @type {any} */ (document.querySelector('hearth-fire'));
+    const asked = new Promise((resolve) => {
+      // The fire never answers.
+      fire.exportConfig = () => {
+        resolve(undefined);
+        return new Promise(() => {});
+      };
+    });
+    await fire.importConfig({ hearth: 2, preset: 'candle', values: { wind: 0.25 } });
+    await asked;
+  });
+  assert.equal(await tab.evaluate(() => location.search), '?paused');
+  await tab.page.reload();
+  await tab.ready();
+  await tab.until('the address', () => location.search.includes('scene=candle&wind=0.25'));
+  const config = await tab.fire((fire) => fire.exportConfig());
+  assert.deepEqual([config.preset, config.values, config.objects], ['candle', { wind: 0.25 }, undefined]);
+});
+
 test('a change right before a reload survives it, and the address has it then', async () => {
   const tab = await browser.open('index.html?scene=candle&paused');
   await tab.ready();

@@ -45,6 +45,11 @@ export class FireHistory {
     return this.#undone.length > 0;
   }
 
+  /** All present settings, without a question to the fire. */
+  get settings() {
+    return this.#session.state.settings;
+  }
+
   /**
    * Runs a function and records the changes that it calls for before it returns or waits.
    * @template T

@@ -11,6 +11,7 @@
 mod cost;
 pub mod format;
 mod panel;
+pub mod right_to_left;
 pub mod search;
 pub mod state;
 pub mod theme;

@@ -3,6 +3,7 @@
 use hearth_core::params::{AnyValue, Input, Model, Parameters, Property, Value};
 use hearth_core::scene::{Object, Scene};
 
+use crate::right_to_left::is_from_right;
 use crate::state::entry::Entry;
 use crate::state::subject::Subject;
 
@@ -155,6 +156,8 @@ pub fn name_of(object: Object<'_>) -> String {
             };
             format!("{numbered} · {material} {}", solid.shape.name())
         }
+        // Isolated, a name from right to left keeps the words behind it in their order.
+        (name, _) if is_from_right(name) => format!("\u{2068}{name}\u{2069} · {numbered}"),
         (name, _) => format!("{name} · {numbered}"),
     };
     match is_on(object) {

@@ -1,10 +1,11 @@
 //! The controls of numbers, seeds and flags.
 
-use egui::{Id, Ui};
+use egui::{Align2, Id, Ui};
 use hearth_core::params::{Scale, Value};
 
 use crate::cost;
 use crate::format::{fraction, step, text_in_short, value_at, value_text};
+use crate::right_to_left;
 use crate::state::fire::Entry;
 use crate::state::{Action, State, Subject};
 use crate::theme;
@@ -140,4 +141,10 @@ pub fn text(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
     let shown = text_in_short(subject.param.id, &state.fire.text(subject));
     field::show(state, out, ui, subject, room, &shown);
     out.record(ui, subject.id, room);
+    // The field shows such letters from left to right.
+    let typed = state.open.field_of(subject).map_or("", |field| &field.text);
+    if right_to_left::is_from_right(typed) {
+        let rect = strip(ui, state.device.measures.line);
+        right_to_left::paint(ui, rect, Align2::RIGHT_CENTER, typed, theme::weak());
+    }
 }

@@ -3,6 +3,7 @@
 use egui::style::ScrollAnimation;
 use egui::{Align, Align2, Color32, Rect, Ui, pos2, vec2};
 
+use crate::right_to_left;
 use crate::theme;
 
 /// Empty space below the last row: a row can scroll above the focused accessible control, which
@@ -76,6 +77,9 @@ pub fn value(ui: &Ui, room: Rect, text: &str, unit: &str, ink: Color32) -> Rect 
             theme::small(),
             theme::weak(),
         );
+    }
+    if let Some(rect) = right_to_left::paint(ui, room, Align2::RIGHT_CENTER, text, ink) {
+        return rect;
     }
     let gap = if unit.is_empty() { 0.0 } else { 4.0 };
     let at = pos2(painted.left() - gap, room.center().y);

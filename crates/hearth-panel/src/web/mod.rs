@@ -9,6 +9,7 @@ mod app;
 mod element;
 mod listener;
 mod read;
+mod text;
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -20,6 +21,7 @@ use self::app::{App, InputPolicy};
 use self::element::{Element, paint_soon, read_scene};
 use self::listener::Listener;
 use self::read::controller_state;
+use crate::right_to_left;
 use crate::theme::{self, Measures};
 
 /// The panel, as a page sees it.
@@ -66,6 +68,7 @@ impl Panel {
                 let ctx = creation.egui_ctx.clone();
                 theme::prefer_contrast(matches("(prefers-contrast: more)"));
                 theme::apply(&ctx);
+                right_to_left::draw_with(&ctx, text::draw);
                 let element = Rc::new(Element::new(fire, controller, panel.clone(), ctx.clone())?);
                 started.replace(Some((element.clone(), ctx)));
                 Ok(Box::new(App::new(panel, element, policy, canvas)))
@@ -146,8 +149,9 @@ impl Panel {
     pub fn tooltip(&self) -> Option<js_sys::Array> {
         let panel = self.panel.try_borrow().ok()?;
         let (text, row) = panel.tooltip()?;
-        let values = [text.into(), row.top().into(), row.height().into()];
-        Some(values.iter().collect::<js_sys::Array>())
+        let text = JsValue::from_str(text);
+        let place = [row.top(), row.height()].map(|x| JsValue::from_f64(x.into()));
+        Some(std::iter::once(text).chain(place).collect())
     }
 
     /// Repaints soon, after the page has changed the canvas's resolution.

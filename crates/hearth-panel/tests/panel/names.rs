@@ -1,7 +1,10 @@
 //! The rows that are texts, and the objects that are off.
 
-use egui::{Event, Key};
+use std::sync::Mutex;
+
+use egui::{Color32, ColorImage, Event, Key};
 use hearth_core::params::{Model, Param, Value};
+use hearth_panel::right_to_left;
 use hearth_panel::state::{Command, Subject};
 
 use crate::harness::{Harness, PHONE, TALL};
@@ -46,6 +49,33 @@ fn a_name_is_typed_listed_and_reset() {
             let commands = harness.panel.take_commands();
             assert_eq!(commands, [Command::RestoreProperty(row)]);
         }
+    }
+}
+
+#[test]
+fn a_name_from_right_to_left_is_drawn_by_the_browser_in_the_list_its_row_and_its_field() {
+    static DRAWN: Mutex<Vec<String>> = Mutex::new(Vec::new());
+    let mut harness = with_objects(Model::Combustion, TALL);
+    right_to_left::draw_with(&harness.ctx, |text, _| {
+        DRAWN.lock().unwrap().push(text.to_owned());
+        Some(ColorImage::filled([300, 20], Color32::WHITE))
+    });
+    let mut log = solid(2, "line", "wood");
+    log.push(text("name", "עץ יבש"));
+    harness.panel.state.fire.receive_objects(&[source(1), log]);
+    select(&mut harness, 2);
+    harness.reveal("solid:name");
+    let drawn = || std::mem::take(&mut *DRAWN.lock().unwrap());
+    assert_eq!(drawn(), ["\u{2068}עץ יבש\u{2069} · Solid 2", "עץ יבש"]);
+    harness.reveal("solid:name");
+    assert!(drawn().is_empty(), "pictures are kept");
+    let texts = harness.texts();
+    assert!(
+        !texts.iter().any(|text| right_to_left::is_from_right(text)),
+        "{texts:?}"
+    );
+    for text in ["Back log", "Φωτιά", "火", "é̂"] {
+        assert!(!right_to_left::is_from_right(text), "{text}");
     }
 }
 

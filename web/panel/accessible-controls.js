@@ -163,7 +163,9 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     });
     control.dataset.parameter = id;
     control.title = parameter.doc;
-    parent.append(row);
+    // As on the panel, the model comes before the search.
+    if (id === MODEL && !limited) resetAll.before(row);
+    else parent.append(row);
     counterparts.set(id, control);
     const restore = addButton(
       `restore:${id}`,

@@ -30,25 +30,25 @@ const LAYERS: [Layer; MAX_SLICES] = [
     Layer {
         lag: 1.6,
         mirrored: true,
-        offset: 0.10,
+        offset: 0.14,
         scale: 0.95,
     },
     Layer {
         lag: 3.2,
         mirrored: false,
-        offset: -0.14,
+        offset: -0.20,
         scale: 0.90,
     },
     Layer {
         lag: 0.8,
         mirrored: true,
-        offset: -0.18,
+        offset: -0.25,
         scale: 1.04,
     },
     Layer {
         lag: 2.4,
         mirrored: false,
-        offset: 0.17,
+        offset: 0.24,
         scale: 0.93,
     },
 ];

@@ -118,7 +118,8 @@ impl Count {
         let mut count = wanted as f32;
         if let Some((last, then)) = self.last.filter(|_| !is_paused) {
             let change = ((time - then).max(0.0) / f64::from(FADE_SECONDS)) as f32;
-            count = last + (count - last).clamp(-change, change);
+            // `clamp` prints its limits if they are no numbers: the code for that takes 9 KB of the download.
+            count = last + (count - last).max(-change).min(change);
         }
         self.last = Some((count, time));
         count

@@ -140,7 +140,7 @@ export class Bar {
    */
   show(all, selected, { canUndo, canRedo }) {
     const [first, ...more] = selected;
-    const none = more.length > 0 ? `${selected.length} selected` : 'no selection';
+    const none = more.length > 0 ? `${selected.length} selected` : 'no object';
     const names = [none, ...all.map((object) => `${object.id}:${nameOf(object)}`)].join();
     if (this.#names !== names) {
       this.#names = names;

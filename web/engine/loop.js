@@ -19,6 +19,7 @@ import { checkPart, loadedParts } from '../parts.js';
 const PARTS = {
   classic: [['model'], 'the classic model'],
   bodies: [['fuel', 'motion'], 'fuels, water and free solids'],
+  children: [['children'], 'children'],
 };
 
 /**
@@ -121,8 +122,12 @@ export function runEngine(Engine, canvas, { post, show, module, extend, fail }, 
       for (const [fire, { part: needed, calls }] of waiting) {
         if (needed === part) {
           waiting.delete(fire);
-          if (why) {
-            post(refusal(part, why, calls[0]));
+          const [first] = calls;
+          // A fire burns without its children.
+          if (why && part === 'children' && first[2] === 'add') {
+            first[3].children = false;
+          } else if (why) {
+            post(refusal(part, why, first));
             calls.shift();
           }
           calls.forEach(call);

@@ -11,6 +11,8 @@ use js_sys::Set;
 pub const CLASSIC: &str = "classic";
 /// The part with solids that burn, water, and solids that are free to move.
 pub const BODIES: &str = "bodies";
+/// The part that lays children of the element over the objects.
+pub const CHILDREN: &str = "children";
 
 /// The part that a scene needs and that is not among the `loaded` ones.
 pub fn missing(scene: &Scene, loaded: &Set) -> Option<&'static str> {

@@ -11,6 +11,7 @@ mod drive;
 mod field;
 mod kinds;
 mod object;
+mod order;
 mod poses;
 mod source_properties;
 mod stored;
@@ -216,6 +217,12 @@ impl Scene {
         }
     }
 
+    /// The pixels of all masks. Solids that are off have a mask, too.
+    fn pixels(&self) -> usize {
+        let solids = self.objects().filter_map(|object| object.solid());
+        solids.map(|solid| solid.mask.pixels()).sum()
+    }
+
     /// Removes all objects. The settings keep the values of the first source for the next one.
     pub fn clear(&mut self) {
         self.objects.clear();
@@ -320,16 +327,24 @@ impl Scene {
                 }
             }
         }
-        if errors.is_empty() {
-            object.values.settle(before.as_ref());
-        }
-        // Solids that are off have a mask, too.
-        let solids = self.objects().filter_map(|object| object.solid());
-        let pixels: usize = solids.map(|solid| solid.mask.pixels()).sum();
+        object.values.settle(before.as_ref());
+        let pixels = self.pixels();
         if pixels > MAX_PIXELS {
             let words = "smaller: all masks of a scene have at most 262144 pixels";
             let pixels = Input::Number(pixels as f64);
             errors.push(must_be(path(index, "mask"), pixels, words));
+            self.restore_mask(index, before);
+        }
+    }
+
+    /// Restores the mask of a solid that was `before`.
+    fn restore_mask(&mut self, index: usize, before: Option<Solid>) {
+        let object = self.objects.get_mut(index);
+        if let (Some(Values::Solid(stored)), Some(before)) =
+            (object.map(|object| &mut object.values), before)
+        {
+            stored.0.mask = before.mask;
+            stored.1 = stored.0.surface();
         }
     }
 

@@ -148,6 +148,8 @@ commands! { 'a
     "changeObject" ChangeObject { id: ObjectId, values: Values<'a>, source: &'a str }
     /// Removes an object.
     "removeObject" RemoveObject { id: ObjectId, source: &'a str }
+    /// Lays the [list of children](hearth_settings::Settings::with_children) over the objects. What is refused is left out.
+    "children" Children { children: &'a Untrusted }
     /// Replaces all settings by those of a preset.
     "preset" Preset { name: &'a str, source: &'a str }
     /// Applies settings that the fire had; unless they are of another preset, it burns on.
@@ -256,6 +258,8 @@ pub struct Start<'a> {
     pub guess: Option<Level>,
     /// Whether the fire starts paused.
     pub paused: bool,
+    /// Whether the element has children, whose list is the next call.
+    pub children: bool,
 }
 
 impl<'a> Argument<'a> for Start<'a> {
@@ -273,6 +277,7 @@ impl<'a> Argument<'a> for Start<'a> {
             quality: level("quality"),
             guess: level("guess"),
             paused: Argument::read(value.field("paused")),
+            children: Argument::read(value.field("children")),
         }
     }
 }

@@ -237,6 +237,9 @@ impl Engine {
         let found = self.fires.iter_mut().find(|fire| fire.id() == id);
         let fire = match (found, command) {
             (None, Command::Add { start }) => {
+                if start.children && parts::lacks(loaded, parts::CHILDREN) {
+                    return Ok(Answer::Missing(parts::CHILDREN));
+                }
                 let (settings, errors) = change::at_first(&start);
                 if let Some(part) = parts::missing(settings.scene(), loaded) {
                     return Ok(Answer::Missing(part));
@@ -270,7 +273,13 @@ impl Engine {
             }
         };
         let (fire, command) = fire;
-        if let Some((settings, source)) = change::by_command(fire.settings(), &command) {
+        if change::lays_children(fire.settings(), &command) && parts::lacks(loaded, parts::CHILDREN)
+        {
+            return Ok(Answer::Missing(parts::CHILDREN));
+        }
+        let mut errors = Vec::new();
+        if let Some((settings, source)) = change::by_command(fire.settings(), &command, &mut errors)
+        {
             let settings = settings?;
             if let Some(part) = parts::missing(settings.scene(), loaded) {
                 return Ok(Answer::Missing(part));
@@ -294,7 +303,10 @@ impl Engine {
                 events.answer(fire.id(), request, &id.into());
                 return Ok(Answer::Deferred);
             }
-            return Ok(Answer::Done);
+            return match errors.is_empty() {
+                true => Ok(Answer::Done),
+                false => Err(errors),
+            };
         }
         match command {
             Command::CheckValues { values } => {
@@ -366,6 +378,7 @@ impl Engine {
             | Command::AddObject { .. }
             | Command::ChangeObject { .. }
             | Command::RemoveObject { .. }
+            | Command::Children { .. }
             | Command::Preset { .. }
             | Command::Import { .. }
             | Command::Restore { .. } => {}

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `ready` | `fire`; `values`: all of them; `objects`; `preset`; `settings`: the [whole](hearth_settings::whole) |
 //! | `done` | `fire`, `request`; `value`: the result, if the command has one |
-//! | `changed` | as `ready`, but what changed; `source`; `replaced`: whether a preset or a file replaced all |
+//! | `changed` | as `ready`, but what changed; `source` |
 //! | `refused` | `fire`, `request`; `errors`: id, value, message and, for a number, min and max |
 //! | `stats` | `fire`; `stats`: see [`stats`](crate::stats) |
 //! | `series` | `fire`; `seconds` of the clock since the last frame; `series`: the [numbers](hearth_core::StepRecord) of each step |
@@ -67,13 +67,11 @@ impl Events {
         self.post(&event);
     }
 
-    /// Settings changed from `old`; posts nothing if they did not. `replaced`: a preset or a file
-    /// replaced them.
-    pub fn changed(&self, fire: u32, source: &str, replaced: bool, old: &Settings, new: &Settings) {
+    /// Settings changed from `old`; posts nothing if they did not.
+    pub fn changed(&self, fire: u32, source: &str, old: &Settings, new: &Settings) {
         let event = event("changed", fire);
-        event.set_flag("replaced", replaced);
         event.set_text("source", source);
-        if self.put_settings(&event, new, Some(old)) || replaced {
+        if self.put_settings(&event, new, Some(old)) {
             self.post(&event);
         }
     }

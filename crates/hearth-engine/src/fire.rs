@@ -155,7 +155,7 @@ impl Fire {
     /// earlier settings, not single values.
     pub fn change(&mut self, settings: Settings, source: &str, replaced: bool, events: &Events) {
         let old = &self.settings;
-        events.changed(self.id, source, replaced, old, &settings);
+        events.changed(self.id, source, old, &settings);
         if settings.parameters().model != old.parameters().model {
             self.averages.forget_steps();
         }

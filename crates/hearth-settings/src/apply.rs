@@ -91,11 +91,7 @@ fn change(scene: &mut Scene, values: Values<'_>, errors: &mut Vec<ValidationErro
                 settings = scene.settings().clone();
                 continue;
             }
-            let changed = match value {
-                Untrusted::Null => settings.restore(id),
-                _ => settings.set(id, value.input()),
-            };
-            if let Err(error) = changed {
+            if let Err(error) = settings.set(id, input(value)) {
                 errors.push(ValidationError::of_parameter(&error, value));
             }
         }
@@ -236,14 +232,23 @@ fn put_properties(
     }
 }
 
-fn fields<'a>(values: Values<'a>) -> Vec<(&'a str, Input<'a>)> {
+/// The fields that are stated.
+pub(crate) fn fields<'a>(values: Values<'a>) -> Vec<(&'a str, Input<'a>)> {
     let mut stated = Vec::with_capacity(values.len());
     for (name, value) in values {
         if !value.is_missing() {
-            stated.push((name.as_str(), value.input()));
+            stated.push((name.as_str(), input(value)));
         }
     }
     stated
+}
+
+/// A value as input. `null` restores the default.
+fn input(value: &Untrusted) -> Input<'_> {
+    match value {
+        Untrusted::Null => Input::Default,
+        _ => value.input(),
+    }
 }
 
 /// The error of an object's field, with the sent value.

@@ -1,6 +1,7 @@
 //! Settings as a [settings file](crate::file).
 
 use crate::apply::{OBJECTS, objects, of_model, other_model};
+use crate::children::CHILDREN;
 use crate::file::VERSION;
 use crate::settings::{Settings, StatedResolution};
 use crate::untrusted::Untrusted;
@@ -10,13 +11,14 @@ use hearth_core::preset::Preset;
 use hearth_core::scene::Kind;
 
 /// The fields of [whole] settings.
-pub const FIELDS: [&str; 6] = [
+pub const FIELDS: [&str; 7] = [
     "hearth",
     "preset",
     "values",
     "classic",
     "combustion",
     OBJECTS,
+    CHILDREN,
 ];
 
 /// The values of `model` that differ from the preset, and the stated resolution: all, those of that model
@@ -87,7 +89,7 @@ pub fn export(settings: &Settings) -> Untrusted {
 }
 
 /// Writes settings as a settings file each of whose parts has a place of its own: the values that both models share,
-/// those of each model, and all objects with their ids. The first source is among both. A part that changes leaves
+/// those of each model, all objects with their ids, and the children of the element. The first source is among both. A part that changes leaves
 /// the others.
 pub fn whole(settings: &Settings) -> Untrusted {
     let model = settings.parameters().model();
@@ -99,6 +101,7 @@ pub fn whole(settings: &Settings) -> Untrusted {
         (Model::Classic.name(), of(Model::Classic, true)),
         (Model::Combustion.name(), of(Model::Combustion, true)),
         (OBJECTS, objects(settings.scene(), Some(&base), true)),
+        (CHILDREN, settings.children.clone()),
     ];
     let mut fields = vec![
         Untrusted::named("hearth", Untrusted::Number(VERSION.into())),

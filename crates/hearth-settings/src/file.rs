@@ -12,22 +12,26 @@
 //! preset: they are `values` then. In the list, the first source holds its differences from the preset, other
 //! objects those from the defaults. If both state a property of the first source, the later one wins.
 //!
+//! `children` names the objects of children of the element. Only [whole](crate::whole) settings have it.
+//!
 //! `spacing` states the resolution as a length, `particles` as the number of particles that would fill the domain.
 
 use crate::apply::OBJECTS;
+use crate::children::CHILDREN;
 use crate::untrusted::{Check, Form, Untrusted, ValidationError, Values};
 
 /// The version of the format.
 pub const VERSION: u32 = 2;
 
 /// The fields and their checks.
-const FIELDS: [(&str, Check); 8] = [
+const FIELDS: [(&str, Check); 9] = [
     ("hearth", Check::optional(Form::Any)),
     ("preset", Check::optional(Form::Text)),
     ("values", Check::optional(Form::Values)),
     ("classic", Check::optional(Form::Values)),
     ("combustion", Check::optional(Form::Values)),
     (OBJECTS, Check::optional(Form::Any)),
+    (CHILDREN, Check::optional(Form::Any)),
     ("label", Check::optional(Form::Text)),
     ("description", Check::optional(Form::Text)),
 ];

@@ -15,11 +15,13 @@
 //! ```
 
 mod apply;
+mod children;
 mod export;
 pub mod file;
 mod settings;
 pub mod untrusted;
 
 pub use apply::{OBJECTS, objects, preset};
+pub use children::CHILDREN;
 pub use export::{FIELDS, export, whole};
 pub use settings::{Change, Settings, StatedResolution, adapt};

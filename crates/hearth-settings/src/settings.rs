@@ -1,6 +1,7 @@
 //! All that is set of a fire, and the one function that changes it.
 
 use crate::apply::{of_model, with_object, with_settings, with_values};
+use crate::children::CHILDREN;
 use crate::untrusted::{Argument, Untrusted, ValidationError, Values};
 use crate::{apply, file};
 use hearth_core::params::{Input, Model};
@@ -56,13 +57,15 @@ pub enum Change<'a> {
     Preset(&'a str),
 }
 
-/// Settings: the parameters of both models, the objects, the preset that they started from, and which
-/// parameter states the resolution.
+/// Settings: the parameters of both models, the objects, the preset that they started from, which
+/// parameter states the resolution, and which objects are those of children of the element.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     preset: &'static str,
     scene: Scene,
-    resolution: StatedResolution,
+    pub(crate) resolution: StatedResolution,
+    /// The [children](crate::children) that are known.
+    pub(crate) children: Untrusted,
 }
 
 impl Default for Settings {
@@ -78,6 +81,7 @@ impl Settings {
             preset: preset.name,
             scene: preset.scene(),
             resolution: StatedResolution::Auto,
+            children: Untrusted::List(Vec::new()),
         };
         settings.settle();
         settings
@@ -111,17 +115,24 @@ impl Settings {
                 }
             }
         }
-        Ok(base.with(scene, resolution))
+        let mut settings = base.with(scene, resolution);
+        if let list @ Untrusted::List(_) = config.field(CHILDREN) {
+            settings.children = list.clone();
+        }
+        Ok(settings)
     }
 
     /// These settings with another scene, whose resolution is stated so.
-    fn with(&self, scene: Scene, resolution: StatedResolution) -> Settings {
-        let preset = self.preset;
+    pub(crate) fn with(&self, scene: Scene, resolution: StatedResolution) -> Settings {
         let mut settings = Settings {
-            preset,
+            preset: self.preset,
             scene,
             resolution,
+            children: self.children.clone(),
         };
+        if settings.parameters().model() != self.parameters().model() {
+            forget_replaced(&mut settings.children);
+        }
         settings.settle();
         settings
     }
@@ -172,6 +183,11 @@ impl Settings {
             }
         }
         settings
+    }
+
+    /// Whether children of the element are known.
+    pub fn has_children(&self) -> bool {
+        !self.children.list().is_empty()
     }
 
     /// The preset.
@@ -281,6 +297,23 @@ impl Settings {
         };
         let follows_level = |settings: &Settings| settings.resolution() == Resolution::Level;
         cost(self) == cost(other) && follows_level(self) == follows_level(other)
+    }
+}
+
+/// Forgets the values that children have replaced, which are those of another model.
+fn forget_replaced(value: &mut Untrusted) {
+    match value {
+        Untrusted::List(children) => children.iter_mut().for_each(forget_replaced),
+        Untrusted::Object(fields) => {
+            for (name, value) in fields {
+                if let ("replaced", Untrusted::Object(values)) = (name.as_str(), value) {
+                    values
+                        .iter_mut()
+                        .for_each(|(_, value)| *value = Untrusted::Null);
+                }
+            }
+        }
+        _ => {}
     }
 }
 

@@ -4,6 +4,7 @@
  */
 
 import BODIES from 'inline:bodies';
+import CHILDREN from 'inline:children';
 import CLASSIC from 'inline:classic';
 import WASM from 'inline:wasm';
 import WORKER from 'inline:worker';
@@ -18,6 +19,7 @@ export function wasm() {
 export const PARTS = {
   classic: () => unpacked(CLASSIC),
   bodies: () => unpacked(BODIES),
+  children: () => unpacked(CHILDREN),
 };
 
 /**

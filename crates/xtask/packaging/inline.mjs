@@ -49,6 +49,7 @@ export async function inlined(sources, wasm, { name, version, license }) {
       filesInside(sources, wasm, {
         classic: await deflated('hearth-engine_classic.wasm'),
         bodies: await deflated('hearth-engine_bodies.wasm'),
+        children: await deflated('hearth-engine_children.wasm'),
         wasm: await deflated('hearth-engine_bg.wasm'),
         worker: worker.text,
       }),

@@ -41,6 +41,7 @@ const DOWNLOADS = [
   { name: 'element and engine', files: always, ceiling: 178_000 },
   { name: 'classic model, on request', files: ['wasm/hearth-engine_classic.wasm'] },
   { name: 'fuels, water and free solids, on request', files: ['wasm/hearth-engine_bodies.wasm'] },
+  { name: 'children, on request', files: ['wasm/hearth-engine_children.wasm'] },
   { name: 'other scripts of the element, each on request', files: requested.filter((file) => !isPart(file)) },
   { name: 'sound, on request', files: sound, ceiling: 8_000 },
   { name: 'panel, on request', files: await loaded('panel.js'), ceiling: 900_000 },

@@ -7,7 +7,7 @@ use wasm_parts::{Bound, Part};
 
 use crate::shell::Shell;
 
-/// The parts. `hearth_bindings::parts` determines which one a scene needs.
+/// The parts of engine and library. `hearth_bindings::parts` determines which one a scene needs.
 const PARTS: [Part; 2] = [
     Part {
         name: "classic",
@@ -22,6 +22,12 @@ const PARTS: [Part; 2] = [
         ],
     },
 ];
+
+/// The part of the engine alone.
+const CHILDREN: Part = Part {
+    name: "children",
+    modules: &["hearth_settings::children::", "hearth_core::scene::order::"],
+};
 
 /// Takes the parts out of the wasm modules of the engine and the library, and orders the functions of all.
 pub(crate) fn divide(sh: &Shell, web: &Path) -> Result<()> {
@@ -38,7 +44,8 @@ pub(crate) fn divide(sh: &Shell, web: &Path) -> Result<()> {
             bound
                 .let_caller_load()
                 .with_context(|| format!("cannot change {}", script.display()))?;
-            for part in &PARTS {
+            let of_engine = (name == "hearth-engine").then_some(&CHILDREN);
+            for part in PARTS.iter().chain(of_engine) {
                 let taken = bound
                     .take(part)
                     .with_context(|| format!("cannot divide {name}"))?;

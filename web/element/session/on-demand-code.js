@@ -92,6 +92,16 @@ export class OnDemandCode {
     this.#children?.update();
   }
 
+  /** Whether the code of children is loaded. */
+  get hasChildren() {
+    return Boolean(this.#children);
+  }
+
+  /** Sends the children before a call of the page, if they have changed. */
+  sendChildren() {
+    this.#children?.send();
+  }
+
   /** Passes a report of the engine to the children. @param {Message} message */
   reportToChildren(message) {
     this.#children?.report(message);

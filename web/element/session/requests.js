@@ -117,11 +117,6 @@ export class Requests {
     this.#flush(MAX_WAITING);
   }
 
-  /** Whether every call is answered. */
-  get idle() {
-    return this.#pending.size === 0;
-  }
-
   /** The promise of a request. @param {number} request */
   promise(request) {
     return this.#pending.get(request)?.promise;

@@ -84,15 +84,11 @@ export class FireSession {
   call(...call) {
     // These replace every value, and so those of a file that has not arrived.
     if (call[0] === 'import' || call[0] === 'preset') this.#file.drop();
+    if (call[0] !== 'children') this.code.sendChildren();
     // A fire that failed answers nothing.
     const answer = this.#ready.failed ? this.ready : this.#requests.call(...call);
     this.code.record(call, answer);
     return answer;
-  }
-
-  /** Whether the engine has answered every call, so that the state is that of the engine. */
-  get idle() {
-    return this.#requests.idle;
   }
 
   /** Calls the engine without waiting for an answer. @type {(...call: Call) => void} */
@@ -242,6 +238,7 @@ export class FireSession {
         (state) => ({
           ...this.state.start(fire, this.playback.paused, this.#file.config),
           warm: this.#warmth(),
+          children: this.code.hasChildren,
           state,
           view: view.camera,
         }),
@@ -356,7 +353,7 @@ export class FireSession {
       state.take(message);
       if (key !== undefined) this.history.record(key, settings, state.settings);
       this.code.reportToChildren(message);
-      if (message.replaced && (this.fire.getAttribute('preset') ?? 'default') !== state.preset)
+      if (message.settings.preset && (this.fire.getAttribute('preset') ?? 'default') !== state.preset)
         this.reflectPreset(state.preset);
       if (!this.#ready.announced) return;
       for (const [id, value] of Object.entries(message.values)) reports.emit('params-change', { id, value, source });

@@ -64,7 +64,11 @@ impl Param {
         model: Model,
         input: Input<'a>,
     ) -> Result<AnyValue<'a>, ParamError> {
-        let (min, max) = self.any_domain(model).range;
+        let domain = self.any_domain(model);
+        if input == Input::Default {
+            return Ok(domain.default);
+        }
+        let (min, max) = domain.range;
         let in_range = |whole: bool| {
             input
                 .number()
@@ -94,7 +98,7 @@ impl Param {
             Kind::Seed => in_range(true).map(|x| Value::Seed(x as u32)),
             Kind::Choice(choices) => match input {
                 Input::Text(text) => choices.iter().find(|&&name| name == text.trim_ascii()),
-                Input::Number(_) | Input::Flag(_) => None,
+                Input::Number(_) | Input::Flag(_) | Input::Default => None,
             }
             .map(|name| Value::Choice(name))
             .ok_or_else(|| self.error(input, ParamErrorKind::NotAChoice { choices })),
@@ -104,13 +108,13 @@ impl Param {
                 .ok_or_else(|| self.error(input, ParamErrorKind::NotAFlag)),
             Kind::Colour => match input {
                 Input::Text(text) => Colour::parse(text),
-                Input::Number(_) | Input::Flag(_) => None,
+                Input::Number(_) | Input::Flag(_) | Input::Default => None,
             }
             .map(Value::Colour)
             .ok_or_else(|| self.error(input, ParamErrorKind::NotAColour)),
             Kind::Text(form) => match input {
                 Input::Text(text) => Ok(AnyValue::Text(text)),
-                Input::Number(_) | Input::Flag(_) => {
+                Input::Number(_) | Input::Flag(_) | Input::Default => {
                     Err(self.error(input, ParamErrorKind::Other(form)))
                 }
             },

@@ -116,9 +116,7 @@ impl Parameters {
     /// # Errors
     /// An unknown id.
     pub fn restore(&mut self, id: &str) -> Result<(), ParamError> {
-        let param = Param::find(id).ok_or_else(|| unknown(id, Input::Text("")))?;
-        self.write(param, param.any_domain(self.model).default);
-        Ok(())
+        self.set(id, Input::Default)
     }
 
     /// The parameters of the present model whose value is not the default, with that value.

@@ -129,6 +129,8 @@ pub enum Input<'a> {
     Text(&'a str),
     /// On or off.
     Flag(bool),
+    /// The default.
+    Default,
 }
 
 impl<'a> Input<'a> {
@@ -141,7 +143,7 @@ impl<'a> Input<'a> {
         match *self {
             Input::Number(x) => Some(x),
             Input::Text(text) => decimal::parse(text.trim_ascii()),
-            Input::Flag(_) => None,
+            Input::Flag(_) | Input::Default => None,
         }
         .filter(|x: &f64| x.is_finite())
     }
@@ -152,7 +154,7 @@ impl<'a> Input<'a> {
             // An attribute without a value is on, like HTML's boolean attributes.
             Input::Text("" | "true" | "1" | "on") => Some(true),
             Input::Text("false" | "0" | "off") => Some(false),
-            Input::Text(_) | Input::Number(_) => None,
+            Input::Text(_) | Input::Number(_) | Input::Default => None,
         }
     }
 }
@@ -162,6 +164,7 @@ impl fmt::Display for Input<'_> {
         match self {
             Input::Number(x) => write!(f, "{}", Decimal(*x)),
             Input::Flag(on) => write!(f, "{on}"),
+            Input::Default => f.write_str("null"),
             Input::Text(text) => {
                 let (start, dots) = abbreviated(text);
                 write!(f, "\"{start}{dots}\"")

@@ -73,6 +73,25 @@ fn undefined_states_nothing_and_null_restores() {
         assert_eq!(all(Untrusted::Null), one_by_one);
         let x = sent([("x", Untrusted::Missing)]);
         assert_eq!(after(&settings, Change::ChangeObject(1, &x)), settings);
+        // In the properties of an object, too.
+        let kinds = settings
+            .scene()
+            .objects()
+            .map(|object| (object.id, object.kind));
+        for (id, kind) in kinds {
+            let model = settings.parameters().model();
+            let used = kind
+                .properties()
+                .filter(|property| property.param(model).is_some());
+            for property in used {
+                let null = sent([(property.name, Untrusted::Null)]);
+                let settings = after(&settings, Change::ChangeObject(id, &null));
+                let object = settings.scene().objects().find(|object| object.id == id);
+                let mut all = object.into_iter().flat_map(|object| object.properties());
+                let (_, param, value) = all.find(|(name, ..)| *name == property.name).expect("it");
+                assert_eq!(value, param.any_domain(model).default, "{}", property.name);
+            }
+        }
     }
 }
 

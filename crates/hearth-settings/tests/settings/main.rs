@@ -1,6 +1,7 @@
 //! Settings: what changes them, and their projections.
 
 mod changes;
+mod children;
 mod config;
 mod harness;
 mod resolution;

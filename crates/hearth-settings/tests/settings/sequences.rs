@@ -1,4 +1,4 @@
-//! Laws of random sequences of changes.
+//! Laws of random sequences of changes: calls of the page, steps of tools and panel, undo and children.
 
 use hearth_core::params::{Kind, PARAMETERS, Param};
 use hearth_core::preset::Preset;
@@ -58,6 +58,44 @@ fn object_fields(random: &mut Random) -> Vec<(String, Untrusted)> {
     fields.fields().to_vec()
 }
 
+/// A random list of up to three children, each of which states up to two properties anew; of any order and without
+/// values, or sources first.
+fn children(random: &mut Random, of_any_order: bool) -> Vec<Untrusted> {
+    let mut numbers: Vec<u32> = (1001..1004).filter(|_| random.bits() & 1 == 0).collect();
+    if of_any_order && random.bits() & 1 == 0 {
+        numbers.reverse();
+    }
+    let list = numbers.into_iter().map(|child| {
+        let kind = if child == 1003 { "solid" } else { "source" };
+        let x = number(f64::from(random.between(-1.0, 1.0)));
+        let stated = [
+            vec![],
+            vec![("x", x.clone())],
+            vec![("x", x), ("y", number(0.6))],
+        ];
+        let stated = stated[below(random, 3)].clone();
+        let changed = ["x", "y"]
+            .into_iter()
+            .filter(|_| random.bits() & 1 == 0)
+            .map(text)
+            .collect();
+        let values = stated
+            .into_iter()
+            .map(|(name, value)| Untrusted::named(name, value));
+        let values = match below(random, 5) {
+            0 if of_any_order => Untrusted::Null,
+            _ => Untrusted::Object(values.collect()),
+        };
+        object([
+            ("id", number(child.into())),
+            ("kind", text(kind)),
+            ("values", values),
+            ("changed", Untrusted::List(changed)),
+        ])
+    });
+    list.collect()
+}
+
 /// The settings after a random change; the same if the change is refused.
 fn changed(random: &mut Random, settings: &Settings) -> Settings {
     let ids: Vec<u32> = settings.scene().objects().map(|object| object.id).collect();
@@ -75,16 +113,22 @@ fn changed(random: &mut Random, settings: &Settings) -> Settings {
         "objects".to_owned(),
         Untrusted::List(vec![Untrusted::Object(fields.clone())]),
     )];
-    let change = match below(random, 12) {
+    let change = match below(random, 16) {
         0 => Change::Preset(presets[below(random, presets.len())].name),
         1 => Change::AddObject(&fields),
         2 => Change::ChangeObject(id, &fields[1..]),
         3 => Change::RemoveObject(id),
-        4 => Change::Set(&list),
-        5 | 6 => Change::Set(&null),
+        4 | 5 => Change::Set(&list),
+        6 | 7 => Change::Set(&null),
+        8..=10 => return settings.with_children(&children(random, true), &mut Vec::new()),
         _ => Change::Set(&values),
     };
-    settings.after(&change).unwrap_or_else(|_| settings.clone())
+    let after = settings.after(&change).unwrap_or_else(|_| settings.clone());
+    match change {
+        Change::Preset(_) => after.keeping_children(settings),
+        Change::Set(_) if random.bits() & 1 == 0 => after.keeping_children(settings),
+        _ => after,
+    }
 }
 
 #[test]
@@ -95,12 +139,39 @@ fn a_file_restores_the_settings_after_any_sequence_of_changes() {
         for _ in 0..=below(random, LONGEST) {
             settings = changed(random, &settings);
         }
-        for write in [export, whole] {
-            let file = write(&settings);
-            let read =
-                Settings::of_file(&file).unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
-            assert_eq!(write(&read), file, "{seed}");
-            assert!(read == settings, "{seed}: {file:?} is {read:?}");
+        let file = whole(&settings);
+        let read = Settings::of_file(&file).unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
+        assert!(read == settings, "{seed}: {file:?} is {read:?}");
+        let file = export(&settings);
+        let read = Settings::of_file(&file).unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
+        assert_eq!(export(&read), file, "{seed}");
+        assert_eq!(read.scene(), settings.scene(), "{seed}");
+    }
+}
+
+#[test]
+fn children_that_come_and_leave_change_nothing_else() {
+    let none = |settings: &Settings| settings.with_children(&[], &mut Vec::new());
+    for seed in 0..SEQUENCES / 5 {
+        let random = &mut Random::new(seed);
+        let mut settings = Settings::default();
+        for _ in 0..=below(random, LONGEST) {
+            settings = changed(random, &settings);
         }
+        let bare = none(&settings);
+        // Without a source, the settings keep the values of the last one for the next one. An object with the number
+        // of a child is that of the child.
+        let all: Vec<_> = bare.scene().objects().collect();
+        let has_source = all.iter().any(|object| object.is_first_source());
+        if !has_source || all.iter().any(|object| object.id > 1000) {
+            continue;
+        }
+        let list = children(random, false);
+        let mut errors = Vec::new();
+        let laid = bare.with_children(&list, &mut errors);
+        let again = laid.with_children(&list, &mut errors);
+        assert_eq!(errors, [], "{seed}");
+        assert!(again == laid, "{seed}: {list:?} laid twice: {again:?}");
+        assert_eq!(whole(&none(&laid)), whole(&bare), "{seed}");
     }
 }

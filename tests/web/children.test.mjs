@@ -1,0 +1,262 @@
+/**
+ * Children of a fire without a browser: which list the engine gets, and when.
+ */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+/** @type {(() => void)[]} */
+let frames = [];
+/** Calls of observers of attributes. @type {(() => void)[]} */
+let observers = [];
+
+/** An element of the fake page. */
+class FakeElement {
+  localName = '';
+  id = '';
+  fire;
+  #attributes = new Map();
+
+  getAttribute(name) {
+    return this.#attributes.get(name) ?? null;
+  }
+
+  getAttributeNames() {
+    return [...this.#attributes.keys()];
+  }
+
+  hasAttribute(name) {
+    return this.#attributes.has(name);
+  }
+
+  setAttribute(name, value) {
+    this.#attributes.set(name, value);
+    this.#changed(name);
+  }
+
+  removeAttribute(name) {
+    this.#attributes.delete(name);
+    this.#changed(name);
+  }
+
+  closest() {
+    return this.fire;
+  }
+
+  #changed(name) {
+    const { observedAttributes } = /** @type {any} */ (this.constructor);
+    if (observedAttributes.includes(name)) /** @type {any} */ (this).attributeChangedCallback(name);
+  }
+}
+
+/** @type {{[name: string]: new () => any}} */
+const classes = {};
+Object.assign(globalThis, {
+  HTMLElement: FakeElement,
+  customElements: { get: () => undefined, define: (name, made) => (classes[name] = made) },
+  document: { readyState: 'complete', hidden: false },
+  requestAnimationFrame: (act) => frames.push(act),
+  cancelAnimationFrame: () => {},
+  MutationObserver: class {
+    constructor(act) {
+      observers.push(() => act([{ target: new FakeElement(), attributeName: 'id' }]));
+    }
+    observe() {}
+  },
+});
+const { Children } = await import('../../web/element/children/children.js');
+
+/** A fire of a fake page, whose engine keeps what it gets. */
+class Page {
+  /** @type {any[]} */
+  elements = [];
+  /** The calls, in order. @type {any[][]} */
+  calls = [];
+  /** @type {{resolve: Function, reject: Function}[]} */
+  answers = [];
+  live = true;
+  state = { started: true, objects: [], settings: {}, params: {} };
+  fire = { querySelectorAll: () => this.elements };
+  warnings = [];
+  reports = { refused: (errors) => this.warnings.push(...errors.map(({ message }) => message)) };
+
+  constructor() {
+    frames = [];
+    observers = [];
+    this.children = new Children(/** @type {any} */ (this));
+  }
+
+  /** A call of the page or of the children, as the session makes it. */
+  call(...call) {
+    if (call[0] !== 'children') this.children.send();
+    this.calls.push(call);
+    return new Promise((resolve, reject) => this.answers.push({ resolve, reject }));
+  }
+
+  /** An element with these attributes, behind the others. */
+  append(name, attributes = {}) {
+    const element = new classes[name]();
+    Object.assign(element, { localName: name, fire: this.fire, id: attributes.id ?? '' });
+    for (const [attribute, value] of Object.entries(attributes)) element.setAttribute(attribute, value);
+    this.elements.push(element);
+    return element;
+  }
+
+  /** The list of the last call after the next frame; undefined if there is no call. */
+  frame() {
+    this.calls = [];
+    for (const act of frames.splice(0)) act();
+    assert.ok(this.calls.length <= 1, 'one list a frame');
+    return this.calls[0]?.[1];
+  }
+
+  /** The engine reports these objects. */
+  report(objects, settings = {}) {
+    Object.assign(this.state, { objects, settings });
+    this.children.report(/** @type {any} */ ({ type: 'changed' }));
+  }
+}
+
+test('the engine gets the list of all children once a frame, with the names of what is stated anew', () => {
+  const page = new Page();
+  const solid = page.append('hearth-solid', { x: '0.1' });
+  page.append('hearth-source', { power: '80' });
+  page.children.update();
+  const all = page.frame();
+  assert.deepEqual(
+    all.map(({ id, kind, values }) => [id, kind, values]),
+    [
+      [1001, 'solid', { x: '0.1' }],
+      [1002, 'source', { power: '80' }],
+    ],
+  );
+  assert.equal(page.frame(), undefined);
+  solid.setAttribute('x', '0.2');
+  solid.removeAttribute('y');
+  solid.setAttribute('x', '0.3');
+  const [first, second] = page.frame();
+  assert.deepEqual([first.values, first.changed], [{ x: '0.3' }, ['x', 'y']]);
+  assert.deepEqual([second.values, second.changed], [{ power: '80' }, []]);
+  page.elements.shift();
+  page.children.update();
+  assert.deepEqual(
+    page.frame().map(({ id }) => id),
+    [1002],
+  );
+  // Nothing has changed.
+  page.children.update();
+  assert.equal(page.frame(), undefined);
+});
+
+test('attributes and calls of the page keep their order', () => {
+  const page = new Page();
+  const solid = page.append('hearth-solid', { x: '0.1' });
+  page.children.update();
+  page.frame();
+  page.calls = [];
+  solid.setAttribute('x', '0.2');
+  page.call('changeObject', 1001, { x: 0.3 });
+  solid.setAttribute('y', '0.4');
+  const calls = page.calls.map(([name]) => name);
+  assert.deepEqual(calls, ['children', 'changeObject']);
+  assert.deepEqual(page.frame()[0].changed, ['y']);
+});
+
+test('without a fire the list waits for no frame, and what an engine has not answered goes to the next one', async () => {
+  const page = new Page();
+  page.live = false;
+  const solid = page.append('hearth-solid', { x: '0.1' });
+  page.children.update();
+  await Promise.resolve();
+  assert.deepEqual([page.calls.length, frames.length], [1, 0]);
+  page.live = true;
+  solid.setAttribute('y', '0.2');
+  page.frame();
+  page.answers[1].reject(new Error('the engine has stopped'));
+  await new Promise(setImmediate);
+  assert.equal(page.frame(), undefined, 'no list while there is no engine');
+  page.children.report(/** @type {any} */ ({ type: 'ready' }));
+  assert.deepEqual(page.frame()[0].changed, ['y']);
+});
+
+test('a child has the id of its object, which the engine decides', () => {
+  const page = new Page();
+  const source = page.append('hearth-source');
+  page.state.objects = [{ id: 1001, kind: 'source' }];
+  page.children.update();
+  assert.equal(page.frame()[0].id, 1002);
+  assert.equal(source.objectId, null);
+  page.report([{ id: 1, kind: 'source' }], { children: [{ id: 1, child: 1002 }] });
+  assert.equal(source.objectId, 1);
+  page.report([{ id: 1, kind: 'solid' }], { children: [{ id: 1, child: 1002 }] });
+  assert.equal(source.objectId, null);
+  page.elements = [];
+  page.children.update();
+  assert.equal(source.objectId, null);
+});
+
+test('a name of a solid is its id from the first list, and follows it', () => {
+  const page = new Page();
+  const warned = [];
+  const { warn } = console;
+  console.warn = (message) => warned.push(message);
+  const source = page.append('hearth-source', { shape: 'solid', solid: '#log' });
+  const log = page.append('hearth-solid', { id: 'log' });
+  const ball = page.append('hearth-solid', { id: 'ball', 'hangs-from': '#none' });
+  page.children.update();
+  const [first, , third] = page.frame();
+  assert.deepEqual([first.values.solid, third.values.hangs_from], [1002, 0]);
+  // Another solid takes the name.
+  [log.id, ball.id] = ['ashes', 'log'];
+  observers[0]();
+  const [other] = page.frame();
+  assert.deepEqual([other.values.solid, other.changed], [1003, ['solid']]);
+  // The engine gives its object another id.
+  page.report([], { children: [{ id: 7, child: 1003 }] });
+  assert.deepEqual(page.frame()[0].values.solid, 7);
+  source.setAttribute('solid', '5');
+  assert.equal(page.frame()[0].values.solid, '5');
+  console.warn = warn;
+  assert.deepEqual(warned, [
+    '<hearth-fire>: <hearth-solid id="ball">: hangs-from = #none has no effect now: no <hearth-solid> of this fire has that id.',
+  ]);
+});
+
+test('a refusal names the element and the attribute, and one for lack of room comes once', () => {
+  const page = new Page();
+  page.append('hearth-source');
+  page.append('hearth-solid', { id: 'lid', 'heat-capacity': '0' });
+  page.children.update();
+  page.frame();
+  const error = (id, message) => ({ id, value: '0', message: `${id} ${message}` });
+  const [call] = [.../** @type {any} */ (page.children).sent.keys()];
+  const named = () =>
+    page.children.named(
+      [error('children[1].heat_capacity', 'is refused'), error('children[0].objects', 'are many')],
+      call,
+    );
+  assert.deepEqual(
+    named()?.map(({ id, message }) => [id, message]),
+    [
+      ['heat-capacity', '<hearth-solid id="lid">: heat-capacity is refused'],
+      ['objects', '<hearth-source>: objects are many'],
+    ],
+  );
+  assert.equal(named()?.length, 1);
+  const other = { ...error('children', 'has no code') };
+  assert.deepEqual(page.children.named([other], call), [other]);
+  assert.equal(page.children.named([error('bloom', 'is refused')], Promise.resolve()), undefined);
+});
+
+test('an invalid target and a text that is too long are refused', () => {
+  const page = new Page();
+  const solid = page.append('hearth-solid', { of: 'headline', points: '0,0 '.repeat(30_000), name: 'a'.repeat(2000) });
+  page.children.update();
+  const [{ values }] = page.frame();
+  assert.deepEqual(
+    [values.points, values.name],
+    ['a text of more than 66000 letters', 'a text of more than 1000 letters'],
+  );
+  assert.match(page.warnings[0], /<hearth-solid>: of = headline is refused: it must be # and the id of an element/);
+  solid.removeAttribute('of');
+  assert.equal(page.warnings.length, 1);
+});

@@ -1,6 +1,7 @@
 /**
- * `fire.history` without a panel: random steps, changes of the page, undo and redo, in a real engine. The settings after
- * undo of all are the first ones, and a fire that is removed and inserted again goes on with the same settings.
+ * `fire.history` without a panel: random steps, changes of the page, undo and redo, in a real engine, with children. The
+ * settings after undo of all are the first ones, and a fire that is removed and inserted again goes on with the same
+ * settings.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -16,7 +17,8 @@ after(() => browser?.close());
 const SEQUENCES = 200;
 
 test('random steps are undone exactly, and changes of the page stay', async () => {
-  const tab = await browser.show('<hearth-fire paused preset="campfire"></hearth-fire>');
+  const tab = await browser.show(`<hearth-fire paused preset="campfire">
+    <hearth-source x="0.1"></hearth-source><hearth-solid y="0.7"></hearth-solid></hearth-fire>`);
   await tab.ready();
   const failures = await tab.fire(async (fire, sequences) => {
     const { history } = fire;
@@ -43,6 +45,10 @@ test('random steps are undone exactly, and changes of the page stay', async () =
     const act = () => Promise.resolve(acts[random(acts.length)]()).catch(() => {});
     const settings = async () => JSON.stringify(await fire.exportConfig());
     const failed = [];
+    const other = document.createElement('hearth-fire');
+    other.paused = true;
+    document.body.append(other);
+    await other.ready;
     const reset = await settings();
     let steps = 0;
     fire.addEventListener('history-change', ({ detail }) => {
@@ -65,7 +71,19 @@ test('random steps are undone exactly, and changes of the page stay', async () =
       if (back !== first) failed.push([sequence, first, back]);
       while (await history.redo());
       if (!page && (await settings()) !== last) failed.push([sequence, last, await settings()]);
-      if (sequence % 10 === 9) await fire.importConfig(reset);
+      if (sequence % 10 === 9) {
+        // What the element has is what the engine has.
+        await other.importConfig(await fire.exportConfig());
+        const [own, same] = [fire, other].map(({ params, objects }) => JSON.stringify([params, objects]));
+        if (own !== same) failed.push([sequence, own, same]);
+        await fire.importConfig(reset);
+        // The list of the children is sent anew.
+        const solid = fire.lastElementChild;
+        solid.setAttribute('x', `${random(9) / 10}`);
+        fire.append(solid.cloneNode());
+        solid.remove();
+        await new Promise(requestAnimationFrame);
+      }
     }
     return failed.slice(0, 3);
   }, SEQUENCES);

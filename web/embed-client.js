@@ -86,8 +86,8 @@ class FrameFire extends EventTarget {
   /** @param {HTMLIFrameElement} iframe */
   constructor(iframe) {
     super();
+    this.#origin = originOf(iframe);
     this.#iframe = iframe;
-    this.#origin = new URL(iframe.src, document.baseURI).origin;
     const { signal } = this.#ended;
     window.addEventListener('message', (event) => this.#receive(event), { signal });
     iframe.addEventListener('load', () => this.#greet(), { signal });
@@ -98,6 +98,8 @@ class FrameFire extends EventTarget {
   /** @type {EventTarget['addEventListener']} */
   addEventListener(type, listener, options) {
     const { capture = false, once = false, signal } = optionsOf(options);
+    if (listener && !/^(function|object)$/.test(typeof listener))
+      throw new TypeError(`listener must be a function or an object, not a ${typeof listener}`);
     if (!listener || signal?.aborted || this.#listenerOf(type, listener, capture)) return;
     const entry = { listener, capture, wrapped: listener };
     const forget = () => this.#forget(type, entry);
@@ -137,6 +139,8 @@ class FrameFire extends EventTarget {
    * @returns {Promise<any>}
    */
   call(method, ...args) {
+    if (typeof method !== 'string')
+      return Promise.reject(new TypeError(`method must be a text, not a ${typeof method}`));
     if (this.#refusal !== undefined) return Promise.reject(new Error(this.#refusal));
     if (!this.#iframe.contentWindow) {
       this.#stop(LOST);
@@ -148,8 +152,10 @@ class FrameFire extends EventTarget {
       if (this.#listens) this.#post(message);
       // A copy: the page may change the arguments before they are sent.
       else this.#waiting.push(structuredClone(message));
-    } catch (error) {
-      return Promise.reject(error);
+    } catch (cause) {
+      return Promise.reject(
+        new TypeError(`the arguments of ${method.slice(0, 40)} cannot be sent: ${cause}`, { cause }),
+      );
     }
     const answer = new Promise((resolve, reject) => this.#open.set(message.id, { resolve, reject }));
     this.#check ??= setTimeout(() => this.#checkFrame(), CHECK_MS);
@@ -280,6 +286,20 @@ for (const method of METHODS) {
       return this.call(method, ...args);
     },
   });
+}
+
+/**
+ * The origin of the page in an iframe.
+ * @param {HTMLIFrameElement} iframe
+ * @throws {TypeError} it is no iframe
+ */
+function originOf(iframe) {
+  try {
+    if (iframe.localName === 'iframe') return new URL(iframe.src, document.baseURI).origin;
+  } catch (cause) {
+    throw new TypeError('iframe must be an <iframe> with a URL', { cause });
+  }
+  throw new TypeError('iframe must be an <iframe>');
 }
 
 /**

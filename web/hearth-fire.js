@@ -225,7 +225,7 @@ class HearthFire extends FireAttributes {
    */
   get(id) {
     const { params } = this.#session.state;
-    return /** @type {any} */ (Object.hasOwn(params, id) ? params[id] : undefined);
+    return /** @type {any} */ (typeof id === 'string' && Object.hasOwn(params, id) ? params[id] : undefined);
   }
 
   /**
@@ -530,7 +530,7 @@ class HearthFire extends FireAttributes {
    * @returns {HearthPoint | null}
    */
   toMetres(x, y) {
-    return this.#session.view.viewport(this.params)?.toMetres(x, y) ?? null;
+    return this.#session.view.viewport(this.params)?.toMetres(...numbers({ x, y })) ?? null;
   }
 
   /**
@@ -541,7 +541,7 @@ class HearthFire extends FireAttributes {
    * @returns {HearthPoint | null}
    */
   toPixels(x, y) {
-    return this.#session.view.viewport(this.params)?.toPixels(x, y) ?? null;
+    return this.#session.view.viewport(this.params)?.toPixels(...numbers({ x, y })) ?? null;
   }
 
   /**
@@ -585,6 +585,12 @@ for (const [property, id] of ID_OF_PROPERTY) {
     (fire) => fire.get(/** @type {ParameterId} */ (id)),
     (/** @type {any} */ fire, value) => fire.set(id, stated(fire, property, value)),
   );
+}
+
+/** The coordinates of a point, if they are numbers. @param {{x: number, y: number}} point @returns {[number, number]} */
+function numbers({ x, y }) {
+  if (!Number.isFinite(x) || !Number.isFinite(y)) throw new RangeError('x and y must be finite numbers');
+  return [x, y];
 }
 
 /** The class that another copy of this module has defined. */

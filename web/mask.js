@@ -27,6 +27,7 @@ const PIXELS = 256;
 export function maskOfText(text, font, width = 1) {
   if (typeof text !== 'string') throw refused('text', text, 'a text');
   if (typeof font !== 'string') throw refused('font', font, 'a CSS font, such as "700 1em Georgia"');
+  checkWidth(width);
   const measure = contextOf(1, 1);
   measure.font = '10px serif';
   const before = measure.font;
@@ -60,9 +61,12 @@ export function maskOfText(text, font, width = 1) {
  */
 export function maskOfPath(path, box, width = 1) {
   if (typeof path !== 'string') throw refused('path', path, 'a text of SVG');
-  if (!Array.isArray(box) || box.length !== 4 || !box.every(Number.isFinite))
+  const sides = read('box', box, 'a list of four numbers: left, top, width and height', () =>
+    Array.isArray(box) && box.length === 4 ? [...box] : [],
+  );
+  if (sides.length !== 4 || !sides.every(Number.isFinite))
     throw refused('box', box, 'a list of four numbers: left, top, width and height');
-  return maskOf('path', path, box, width, (context) => context.fill(new Path2D(path)));
+  return maskOf('path', path, sides, width, (context) => context.fill(new Path2D(path)));
 }
 
 /**
@@ -73,9 +77,14 @@ export function maskOfPath(path, box, width = 1) {
  * @throws {RangeError} it has no pixels yet or no opaque ones, or the page may not read them
  */
 export function maskOfImage(image, width = 1) {
-  if (typeof image !== 'object' || image === null) throw refused('image', image, 'an image, a video or a canvas');
-  const { naturalWidth, naturalHeight, videoWidth, videoHeight, displayWidth, displayHeight, ...sized } =
-    sizesOf(image);
+  const allowed = 'an image, a video or a canvas';
+  if (typeof image !== 'object' || image === null) throw refused('image', image, allowed);
+  const { naturalWidth, naturalHeight, videoWidth, videoHeight, displayWidth, displayHeight, ...sized } = read(
+    'image',
+    image,
+    allowed,
+    () => sizesOf(image),
+  );
   const across = naturalWidth ?? videoWidth ?? displayWidth ?? sized.width;
   const up = naturalHeight ?? videoHeight ?? displayHeight ?? sized.height;
   return maskOf('image', 'an image', [0, 0, across, up], width, (context) =>
@@ -83,9 +92,28 @@ export function maskOfImage(image, width = 1) {
   );
 }
 
+/**
+ * What is read of a value, whose own code may throw.
+ * @template T
+ * @param {string} id @param {unknown} value @param {string} allowed @param {() => T} act
+ */
+function read(id, value, allowed, act) {
+  try {
+    return act();
+  } catch (cause) {
+    throw refused(id, value, allowed, cause);
+  }
+}
+
 /** @param {any} image @returns {{[side: string]: number}} */
 function sizesOf({ naturalWidth, naturalHeight, videoWidth, videoHeight, displayWidth, displayHeight, width, height }) {
   return { naturalWidth, naturalHeight, videoWidth, videoHeight, displayWidth, displayHeight, width, height };
+}
+
+/** Throws for a width that a solid cannot have. @param {unknown} width */
+function checkWidth(width) {
+  if (typeof width !== 'number' || !(width >= 0.002 && width <= 10))
+    throw refused('width', width, 'a number from 0.002 to 10 m');
 }
 
 /**
@@ -95,22 +123,18 @@ function sizesOf({ naturalWidth, naturalHeight, videoWidth, videoHeight, display
  * @returns {HearthMask}
  */
 function maskOf(id, value, [left, top, across, up], width, draw) {
-  if (typeof width !== 'number' || !(width >= 0.002 && width <= 10))
-    throw refused('width', width, 'a number from 0.002 to 10 m');
-  if (!(across > 0 && up > 0 && across + up < Infinity))
+  checkWidth(width);
+  if (!(typeof across === 'number' && typeof up === 'number' && across > 0 && up > 0 && across + up < Infinity))
     throw refused(id, value, 'something with a width and a height');
   const scale = PIXELS / Math.max(across, up);
   const columns = Math.max(Math.round(across * scale), 1);
   const rows = Math.max(Math.round(up * scale), 1);
   const context = contextOf(columns, rows);
   context.setTransform(columns / across, 0, 0, rows / up, (-left * columns) / across, (-top * rows) / up);
-  let mask;
-  try {
+  const mask = read(id, value, 'something whose pixels the page may read', () => {
     draw(context);
-    mask = opacityOf(context);
-  } catch (cause) {
-    throw refused(id, value, 'something whose pixels the page may read', cause);
-  }
+    return opacityOf(context);
+  });
   if (!mask) throw refused(id, value, 'something with opaque pixels');
   return { shape: 'mask', mask, width, height: Math.min(Math.max((width * up) / across, 0.002), 10) };
 }

@@ -13,7 +13,7 @@ import { addFold } from './panel/fold.js';
 import { listenToKeys } from './panel/keys.js';
 import { listenToDrops } from './panel/own-scenes.js';
 import { addSheet } from './panel/sheet.js';
-import { addStyle } from './panel/style.js';
+import { addStyle, check, optionsOf } from './panel/style.js';
 import { addTooltip } from './panel/tooltip.js';
 import { zoomKey } from './panel/zoom-keys.js';
 import { speakerControls } from './sound/speaker.js';
@@ -91,7 +91,15 @@ function stayAboveKeyboard(host) {
  * @returns {Promise<{destroy(): void}>} settles when the panel is shown, or when a message in its place reports
  *   why it is not
  */
-export async function mountPanel({ host, fire, page, script, embed, only }) {
+export async function mountPanel(options) {
+  const { host, fire, page, script, embed, only } = optionsOf(options);
+  for (const [name, address] of Object.entries({ page, script, embed }))
+    check(name, 'a text or a URL', () => /^(undefined|string)$/.test(typeof address) || address instanceof URL);
+  check(
+    'only',
+    'a list of ids',
+    () => only === undefined || (Array.isArray(only) && only.every((id) => typeof id === 'string')),
+  );
   let ended = false;
   let restarts = 0;
   /** @type {import('./wasm/hearth-panel.js').Panel | undefined} */

@@ -41,10 +41,10 @@ export const MAX_QUERY = 2000;
  * @returns {string} `scene=seed&viscosity=0.02`
  */
 export function toQuery(config) {
-  checkConfig(config);
+  const { preset, attributes } = settingsOf(config);
   const query = new URLSearchParams();
-  if (config.preset !== undefined) query.set(PRESET[0], config.preset);
-  for (const [name, value] of attributes(config)) query.set(name, value);
+  if (preset !== undefined) query.set(PRESET[0], preset);
+  for (const [name, value] of attributes) query.set(name, value);
   return query.toString();
 }
 
@@ -57,7 +57,9 @@ export function toQuery(config) {
  *   the fire's settings; and the page's own parameters with the element's own attributes
  */
 export function fromQuery(search, names = []) {
-  const reserved = new Set([...OWN, ...names]);
+  if (typeof search !== 'string' && !read('search', () => search instanceof URLSearchParams))
+    throw new TypeError(`search must be a text or URLSearchParams, not ${kindOf(search)}`);
+  const reserved = new Set([...OWN, ...read('names', () => [...names])]);
   const others = new URLSearchParams();
   /** @type {[string, string][]} */
   const values = [];
@@ -79,6 +81,7 @@ export function fromQuery(search, names = []) {
  * @throws {RangeError} the fragment is damaged
  */
 export async function fromFragment(hash) {
+  if (typeof hash !== 'string') throw new TypeError(`hash must be a text, not ${kindOf(hash)}`);
   if (!hash.startsWith('#fire=')) return undefined;
   const { settingsOf } = await import('./share/fragment.js');
   return settingsOf(hash);
@@ -93,14 +96,20 @@ export async function fromFragment(hash) {
  * @throws {RangeError} the settings are too long for an address
  */
 export function pageLink(config, base) {
-  return urlOf(base, config, `${PRESET[0]}=default`);
+  return urlOf('base', base, config, `${PRESET[0]}=default`);
 }
 
-/** @type {(base: string | URL, config: Config, otherwise?: string) => Promise<string>} */
-async function urlOf(base, config, otherwise = '') {
+/** @type {(name: string, base: string | URL, config: Config, otherwise?: string) => Promise<string>} */
+async function urlOf(name, base, config, otherwise = '') {
   const query = toQuery(config);
   const isShort = query.length <= MAX_QUERY;
-  const url = new URL(base);
+  const text = textOf(name, base);
+  let url;
+  try {
+    url = new URL(text);
+  } catch {
+    throw new TypeError(`${name} must be an absolute URL, not ${JSON.stringify(shortened(text))}`);
+  }
   url.search = isShort ? query || otherwise : '';
   url.hash = isShort ? '' : await (await import('./share/fragment.js')).fragmentOf(config);
   return url.href;
@@ -114,9 +123,9 @@ async function urlOf(base, config, otherwise = '') {
  * @throws {RangeError} a name is not a parameter
  */
 export function elementCode(config, scriptUrl, shown) {
-  checkConfig(config);
+  const { preset, attributes } = settingsOf(config);
   const { width, height, own } = checked(shown);
-  const named = attributes(config).map(([name, value]) => {
+  const named = attributes.map(([name, value]) => {
     const id = name.replaceAll('-', '_');
     if (!Object.hasOwn(DEFAULTS, id) && id !== 'objects') {
       throw new RangeError(`${JSON.stringify(shortened(name))} is not a parameter of a fire`);
@@ -124,11 +133,11 @@ export function elementCode(config, scriptUrl, shown) {
     return value === 'true' ? name : attribute(name, value);
   });
   named.push(...own.map(([name, value]) => (value === '' ? name : attribute(name, value))));
-  if (config.preset !== undefined) named.unshift(attribute('preset', config.preset));
+  if (preset !== undefined) named.unshift(attribute('preset', preset));
   named.push(attribute('style', `width: ${width}px; max-width: 100%; height: ${height}px`));
   const element = `<hearth-fire ${named.join(' ')}></hearth-fire>`;
   if (scriptUrl === undefined) return element;
-  return `<script type="module" ${attribute('src', String(scriptUrl))}></script>\n${element}`;
+  return `<script type="module" ${attribute('src', textOf('scriptUrl', scriptUrl))}></script>\n${element}`;
 }
 
 /**
@@ -141,7 +150,7 @@ export function elementCode(config, scriptUrl, shown) {
  */
 export async function iframeCode(config, embedUrl, shown) {
   const { width, height, own } = checked(shown);
-  const url = new URL(await urlOf(embedUrl, config));
+  const url = new URL(await urlOf('embedUrl', embedUrl, config));
   const options = new URLSearchParams(own).toString().replace(/=(?=&|$)/g, '');
   url.search = [url.search.slice(1), options].filter(Boolean).join('&');
   const attributes = [
@@ -152,18 +161,6 @@ export async function iframeCode(config, embedUrl, shown) {
     'style="border: 0; max-width: 100%; color-scheme: light" loading="lazy" allow="autoplay" title="A fire"',
   ];
   return `<iframe ${attributes.join(' ')}></iframe>`;
-}
-
-/**
- * The values as attributes, the model first.
- * @param {Config} config
- * @returns {[string, string][]}
- */
-function attributes({ values, objects }) {
-  const named = Object.entries({ ...values, ...(objects && { objects: JSON.stringify(objects) }) }).map(
-    ([id, value]) => /** @type {[string, string]} */ ([id.replaceAll('_', '-'), String(value)]),
-  );
-  return named.sort(([a], [b]) => Number(b === 'model') - Number(a === 'model'));
 }
 
 /** @type {(name: string, value: string) => string} */
@@ -184,41 +181,96 @@ function escaped(text) {
  * @param {Shown} [shown]
  * @throws {RangeError} a size is no size, or an attribute is not the element's own
  */
-function checked({ width = 320, height = 400, attributes: own = {} } = {}) {
+function checked(shown = {}) {
+  if (!isObject(shown)) throw new TypeError(`shown must be an object, not ${kindOf(shown)}`);
+  const { width = 320, height = 400, attributes: own = {} } = read('shown', () => ({ ...shown }));
   for (const [name, size] of Object.entries({ width, height }))
     if (!(typeof size === 'number' && size > 0 && size < Infinity))
       throw new RangeError(`shown.${name} must be a positive number, not ${kindOf(size)}`);
-  for (const name of Object.keys(own))
+  if (!isObject(own)) throw new TypeError(`shown.attributes must be an object, not ${kindOf(own)}`);
+  const named = read('shown.attributes', () => Object.entries(own));
+  for (const [name, value] of named) {
     if (!OWN.includes(name))
       throw new RangeError(`shown.attributes: ${JSON.stringify(shortened(name))} is no attribute`);
-  return { width, height, own: Object.entries(own).map(([name, value]) => [name, String(value)]) };
+    if (!isPrimitive(value))
+      throw new TypeError(`shown.attributes.${name} must be a number, a text or a flag, not ${kindOf(value)}`);
+  }
+  return { width, height, own: named.map(([name, value]) => [name, String(value)]) };
 }
 
 /**
- * Throws where settings have another form.
+ * What settings have, each read once: the preset, and the values as attributes, the model first.
  * @param {unknown} config
- * @throws {TypeError}
+ * @returns {{preset?: string, attributes: [string, string][]}}
+ * @throws {TypeError} they have another form
  */
-function checkConfig(config) {
-  const isObject = (/** @type {unknown} */ value) =>
-    typeof value === 'object' && value !== null && !Array.isArray(value);
+function settingsOf(config) {
   if (!isObject(config)) throw new TypeError(`config must be an object of settings, not ${kindOf(config)}`);
-  const { preset, values, objects } = /** @type {{[name: string]: unknown}} */ (config);
+  const { preset, values, objects } = read('config', () => ({ .../** @type {Config} */ (config) }));
   if (preset !== undefined && typeof preset !== 'string')
     throw new TypeError(`config.preset must be a text, not ${kindOf(preset)}`);
   if (values !== undefined && !isObject(values))
     throw new TypeError(`config.values must be an object, not ${kindOf(values)}`);
-  for (const [id, value] of Object.entries(/** @type {object} */ (values ?? {})))
-    if (!['string', 'number', 'boolean'].includes(typeof value))
+  /** @type {[string, unknown][]} */
+  const named = read('config.values', () => Object.entries(values ?? {}));
+  for (const [id, value] of named)
+    if (!isPrimitive(value))
       throw new TypeError(`config.values.${shortened(id)} must be a number, a text or a flag, not ${kindOf(value)}`);
-  if (objects !== undefined && !Array.isArray(objects))
-    throw new TypeError(`config.objects must be a list, not ${kindOf(objects)}`);
+  if (objects !== undefined) {
+    if (!isList(objects)) throw new TypeError(`config.objects must be a list, not ${kindOf(objects)}`);
+    named.push(['objects', read('config.objects', () => JSON.stringify(objects))]);
+  }
+  const attributes = named.map(
+    ([id, value]) => /** @type {[string, string]} */ ([id.replaceAll('_', '-'), String(value)]),
+  );
+  return { preset, attributes: attributes.sort(([a], [b]) => Number(b === 'model') - Number(a === 'model')) };
+}
+
+/** Whether it is an object of fields. @param {unknown} value */
+function isObject(value) {
+  return typeof value === 'object' && value !== null && !isList(value);
+}
+
+/** Whether an attribute can have it. @param {unknown} value */
+function isPrimitive(value) {
+  return ['string', 'number', 'boolean'].includes(typeof value);
+}
+
+/**
+ * What is read of an argument, whose own code may throw.
+ * @template T
+ * @param {string} name
+ * @param {() => T} act
+ */
+function read(name, act) {
+  try {
+    return act();
+  } catch (cause) {
+    throw new TypeError(`${name} cannot be read`, { cause });
+  }
+}
+
+/** The text of an address. @param {string} name @param {unknown} address */
+function textOf(name, address) {
+  if (typeof address === 'string') return address;
+  const text = read(name, () => (address instanceof URL ? address.href : undefined));
+  if (text !== undefined) return text;
+  throw new TypeError(`${name} must be a text or a URL, not ${kindOf(address)}`);
+}
+
+/** Whether it is an array; a revoked proxy is none. @param {unknown} value @returns {value is any[]} */
+function isList(value) {
+  try {
+    return Array.isArray(value);
+  } catch {
+    return false;
+  }
 }
 
 /** A value in words, without its own code. @param {unknown} value */
 function kindOf(value) {
   if (['number', 'boolean', 'undefined'].includes(typeof value) || value === null) return String(value);
-  return Array.isArray(value) ? 'a list' : typeof value === 'string' ? 'a text' : `something of type ${typeof value}`;
+  return isList(value) ? 'a list' : typeof value === 'string' ? 'a text' : `something of type ${typeof value}`;
 }
 
 /** @param {string} name */

@@ -8,15 +8,15 @@ export const STEP_NUMBERS: number;
 
 /** What a sound starts with. */
 export interface SynthesisOptions {
-  /** Sample rate [Hz]; 48,000 without it. */
+  /** Sample rate from 8,000 to 768,000 [Hz]; 48,000 without it. */
   rate?: number;
-  /** Seed of the noise and the cracks; 1 without it. */
+  /** Seed of the noise and the cracks, a whole number from 0 to 4294967295; 1 without it. */
   seed?: number;
   /** Volume from 0 to 1; 1 without it. */
   volume?: number;
   /** How loud it crackles, from 0 to 1; 0.5 without it. */
   crackle?: number;
-  /** Distance of the edges of the picture from its middle [m], from which places are panned; 1 without it. */
+  /** Distance of the edges of the picture from its middle [m], from which places are panned, from 0.001 to 1000; 1 without it. */
   halfWidth?: number;
   /** Whether distance and air lower high frequencies; true without it. */
   air?: boolean;
@@ -29,7 +29,7 @@ export class Synthesis {
   readonly ahead: number;
   /** Fades to another volume and crackle, from 0 to 1. */
   mix(volume: number, crackle: number): void;
-  /** Takes the next steps of a series; `speed` is the seconds of fire in a second of the clock, 1 without it. */
+  /** Takes the next steps of a series; `speed` is the seconds of fire in a second of the clock, from 0.01 to 100, 1 without it. */
   push(series: ArrayLike<number>, speed?: number): void;
   /** Drops the oldest steps beyond so many seconds of the clock. */
   trim(seconds: number): void;

@@ -7,7 +7,7 @@
 import { element } from './element/controls/icon-button.js';
 import { editingOf, isOn } from './panel/editing.js';
 import { objectsOf } from './panel/objects.js';
-import { addStyle } from './panel/style.js';
+import { addStyle, check, optionsOf } from './panel/style.js';
 import { bindSpeaker } from './sound/speaker.js';
 import { Bar } from './tools/bar.js';
 import { Cross } from './tools/cross.js';
@@ -46,7 +46,9 @@ const STATUS_MS = 5000;
  * @param {() => void} [options.closed]  The visitor has closed the toolbar.
  * @returns {Promise<{destroy(): void}>}
  */
-export async function mountTools({ host, fire, page = false, closed = () => {} }) {
+export async function mountTools(options) {
+  const { host, fire, page = false, closed = () => {} } = optionsOf(options);
+  check('closed', 'a function', () => typeof closed === 'function');
   const { styled, removeStyle } = addStyle(host, new URL('./tools/tools.css', import.meta.url).href);
   await styled;
   const tools = new Toolbar(host, fire, closed);

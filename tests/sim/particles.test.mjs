@@ -114,6 +114,7 @@ test('invalid particles are errors and change nothing', async () => {
     [{ positions: new BigInt64Array(2048) }, /positions\[0\] must be a number, not a big integer/],
     [{ positions: new Array(2048) }, /positions\[0\] must be a number, not undefined/],
     [{ positions: new Array(2 ** 32 - 2) }, /there may be 400000 of them at most/],
+    [{ positions: hostile }, /positions cannot be read/],
     [{ positions: shrinking() }, /must be a number, not undefined/],
     [
       {
@@ -137,7 +138,6 @@ test('invalid particles are errors and change nothing', async () => {
         },
       );
     }
-    assert.throws(() => sim.setParticles({ positions: hostile }), own);
     assert.throws(() => sim.setParticles({ positions, soot: some(7, NaN) }), { index: 7 });
     assert.deepEqual(everything(sim), before);
   }

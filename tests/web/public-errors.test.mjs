@@ -1,8 +1,13 @@
 /** Public functions refuse arguments of another form by an error that names the argument and what it must be. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { connectFire } from '../../web/embed-client.js';
 import { maskOfImage, maskOfPath, maskOfText } from '../../web/mask.js';
-import { elementCode, iframeCode, pageLink, toQuery } from '../../web/share.js';
+import { mountPanel } from '../../web/panel.js';
+import { elementCode, fromFragment, fromQuery, iframeCode, pageLink, toQuery } from '../../web/share.js';
+import { STEP_NUMBERS, Synthesis } from '../../web/sound.js';
+import { mountTools } from '../../web/tools.js';
+import { answers, assertRefused, hostileValues } from '../hostile.mjs';
 
 const URL = 'https://fire.example/';
 const hostile = {
@@ -52,3 +57,179 @@ for (const [call, words] of /** @type {[(...values: any[]) => unknown, RegExp][]
     assert.throws(call, { name: 'RangeError', message: words });
   });
 }
+
+const EMPTY = ['{}', 'an object without a prototype'];
+const OBJECTS = [...EMPTY, 'a date', 'a throwing toString', 'a throwing iterator'];
+const TEXTS = ["''", "'x'", 'a long text'];
+const NUMBERS = ['-0', '-1', '1.5', '1e300'];
+const config = { values: { wind: 1 } };
+const long = { values: { note: 'x'.repeat(3000) } };
+const sound = () => new Synthesis();
+const samples = () => new Float32Array(8);
+/** Where a panel or a toolbar begins to use the page, its arguments have passed. */
+const host = {
+  nodeType: 1,
+  getRootNode() {
+    throw new TypeError('passed');
+  },
+};
+const fire = new EventTarget();
+const mounts = (/** @type {any} */ mount, /** @type {object} */ options) =>
+  mount(options).catch((/** @type {Error} */ error) => {
+    if (!/passed|is not defined/.test(error.message)) throw error;
+  });
+/** Without a browser there is no canvas: a mask whose arguments have passed ends there. */
+const masks = (/** @type {() => unknown} */ make) => {
+  try {
+    make();
+  } catch (/** @type {any} */ error) {
+    if (!/there is no canvas/.test(error.message)) throw error;
+  }
+};
+
+/** Each argument of each public function that needs no browser: its call, and what it takes of the hostile values. */
+/** @type {[name: string, named: RegExp, call: (value: any) => any, taken: string[]][]} */
+const ARGUMENTS = [
+  ['toQuery(config)', /config/, (value) => toQuery(value), [...OBJECTS, 'a throwing toJSON']],
+  ['toQuery({preset})', /preset/, (preset) => toQuery({ preset }), ['undefined', ...TEXTS]],
+  [
+    'toQuery({values})',
+    /config/,
+    (values) => toQuery({ values }),
+    ['undefined', ...EMPTY, 'a date', 'a throwing iterator'],
+  ],
+  [
+    'toQuery({values: {wind}})',
+    /wind/,
+    (wind) => toQuery({ values: { wind } }),
+    ['NaN', 'Infinity', 'true', ...NUMBERS, ...TEXTS],
+  ],
+  ['toQuery({objects})', /objects/, (objects) => toQuery({ objects }), ['undefined', '[]', 'a long list']],
+  ['elementCode(config)', /config/, (value) => elementCode(value), [...OBJECTS, 'a throwing toJSON']],
+  ['elementCode(, scriptUrl)', /scriptUrl/, (value) => elementCode(config, value), ['undefined', ...TEXTS]],
+  [
+    'elementCode(, , shown)',
+    /shown/,
+    (value) => elementCode(config, undefined, value),
+    ['undefined', ...EMPTY, 'a date', 'a throwing toString', 'a throwing toJSON', 'a throwing iterator'],
+  ],
+  [
+    'elementCode(, , {width})',
+    /shown\.width/,
+    (width) => elementCode(config, undefined, { width }),
+    ['undefined', '1.5', '1e300'],
+  ],
+  [
+    'elementCode(, , {attributes})',
+    /shown\.attributes/,
+    (attributes) => elementCode(config, undefined, { attributes }),
+    ['undefined', ...EMPTY, 'a date', 'a throwing iterator'],
+  ],
+  [
+    'iframeCode(, , {attributes: {fit}})',
+    /shown\.attributes/,
+    (fit) => iframeCode(config, URL, { attributes: { fit } }),
+    ['NaN', 'Infinity', 'true', ...NUMBERS, ...TEXTS],
+  ],
+  ['pageLink(config)', /config/, (value) => pageLink(value, URL), [...OBJECTS, 'a throwing toJSON']],
+  [
+    'pageLink({label}) as a fragment',
+    /config/,
+    (label) => pageLink({ ...long, label }, URL),
+    [
+      'undefined',
+      'null',
+      'NaN',
+      'Infinity',
+      'true',
+      ...NUMBERS,
+      ...TEXTS,
+      'a symbol',
+      'a function',
+      '[]',
+      'a long list',
+      ...OBJECTS,
+    ],
+  ],
+  ['pageLink(, base)', /base/, (value) => pageLink(config, value), []],
+  ['iframeCode(, embedUrl)', /embedUrl/, (value) => iframeCode(config, value), []],
+  ['fromQuery(search)', /search/, (value) => fromQuery(value), TEXTS],
+  ['fromQuery(, names)', /names/, (value) => fromQuery('', value), ['undefined', ...TEXTS, '[]', 'a long list']],
+  ['fromFragment(hash)', /hash/, (value) => fromFragment(value), TEXTS],
+  ['maskOfText(text)', /text/, (value) => masks(() => maskOfText(value, '1em serif')), TEXTS],
+  ['maskOfText(, font)', /font/, (value) => masks(() => maskOfText('A', value)), TEXTS],
+  ['maskOfText(, , width)', /width/, (value) => masks(() => maskOfText('A', '1em serif', value)), ['undefined', '1.5']],
+  ['maskOfPath(path)', /path/, (value) => masks(() => maskOfPath(value, [0, 0, 1, 1])), TEXTS],
+  ['maskOfPath(, box)', /box/, (value) => masks(() => maskOfPath('M0 0', value)), []],
+  ['maskOfPath(, [left])', /box/, (value) => masks(() => maskOfPath('M0 0', [value, 0, 1, 1])), NUMBERS],
+  [
+    'maskOfPath(, , width)',
+    /width/,
+    (value) => masks(() => maskOfPath('M0 0', [0, 0, 1, 1], value)),
+    ['undefined', '1.5'],
+  ],
+  ['maskOfImage(image)', /image/, (value) => masks(() => maskOfImage(value)), []],
+  [
+    'maskOfImage(, width)',
+    /width/,
+    (value) => masks(() => maskOfImage(/** @type {any} */ ({ width: 1, height: 1 }), value)),
+    ['undefined', '1.5'],
+  ],
+  ['new Synthesis(options)', /option/, (value) => new Synthesis(value), ['undefined', ...EMPTY, 'a throwing iterator']],
+  ['new Synthesis({rate})', /rate/, (rate) => new Synthesis({ rate }), ['undefined']],
+  ['new Synthesis({seed})', /seed/, (seed) => new Synthesis({ seed }), ['undefined', '-0']],
+  ['new Synthesis({volume})', /volume/, (volume) => new Synthesis({ volume }), ['undefined', '-0']],
+  ['new Synthesis({crackle})', /crackle/, (crackle) => new Synthesis({ crackle }), ['undefined', '-0']],
+  ['new Synthesis({halfWidth})', /halfWidth/, (halfWidth) => new Synthesis({ halfWidth }), ['undefined', '1.5']],
+  ['new Synthesis({air})', /air/, (air) => new Synthesis({ air }), ['undefined', 'true']],
+  ['Synthesis.mix(volume)', /volume/, (value) => sound().mix(value, 1), ['-0']],
+  ['Synthesis.mix(, crackle)', /crackle/, (value) => sound().mix(1, value), ['-0']],
+  ['Synthesis.trim(seconds)', /seconds/, (value) => sound().trim(value), ['-0', '1.5', '1e300', 'Infinity']],
+  ['Synthesis.push(series)', /series/, (value) => sound().push(value), ['[]']],
+  [
+    'Synthesis.push([number])',
+    /series/,
+    (value) => sound().push(Array(STEP_NUMBERS).fill(value)),
+    ['null', '-0', '1.5', 'true', "''", '[]'],
+  ],
+  ['Synthesis.push(, speed)', /speed/, (value) => sound().push([], value), ['undefined', '1.5']],
+  ['Synthesis.render(left)', /left/, (value) => sound().render(value, samples()), []],
+  ['Synthesis.render(, right)', /right/, (value) => sound().render(samples(), value), []],
+  ['connectFire(iframe)', /iframe/, (value) => connectFire(value), []],
+  ['mountPanel(options)', /host|options/, (value) => mountPanel(value), []],
+  ['mountPanel({host})', /host/, (value) => mountPanel(/** @type {any} */ ({ host: value, fire })), []],
+  ['mountPanel({fire})', /fire/, (value) => mountPanel(/** @type {any} */ ({ host, fire: value })), []],
+  ['mountPanel({page})', /page/, (page) => mounts(mountPanel, { host, fire, page }), ['undefined', ...TEXTS]],
+  ['mountPanel({script})', /script/, (script) => mounts(mountPanel, { host, fire, script }), ['undefined', ...TEXTS]],
+  ['mountPanel({embed})', /embed/, (embed) => mounts(mountPanel, { host, fire, embed }), ['undefined', ...TEXTS]],
+  ['mountPanel({only})', /only/, (only) => mounts(mountPanel, { host, fire, only }), ['undefined', '[]']],
+  ['mountTools(options)', /host|options/, (value) => mountTools(value), []],
+  ['mountTools({host})', /host/, (value) => mountTools(/** @type {any} */ ({ host: value, fire })), []],
+  ['mountTools({fire})', /fire/, (value) => mountTools(/** @type {any} */ ({ host, fire: value })), []],
+  [
+    'mountTools({closed})',
+    /closed/,
+    (closed) => mounts(mountTools, { host, fire, closed }),
+    ['undefined', 'a function'],
+  ],
+];
+
+for (const [name, named, call, taken] of ARGUMENTS) {
+  test(`hostile values are refused by name: ${name}`, async () => {
+    assertRefused(await answers(call, hostileValues()), named, taken);
+  });
+}
+
+test('the sound of a series is finite at the ends of all ranges', () => {
+  for (const options of [
+    { rate: 8000, volume: 0, crackle: 0, halfWidth: 0.001 },
+    { rate: 768_000, volume: 1, crackle: 1, halfWidth: 1000, seed: 2 ** 32 - 1 },
+  ]) {
+    const synthesis = new Synthesis(options);
+    for (const number of [0, 1e-12, 1, 1e6])
+      for (const speed of [0.01, 100]) synthesis.push(Array(STEP_NUMBERS * 4).fill(number), speed);
+    const [left, right] = [new Float32Array(4096), new Float32Array(4096)];
+    synthesis.render(left, right);
+    assert.ok([...left, ...right].every(Number.isFinite));
+  }
+});

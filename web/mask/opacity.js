@@ -56,7 +56,10 @@ function lettersOf(opacities) {
  */
 export function contextOf(width, height, isRead = true) {
   const canvas =
-    typeof OffscreenCanvas === 'function' ? new OffscreenCanvas(width, height) : document.createElement('canvas');
+    typeof OffscreenCanvas === 'function'
+      ? new OffscreenCanvas(width, height)
+      : globalThis.document?.createElement('canvas');
+  if (!canvas) throw new Error('masks are drawn in browsers: there is no canvas here');
   Object.assign(canvas, { width, height });
   const context = /** @type {Context | null} */ (canvas.getContext('2d', { willReadFrequently: isRead }));
   if (!context) throw new Error('this browser has no memory left for a canvas');

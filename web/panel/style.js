@@ -1,7 +1,6 @@
 /**
- * The style sheet of the panel or the toolbar, as a link. A content security policy that allows styles of the page's
- * own
- * origin allows it; the same policy would forbid an inline style.
+ * What a panel and a toolbar begin with: checked arguments, and their style sheet, as a link. A content security policy
+ * that allows styles of the page's own origin allows it; the same policy would forbid an inline style.
  */
 
 /**
@@ -53,4 +52,41 @@ function add(parent, href) {
   added.set(link, { users: 0, styled });
   parent.appendChild(link);
   return link;
+}
+
+/**
+ * The options of a panel or a toolbar, each read once, with a place and a fire.
+ * @template {{host: HTMLElement, fire: object}} Options
+ * @param {Options} options
+ * @returns {Options}
+ * @throws {TypeError}
+ */
+export function optionsOf(options) {
+  /** @type {any} */
+  let given;
+  check('options', 'an object that can be read', () => {
+    given = { ...options };
+    return true;
+  });
+  check('host', 'an element', () => given.host.nodeType === 1);
+  const listens = () => typeof given.fire.addEventListener === 'function';
+  check('fire', 'a <hearth-fire> or an object with its members', listens);
+  return given;
+}
+
+/**
+ * Throws unless an argument is what it must be; its own code may throw.
+ * @param {string} name
+ * @param {string} allowed
+ * @param {() => boolean} isAllowed
+ * @throws {TypeError}
+ */
+export function check(name, allowed, isAllowed) {
+  let cause;
+  try {
+    if (isAllowed()) return;
+  } catch (error) {
+    cause = error;
+  }
+  throw new TypeError(`${name} must be ${allowed}`, { cause });
 }

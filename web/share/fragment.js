@@ -24,11 +24,13 @@ export async function fragmentOf(config) {
   if (!globalThis.CompressionStream) {
     throw new RangeError('The fire is too long for a link, and this browser cannot compress it.');
   }
-  const bytes = await through(
-    new CompressionStream('deflate'),
-    new TextEncoder().encode(JSON.stringify(config)),
-    (MAX_FRAGMENT * 3) / 4,
-  );
+  let json;
+  try {
+    json = JSON.stringify(config);
+  } catch (cause) {
+    throw new TypeError('config cannot be written as JSON', { cause });
+  }
+  const bytes = await through(new CompressionStream('deflate'), new TextEncoder().encode(json), (MAX_FRAGMENT * 3) / 4);
   if (!bytes) {
     throw new RangeError(
       `The fire is too long for a link: an address has at most ${MAX_FRAGMENT} characters. Its file has no such limit.`,

@@ -25,6 +25,7 @@ let extend;
  * @param {[string, any][]} parts parts of it that are elsewhere
  */
 export function loaded(wasm, parts) {
+  for (const [name] of parts) known('wasmParts', name, Object.keys(PARTS));
   const attempt = module.then((already) => already ?? load(wasm, parts));
   module = attempt.catch(() => undefined);
   return attempt;
@@ -35,10 +36,7 @@ async function load(wasm, parts) {
   const compiled = compiling('wasm', wasm ?? new URL('../wasm/hearth-sim_bg.wasm', import.meta.url));
   const others = parts
     .filter(([, source]) => source !== undefined)
-    .map(([name, source]) => {
-      known('wasmParts', name, Object.keys(PARTS));
-      return /** @type {const} */ ([name, compiling(`wasmParts.${name}`, source)]);
-    });
+    .map(([name, source]) => /** @type {const} */ ([name, compiling(`wasmParts.${name}`, source)]));
   try {
     const glue = await import('../wasm/hearth-sim.js');
     const ready = await compiled();
@@ -115,11 +113,15 @@ export function addNow(name) {
  * @throws {TypeError}
  */
 function compiling(name, source) {
-  if (source instanceof WebAssembly.Module) return async () => source;
-  if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) {
-    return () => WebAssembly.compile(/** @type {BufferSource} */ (source));
+  try {
+    if (source instanceof WebAssembly.Module) return async () => source;
+    if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) {
+      return () => WebAssembly.compile(/** @type {BufferSource} */ (source));
+    }
+    if (typeof source === 'string' || source instanceof URL) return () => compiledFrom(source);
+  } catch (cause) {
+    throw new TypeError(`${name} cannot be read`, { cause });
   }
-  if (typeof source === 'string' || source instanceof URL) return () => compiledFrom(source);
   throw new TypeError(`${name} must be a URL, bytes or a WebAssembly.Module, not ${words(source)}`);
 }
 

@@ -1,6 +1,6 @@
 /** Particles and embers as rows of numbers, which wasm takes and gives. */
 
-import { known, fields, words } from './values.js';
+import { fields, isList, known, words } from './values.js';
 
 /** Most particles that wasm takes. More are refused before they are copied. */
 const MAX_PARTICLES = 400_000;
@@ -63,8 +63,9 @@ export function fuelsOf(numbers) {
 export function numbersOf(particles, airTemperature) {
   const given = fields('particles', particles);
   for (const [name] of given) known('property of particles', name, Object.keys(PARTICLE));
-  const { positions, ...others } = Object.fromEntries(given.filter(([, value]) => value !== undefined));
-  const count = list('positions', positions).length / 2;
+  const { positions: places, ...others } = Object.fromEntries(given.filter(([, value]) => value !== undefined));
+  const positions = list('positions', places);
+  const count = positions.length / 2;
   if (!Number.isInteger(count)) {
     throw new RangeError(`positions has ${2 * count} numbers: it must have two for each particle`);
   }
@@ -93,13 +94,17 @@ export function numbersOf(particles, airTemperature) {
 }
 
 /**
- * The same value. Throws unless it is an array or a typed array.
+ * The numbers of an array or a typed array. Throws for everything else.
  * @param {string} name @param {any} given
  * @returns {any}
  */
 function list(name, given) {
-  const typed = ArrayBuffer.isView(given) && !(given instanceof DataView);
-  if (typed || Array.isArray(given)) return given;
+  if (ArrayBuffer.isView(given) && !(given instanceof DataView)) return given;
+  try {
+    if (isList(given)) return given.slice(0, 2 * MAX_PARTICLES + 2);
+  } catch (cause) {
+    throw new TypeError(`${name} cannot be read`, { cause });
+  }
   throw new TypeError(`${name} must be an array of numbers, not ${words(given)}`);
 }
 
@@ -112,15 +117,15 @@ function list(name, given) {
  */
 function fill(numbers, from, name, width, given) {
   const count = numbers.length / PARTICLE_NUMBERS;
-  const all = typeof given === 'number';
-  if (!all && list(name, given).length !== count * width) {
+  const values = typeof given === 'number' ? undefined : list(name, given);
+  if (values && values.length !== count * width) {
     const required = width === 1 ? 'one' : 'two';
     throw new RangeError(
-      `${name} has ${given.length} numbers: it must have ${required} for each of ${count} particles`,
+      `${name} has ${values.length} numbers: it must have ${required} for each of ${count} particles`,
     );
   }
   for (let at = 0; at < count * width; at += 1) {
-    const number = all ? given : given[at];
+    const number = values ? values[at] : given;
     if (typeof number !== 'number') {
       throw new TypeError(`${name}[${at}] must be a number, not ${words(number)}`);
     }

@@ -39,9 +39,7 @@ function isPlain(/** @type {any} */ object) {
  * @param {[string, any][]} values
  */
 export function columns(values) {
-  return columnsOf(values, (id, value) =>
-    id === 'objects' && Array.isArray(value) ? objects(value) : scalar(id, value),
-  );
+  return columnsOf(values, (id, value) => (id === 'objects' && isList(value) ? objects(value) : scalar(id, value)));
 }
 
 /** @param {[string, any][]} values @param {(id: string, value: any) => any} each */
@@ -51,7 +49,7 @@ function columnsOf(values, each) {
 
 /** A number, a text or a flag, and points as text; words for everything else, which wasm refuses. */
 function scalar(/** @type {string} */ id, /** @type {any} */ value) {
-  if (id === 'points' && Array.isArray(value)) {
+  if (id === 'points' && isList(value)) {
     const pairs = value.slice(0, MAX_FIELDS);
     return pairs
       .map((pair) =>
@@ -107,6 +105,16 @@ export function whole(id, value, min, max) {
   throw refusal([{ id, value, min, max, message }]);
 }
 
+/**
+ * Throws for a value that is not a number in this range.
+ * @param {string} id @param {unknown} value @param {number} min @param {number} max
+ */
+export function between(id, value, min, max) {
+  if (typeof value === 'number' && value >= min && value <= max) return;
+  const message = `${id} = ${words(value)} is refused: it must be a number from ${min} to ${max}`;
+  throw refusal([{ id, value, min, max, message }]);
+}
+
 /** @param {string} id @param {unknown} value */
 export function finite(id, value) {
   if (Number.isFinite(value)) return;
@@ -116,6 +124,15 @@ export function finite(id, value) {
 /** @param {string} name @param {unknown} value */
 export function text(name, value) {
   if (typeof value !== 'string') throw new TypeError(`${name} must be a text, not ${words(value)}`);
+}
+
+/** Whether it is an array; a revoked proxy is none. @param {unknown} value @returns {value is any[]} */
+export function isList(value) {
+  try {
+    return Array.isArray(value);
+  } catch {
+    return false;
+  }
 }
 
 /** Any value in a few words. No code of the value runs. */
@@ -129,7 +146,7 @@ export function words(/** @type {unknown} */ value) {
       return String(value);
     case 'object':
       if (value === null) return 'null';
-      return Array.isArray(value) ? 'an array' : 'an object';
+      return isList(value) ? 'an array' : 'an object';
     case 'bigint':
       return 'a big integer';
     default:

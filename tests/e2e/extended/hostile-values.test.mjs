@@ -4,6 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { answers, assertRefused, hostileValues } from '../../hostile.mjs';
 import { Browser } from '../driver.mjs';
 import { assertBurns, events, recording } from '../assertions.mjs';
 
@@ -66,6 +67,89 @@ test('`document.all` is refused as every other invalid value', async () => {
     tab.problems.filter((problem) => problem.startsWith('uncaught')),
     [],
   );
+  await assertBurns(tab);
+});
+
+/** What a number out of a small range may be. */
+const FEW = ['undefined', '-0', '-1', '1.5'];
+const FIELDS = ['{}', 'an object without a prototype', 'a date', 'a throwing iterator'];
+
+/**
+ * Each argument of each method: its call with `value`, what names it in a refusal, and what it takes of the hostile
+ * values.
+ * @type {[call: string, named: RegExp, taken: string[]][]}
+ */
+const ARGUMENTS = [
+  ["fire.set('wind', value)", /wind/, [...FEW, 'null']],
+  ['fire.set({ wind: value })', /wind/, [...FEW, 'null']],
+  ['fire.set(value, 1)', /values|there is no parameter/, FIELDS],
+  ['fire.addObject(value)', /object/, []],
+  ["fire.addObject({ kind: 'solid', x: value })", /x|64 solids/, FEW],
+  ['fire.changeObject(value, { x: 0 })', /id/, []],
+  ['fire.changeObject(1, value)', /propert|values|objects|there is no/, FIELDS],
+  ['fire.removeObject(value)', /id/, []],
+  ['fire.restore(value)', /there is no parameter/, []],
+  ['fire.to(value, { duration: 0 })', /values|there is no parameter/, FIELDS],
+  [
+    'fire.to({ wind: 1 }, value)',
+    /options/,
+    ['undefined', 'null', '[]', 'a long list', 'a throwing toString', 'a throwing toJSON', ...FIELDS],
+  ],
+  ['fire.to({ wind: 1 }, { duration: value === 1e300 ? NaN : value })', /duration/, ['undefined', '-0', '1.5']],
+  ['fire.to({ wind: 1 }, { duration: 0, easing: value })', /easing/, ['undefined']],
+  ['fire.step(value)', /steps|seconds/, ['undefined']],
+  ['fire.importConfig(value)', /config|settings|values|there is no|hearth/, FIELDS],
+  [
+    'fire.toBlob(value)',
+    /type|options/,
+    [
+      'undefined',
+      'null',
+      "''",
+      "'x'",
+      'a long text',
+      '[]',
+      'a long list',
+      'a throwing toString',
+      'a throwing toJSON',
+      ...FIELDS,
+    ],
+  ],
+  ["fire.toBlob('image/png', value)", /quality/, ['undefined', 'NaN', 'Infinity', '-0', '-1', '1.5', '1e300']],
+  ['fire.toBlob({ width: value })', /width/, ['undefined']],
+  ['fire.captureStream(value)', /fps/, ['undefined', '-0', '1.5', '1e300']],
+  ['fire.stir(value, 1, 0, 0)', /x/, ['-0', '-1', '1.5']],
+  ['fire.stir(0, 1, value, 0)', /u/, ['-0', '-1', '1.5']],
+  ['fire.sparks(0, 1, value)', /count/, ['undefined']],
+  ['fire.spray(0, value)', /y/, ['-0', '-1', '1.5']],
+  ['fire.spray(0, 1, 0, -4, value)', /grams/, ['undefined', '1.5']],
+  ['fire.measure(value, 1)', /x/, ['-0', '-1', '1.5']],
+  ['fire.ignite(value)', /place|id|x/, []],
+  ['fire.extinguish(0, 1, value)', /radius|place/, []],
+  ['fire.toMetres(value, 0)', /x and y/, ['-0', '-1', '1.5', '1e300']],
+  ['fire.toPixels(0, value)', /x and y/, ['-0', '-1', '1.5', '1e300']],
+];
+
+test('hostile values of every method are refused by name, and the fire stays as it is', async () => {
+  const calls = ARGUMENTS.map(([call]) => `(fire, value) => ${call}`);
+  const script = `window.hostile = { values: ${hostileValues}, answers: ${answers}, calls: [${calls.join(',\n')}] }`;
+  const tab = await browser.show(`${recording(FIRE)}<script>${script}</script>`);
+  await tab.ready();
+  const state = () => tab.fire(({ params: { wind: _, ...params }, objects }) => [params, objects.length]);
+  const before = await state();
+  for (const [at, [call, named, taken]] of ARGUMENTS.entries()) {
+    const all = await tab.fire((fire, at) => {
+      const { values, answers, calls } = /** @type {any} */ (window).hostile;
+      return answers((/** @type {any} */ value) => calls[at](fire, value), values());
+    }, at);
+    try {
+      assertRefused(all, named, taken);
+    } catch (error) {
+      throw new Error(call, { cause: error });
+    }
+  }
+  await tab.fire((fire) => fire.importConfig({ hearth: 2 }));
+  assert.deepEqual(await state(), before);
   await assertBurns(tab);
 });
 

@@ -29,19 +29,14 @@ function framed(drawn) {
  * @returns {Promise<Blob>}
  */
 export async function toBlob(session, how, share) {
+  const { type, quality, width, background } = optionsOf(how, share);
   const canvas = await framed(session.view.drawn());
   // The canvas may be empty.
   if (!session.drawable)
     throw new Error('there is no frame while the graphics context is lost; it is restored with the event `restored`');
-  const {
-    type = 'image/png',
-    quality,
-    width,
-    background,
-  } = typeof how === 'object' && how ? how : { type: how, quality: share };
   const encode = () =>
     new Promise((/** @type {(blob: Blob) => void} */ resolve, reject) => {
-      const refused = new Error(`this browser cannot encode the frame as ${String(type).slice(0, 100)}`);
+      const refused = new Error(`this browser cannot encode the frame as ${type.slice(0, 100)}`);
       canvas.toBlob((blob) => (blob ? resolve(blob) : reject(refused)), type, quality);
     });
   if (width === undefined && background === undefined) return encode();
@@ -56,10 +51,38 @@ export async function toBlob(session, how, share) {
  * @returns {Promise<MediaStream>}
  */
 export async function captureStream(session, fps) {
+  if (fps !== undefined && !(typeof fps === 'number' && fps >= 0 && fps < Infinity))
+    throw new RangeError('fps must be a number of frames per second, 0 or more');
   const canvas = await framed(session.view.drawn());
   if (!canvas.captureStream) throw new Error('this browser cannot capture a canvas');
   const stream = fps === undefined ? canvas.captureStream() : canvas.captureStream(fps);
   const track = session.code.player?.track();
   if (track) stream.addTrack(track);
   return stream;
+}
+
+/**
+ * The options of a picture, each read once.
+ * @param {unknown} how
+ * @param {unknown} share
+ * @returns {{type: string, quality?: number, width?: number, background?: string}}
+ * @throws {TypeError} one is of another type
+ */
+function optionsOf(how, share) {
+  let given;
+  try {
+    given = { ...(typeof how === 'object' ? how : { type: how, quality: share }) };
+  } catch (cause) {
+    throw new TypeError('options cannot be read', { cause });
+  }
+  const { type = 'image/png', quality, width, background } = /** @type {any} */ (given);
+  for (const [name, value, kind] of [
+    ['type', type, 'string'],
+    ['quality', quality, 'number'],
+    ['width', width, 'number'],
+    ['background', background, 'string'],
+  ])
+    if (value !== undefined && typeof value !== kind)
+      throw new TypeError(`${name} must be a ${kind}, not a ${typeof value}`);
+  return { type, quality, width, background };
 }

@@ -54,7 +54,7 @@ async function draw(session, canvas, { width = canvas.width, background = 'scene
   }
   const { fire, view } = session;
   /** @type {{[id: string]: string}} */
-  const values = background === 'scene' ? {} : { backdrop: 'none', ground: 'none', background: String(background) };
+  const values = background === 'scene' ? {} : { backdrop: 'none', ground: 'none', background };
   const css = getComputedStyle(canvas);
   const [across, up] = [parseFloat(css.width), parseFloat(css.height)];
   const copy = document.createElement('canvas');

@@ -51,7 +51,7 @@ export class OnDemandCode {
     const source = session.history.source('to');
     const code = session.reports.loads(import('./transition.js'), 'The code for transitions');
     code.catch(() => (this.#calls = undefined));
-    return quiet(code.then(({ run }) => run(calls, session, checked, { ...how }, source)));
+    return quiet(code.then(({ run }) => run(calls, session, checked, how, source)));
   }
 
   /** Sets all final values of transitions at once. */

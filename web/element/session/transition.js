@@ -34,7 +34,7 @@ const ALLOWED = {
  *   on at once, and `end` sets all final values
  * @param {FireSession} session
  * @param {Promise<unknown>} checked the answer whether the values are valid
- * @param {{duration?: unknown, easing?: unknown}} how
+ * @param {unknown} how its options, which nobody has checked
  * @param {string} source the source of the calls that set values
  * @returns {Promise<boolean>} false if another call has set one of the values
  */
@@ -92,7 +92,7 @@ class Transitions {
   }
 
   /**
-   * @type {(checked: Promise<unknown>, how: {duration?: unknown, easing?: unknown}, source: string) =>
+   * @type {(checked: Promise<unknown>, how: unknown, source: string) =>
    *   Promise<boolean>}
    */
   async run(checked, how, source) {
@@ -116,13 +116,18 @@ class Transitions {
     for (const transition of this.#all.values()) transition.end();
   }
 
-  /** @type {(how: {duration?: unknown, easing?: unknown}) => KeyframeEffect} */
-  #effect({ duration = 600, easing = 'ease-in-out' }) {
-    const refuse = (/** @type {'duration' | 'easing'} */ id, /** @type {unknown} */ value) =>
-      this.#session.reports.refuse(id, String(value), ALLOWED[id]);
+  /** @type {(how: unknown) => KeyframeEffect} */
+  #effect(how) {
+    if (!/^(undefined|object)$/.test(typeof how)) throw new TypeError('options must be an object');
+    const { duration = 600, easing = 'ease-in-out' } = read(how);
+    const refuse = (/** @type {'duration' | 'easing'} */ id, /** @type {unknown} */ value) => {
+      const words = /^(object|function)$/.test(typeof value) ? `something of type ${typeof value}` : String(value);
+      return this.#session.reports.refuse(id, words, ALLOWED[id]);
+    };
     if (typeof duration !== 'number' || !(duration >= 0 && duration < Infinity)) throw refuse('duration', duration);
     try {
-      return new KeyframeEffect(null, null, { duration, easing: String(easing), fill: 'both' });
+      if (typeof easing !== 'string') throw new TypeError('it is no text');
+      return new KeyframeEffect(null, null, { duration, easing, fill: 'both' });
     } catch {
       throw refuse('easing', easing);
     }
@@ -220,4 +225,13 @@ function picked(values, ids) {
 /** Stops changing one value. @type {(transition: Transition, id: string) => void} */
 function release(transition, id) {
   if (transition.ids.delete(id)) transition.whole = false;
+}
+
+/** The options of a transition, whose own code may throw. @param {any} how @returns {{[name: string]: unknown}} */
+function read(how) {
+  try {
+    return { ...how };
+  } catch (cause) {
+    throw new TypeError('options cannot be read', { cause });
+  }
 }

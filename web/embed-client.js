@@ -151,7 +151,7 @@ class FrameFire extends EventTarget {
     try {
       if (this.#listens) this.#post(message);
       // A copy: the page may change the arguments before they are sent.
-      else this.#waiting.push(structuredClone(message));
+      else this.#waiting.push(globalThis.structuredClone?.(message) ?? message);
     } catch (cause) {
       return Promise.reject(
         new TypeError(`the arguments of ${method.slice(0, 40)} cannot be sent: ${cause}`, { cause }),

@@ -127,7 +127,7 @@ export function elementCode(config, scriptUrl, shown) {
   const { width, height, own } = checked(shown);
   const named = attributes.map(([name, value]) => {
     const id = name.replaceAll('-', '_');
-    if (!Object.hasOwn(DEFAULTS, id) && id !== 'objects') {
+    if (!Object.keys(DEFAULTS).includes(id) && id !== 'objects') {
       throw new RangeError(`${JSON.stringify(shortened(name))} is not a parameter of a fire`);
     }
     return value === 'true' ? name : attribute(name, value);

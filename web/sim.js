@@ -140,11 +140,11 @@ class Simulation {
   get(id) {
     text('id', id);
     /** @type {any} */
-    const found = {};
+    const found = Object.create(null);
     this.#use((fire) => {
       fire.get(found, id);
       // The error of a restored unknown id names it.
-      if (!Object.hasOwn(found, id)) fire.set([id], [null], loadedNames);
+      if (!(id in found)) fire.set([id], [null], loadedNames);
     });
     return found[id];
   }

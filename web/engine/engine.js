@@ -259,14 +259,15 @@ async function compile(source) {
     const response = await fetch(url, { credentials: 'same-origin', signal: limit });
     if (!response.ok) throw new Error(`${url} gave ${response.status}`);
     const type = response.headers.get('content-type') ?? 'no type';
-    if (/^application\/wasm\s*(;|$)/i.test(type)) {
-      return checked(await WebAssembly.compileStreaming(response), '');
-    }
+    const isWasm = /^application\/wasm\s*(;|$)/i.test(type);
+    if (isWasm && WebAssembly.compileStreaming) return checked(await WebAssembly.compileStreaming(response), '');
     const bytes = await response.arrayBuffer();
     if (String.fromCharCode(...new Uint8Array(bytes.slice(0, 4))) !== '\0asm') {
       throw new Error(`${url} is no wasm file; it was served as ${type}`);
     }
-    const warning = `${url} is served as ${type} instead of application/wasm, so that the fire starts later.`;
+    const warning = isWasm
+      ? ''
+      : `${url} is served as ${type} instead of application/wasm, so that the fire starts later.`;
     return checked(await WebAssembly.compile(bytes), warning);
   } catch (error) {
     throw limit.aborted ? new Error(`no answer within ${WASM_MS / 1000} s`) : error;

@@ -12,13 +12,19 @@ const SIMD_MODULE = new Uint8Array([
  * some browsers since 2023, and from documents of other programs.
  */
 export const NEEDED = [
+  'AbortController',
   'AbortSignal.timeout',
   'Array.prototype.findLastIndex',
   'DOMMatrix',
   'Element.prototype.animate',
   'IntersectionObserver',
+  'Object.hasOwn',
   'ResizeObserver',
+  'URL',
+  'WebAssembly.validate',
   'fetch',
+  'navigator',
+  'performance',
   'requestAnimationFrame',
 ];
 

@@ -30,7 +30,7 @@ function postPicture(fire) {
 /** @param {WebAssembly.Module} module */
 async function start(module) {
   // The page then runs the engine itself, and needs no reason.
-  if (!canvas || typeof requestAnimationFrame !== 'function') throw new Error();
+  if (!canvas || !globalThis.requestAnimationFrame || !globalThis.performance) throw new Error();
   await init({ module_or_path: module });
   engine = runEngine(Engine, canvas, {
     post: (message) => postMessage(message),

@@ -9,6 +9,18 @@ const WASM_MS = 60_000;
 /** Whether this is Node, or another runtime with its modules. */
 const NODE = Boolean(/** @type {{process?: {versions?: {node?: string}}}} */ (globalThis).process?.versions?.node);
 
+/** What the library needs besides the language, which some runtimes lack. */
+export const NEEDED = [
+  'WebAssembly',
+  'WebAssembly.compile',
+  'WebAssembly.instantiate',
+  'TextDecoder',
+  'TextEncoder',
+  'URL',
+];
+
+const KNOWN = 'every browser since 2023 and Node 18 have';
+
 /** @type {Promise<any>} The loaded wasm module, or undefined. */
 let module = Promise.resolve();
 
@@ -25,6 +37,11 @@ let extend;
  * @param {[string, any][]} parts parts of it that are elsewhere
  */
 export function loaded(wasm, parts) {
+  const missing = NEEDED.find(
+    (path) => !path.split('.').reduce((/** @type {any} */ object, name) => object?.[name], globalThis),
+  );
+  if (missing)
+    throw Object.assign(new Error(`This program has no ${missing}, which ${KNOWN}.`), { kind: 'unsupported' });
   for (const [name] of parts) known('wasmParts', name, Object.keys(PARTS));
   const attempt = module.then((already) => already ?? load(wasm, parts));
   module = attempt.catch(() => undefined);
@@ -61,7 +78,8 @@ async function load(wasm, parts) {
     if (NODE) await Promise.all(Object.keys(PARTS).map((name) => add(name).catch(() => {})));
     return glue;
   } catch (cause) {
-    throw new Error(`the simulation's wasm could not be loaded: ${cause}`, { cause });
+    const simd = cause instanceof WebAssembly.CompileError ? `; it needs SIMD, which ${KNOWN}` : '';
+    throw new Error(`the simulation's wasm could not be loaded: ${cause}${simd}`, { cause });
   }
 }
 
@@ -138,10 +156,11 @@ async function compiledFrom(url) {
     const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ files);
     return WebAssembly.compile(await readFile(new URL(href)));
   }
-  const response = await fetch(href, { signal: AbortSignal.timeout(WASM_MS) });
+  const response = await fetch(href, { signal: globalThis.AbortSignal?.timeout?.(WASM_MS) });
   if (!response.ok) throw new Error(`${href} answers ${response.status}`);
   // Streaming needs the right content type.
-  return response.headers.get('content-type') === 'application/wasm'
+  return response.headers.get('content-type') === 'application/wasm' &&
+    typeof WebAssembly.compileStreaming === 'function'
     ? WebAssembly.compileStreaming(response)
     : WebAssembly.compile(await response.arrayBuffer());
 }

@@ -15,18 +15,21 @@ before(async () => {
 after(() => browser?.close());
 
 /** What a fire has come to in a page without a feature. */
-async function without(/** @type {string} */ path) {
+async function without(/** @type {string} */ path, isInWorker = false) {
   const [owner, name] = path.includes('.') ? path.split(/\.(?=[^.]*$)/) : ['globalThis', path];
+  const remove = `
+    delete ${owner}['${name}'];
+    if (${owner}['${name}'] !== undefined) Object.defineProperty(${owner}, '${name}', { value: undefined });`;
   const tab = await browser.open(
     `<!doctype html><script>
       window.uncaught = [];
       addEventListener('error', ({ message }) => uncaught.push(message));
       addEventListener('unhandledrejection', ({ reason }) => uncaught.push(String(reason)));
-      delete ${owner}['${name}'];
-      if (${owner}['${name}'] !== undefined) Object.defineProperty(${owner}, '${name}', { value: undefined });
+      ${isInWorker ? '' : remove}
     </script>
     <script type="module" src="./web/hearth-fire.js"></script>
     <hearth-fire style="width: 60px; height: 60px"><p slot="poster">Embers</p></hearth-fire>`,
+    isInWorker ? { beforeWorker: /** @type {any} */ (`() => {${remove}}`) } : {},
   );
   return tab.fire(async (/** @type {any} */ fire) => {
     const set = fire.set('wind', 0.1).then(
@@ -65,10 +68,31 @@ for (const path of [
   'structuredClone',
   'trustedTypes',
   'CompressionStream',
+  'FinalizationRegistry',
+  'URLSearchParams',
+  'WebAssembly.compileStreaming',
   'localStorage',
 ]) {
   test(`without ${path} a fire burns`, async () => {
     const { ready, set, uncaught } = await without(path);
+    assert.deepEqual({ ready, set, uncaught }, { ready: 'ready', set: 'set', uncaught: [] });
+  });
+}
+
+for (const path of [
+  'FinalizationRegistry',
+  'OffscreenCanvas',
+  'OffscreenCanvas.prototype.transferToImageBitmap',
+  'TextDecoder',
+  'TextEncoder',
+  'WebAssembly',
+  'WebAssembly.instantiate',
+  'performance',
+  'requestAnimationFrame',
+  'structuredClone',
+]) {
+  test(`without ${path} in workers a fire burns`, async () => {
+    const { ready, set, uncaught } = await without(path, true);
     assert.deepEqual({ ready, set, uncaught }, { ready: 'ready', set: 'set', uncaught: [] });
   });
 }

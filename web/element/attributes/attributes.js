@@ -78,8 +78,9 @@ export class FireAttributes extends Base {
  * @param {HTMLElement} element
  */
 export function upgradeProperties(element) {
+  const early = Object.keys(element);
   for (const name of [...OWN_ATTRIBUTES.map(camelCase), ...ID_OF_PROPERTY.keys()]) {
-    if (Object.hasOwn(element, name)) {
+    if (early.includes(name)) {
       const own = /** @type {{[name: string]: unknown}} */ (/** @type {unknown} */ (element));
       const value = own[name];
       delete own[name];

@@ -84,7 +84,7 @@ const ARGUMENTS = [
   ['fire.set({ wind: value })', /wind/, [...FEW, 'null']],
   ['fire.set(value, 1)', /values|there is no parameter/, FIELDS],
   ['fire.addObject(value)', /object/, []],
-  ["fire.addObject({ kind: 'solid', x: value })", /x|64 solids/, FEW],
+  ["fire.addObject({ kind: 'solid', x: value })", /x|64 solids/, [...FEW, 'null']],
   ['fire.changeObject(value, { x: 0 })', /id/, []],
   ['fire.changeObject(1, value)', /propert|values|objects|there is no/, FIELDS],
   ['fire.removeObject(value)', /id/, []],

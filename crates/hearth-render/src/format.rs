@@ -57,7 +57,7 @@ impl TargetFormat {
     pub(crate) const fn gas_range(self) -> [f32; 4] {
         match self {
             TargetFormat::Rgba16F => [1.0; 4],
-            TargetFormat::Rgba8 => [1.25, 1.25 * 2.6, 1.0, 4.0],
+            TargetFormat::Rgba8 => [1.25, 1.25 * 2.6, 1.0, 1.5],
         }
     }
 

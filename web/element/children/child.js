@@ -70,7 +70,11 @@ export class Child {
   /** The warnings and refusals so far that are not repeated. @type {Set<string>} */
   #warned = new Set();
 
-  /** @type {(owner: import('./children.js').Children, element: Element, number: number) => void} */
+  /**
+   * @param {import('./children.js').Children} owner
+   * @param {Element} element
+   * @param {number} number
+   */
   constructor(owner, element, number) {
     this.#owner = owner;
     this.element = element;
@@ -182,7 +186,7 @@ export class Child {
   /** Finds the solid that it names: 0, which no solid has, if there is none. Returns whether that is another one. */
   updateReference() {
     const name = this.#solidName;
-    const id = name && (this.#owner.childWith('solid', name)?.id ?? 0);
+    const id = name ? (this.#owner.childWith('solid', name)?.id ?? 0) : undefined;
     if (id === 0 && document.readyState !== 'loading')
       this.#warnOnce(`#${name}`, `${attributeOf(this.#reference)} = #${name?.slice(0, MAX_SHOWN)}`, WITHOUT_SOLID);
     const isOther = id !== undefined && id !== this.#solid;

@@ -45,9 +45,12 @@ export class FireHistory {
     return this.#undone.length > 0;
   }
 
-  /** All present settings, without a question to the fire. */
+  /**
+   * All present settings, without a question to the fire.
+   * @returns {import('../types.js').HearthConfig}
+   */
   get settings() {
-    return this.#session.state.settings;
+    return /** @type {any} */ (this.#session.state.settings);
   }
 
   /**

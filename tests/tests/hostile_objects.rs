@@ -37,6 +37,7 @@ fn sent(fields: &[Named<'_>]) -> Vec<(String, Untrusted)> {
                 Input::Number(x) => Untrusted::Number(x),
                 Input::Flag(on) => Untrusted::Flag(on),
                 Input::Text(text) => Untrusted::Text(text.into()),
+                Input::Default => Untrusted::Null,
             };
             (name.to_owned(), value)
         })

@@ -20,7 +20,7 @@ const percent = (/** @type {number} */ share) => `${(100 * share).toFixed(1)} %`
  * The traits of a scene by some of its values.
  * @param {{[id: string]: string}} values
  */
-export function traits({ display_mode, palette, backdrop, background, wind }) {
+export function traits({ display_mode, palette, backdrop, background, wind, roundness }) {
   return Object.entries({
     fire: display_mode === 'fire',
     black_body: palette === 'blackbody',
@@ -29,6 +29,8 @@ export function traits({ display_mode, palette, backdrop, background, wind }) {
     // Smoke before a sky is of its colour.
     no_sky: background === 'transparent',
     calm: Number(wind) === 0,
+    // A round flame stands still on its root, which is blue, and is smooth.
+    sheets: !(Number(roundness) > 0),
   })
     .filter(([, has]) => has)
     .map(([trait]) => trait);
@@ -62,7 +64,7 @@ export const BARS = [
     holds: (off) => off <= 0.01,
     show: (off) => off.toFixed(4),
     brief: true,
-    needs: ['fire', 'black_body'],
+    needs: ['fire', 'black_body', 'sheets'],
   },
   {
     id: 'warm',
@@ -82,7 +84,7 @@ export const BARS = [
     holds: (share) => share >= 0.9,
     show: percent,
     brief: false,
-    needs: ['fire', 'bare', 'calm'],
+    needs: ['fire', 'bare', 'calm', 'sheets'],
   },
   {
     id: 'asymmetry',
@@ -102,7 +104,7 @@ export const BARS = [
     holds: (share) => share < 0.5,
     show: percent,
     brief: true,
-    needs: ['fire', 'bare'],
+    needs: ['fire', 'bare', 'sheets'],
   },
   {
     id: 'alpha',
@@ -131,7 +133,7 @@ export const BARS = [
     holds: (share) => share <= 0.02,
     show: percent,
     brief: false,
-    needs: ['fire', 'black_body'],
+    needs: ['fire', 'black_body', 'sheets'],
   },
   {
     id: 'width',

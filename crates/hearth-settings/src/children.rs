@@ -11,6 +11,7 @@
 //! The first child that is a source replaces the source of the settings, until the last such child leaves.
 
 use crate::apply::fields;
+use crate::file::CHILDREN;
 use crate::settings::Settings;
 use crate::untrusted::{Untrusted, ValidationError};
 use hearth_core::Scene;
@@ -19,9 +20,6 @@ use hearth_core::scene::Kind;
 
 /// A value by the name of a property.
 type Field = (String, Untrusted);
-
-/// The name of the list of children in whole settings.
-pub const CHILDREN: &str = "children";
 
 /// A number of a child.
 fn number(child: &Untrusted, field: &str) -> u32 {

@@ -1,8 +1,7 @@
 //! Settings as a [settings file](crate::file).
 
 use crate::apply::{OBJECTS, objects, of_model, other_model};
-use crate::children::CHILDREN;
-use crate::file::VERSION;
+use crate::file::{CHILDREN, VERSION};
 use crate::settings::{Settings, StatedResolution};
 use crate::untrusted::Untrusted;
 use hearth_core::Scene;

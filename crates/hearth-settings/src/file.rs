@@ -17,9 +17,10 @@
 //! `spacing` states the resolution as a length, `particles` as the number of particles that would fill the domain.
 
 use crate::apply::OBJECTS;
-use crate::children::CHILDREN;
 use crate::untrusted::{Check, Form, Untrusted, ValidationError, Values};
 
+/// The name of the list of children in whole settings.
+pub const CHILDREN: &str = "children";
 /// The version of the format.
 pub const VERSION: u32 = 2;
 

@@ -22,6 +22,5 @@ mod settings;
 pub mod untrusted;
 
 pub use apply::{OBJECTS, objects, preset};
-pub use children::CHILDREN;
 pub use export::{FIELDS, export, whole};
 pub use settings::{Change, Settings, StatedResolution, adapt};

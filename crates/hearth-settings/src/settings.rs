@@ -1,7 +1,7 @@
 //! All that is set of a fire, and the one function that changes it.
 
 use crate::apply::{of_model, with_object, with_settings, with_values};
-use crate::children::CHILDREN;
+use crate::file::CHILDREN;
 use crate::untrusted::{Argument, Untrusted, ValidationError, Values};
 use crate::{apply, file};
 use hearth_core::params::{Input, Model};

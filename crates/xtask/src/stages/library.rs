@@ -1,6 +1,7 @@
 //! Stages about the libraries: the simulation for JavaScript, and the crates for Rust.
 
 use std::path::PathBuf;
+use std::time::{SystemTime, UNIX_EPOCH};
 
 use anyhow::{Result, ensure};
 use xshell::cmd;
@@ -36,9 +37,11 @@ fn run_tests(folder: &str, variable: Option<(&str, PathBuf)>) -> Result<()> {
 /// tests run before a commit.
 pub(super) fn publishable() -> Result<()> {
     let sh = Shell::new()?;
-    // cargo takes a crate that was compiled in an earlier dry run for this one, which has the same version.
-    let folder = tools::target()?.join("publish");
-    sh.remove_path(&folder)?;
+    // cargo takes a crate of an earlier dry run in the same folder, packed or compiled, for this one of the same version.
+    let folders = tools::target()?.join("publish");
+    sh.remove_path(&folders)?;
+    let now = SystemTime::now().duration_since(UNIX_EPOCH)?;
+    let folder = folders.join(now.as_millis().to_string());
     let publish = cmd!(sh, "cargo publish --workspace --dry-run --allow-dirty")
         .env("CARGO_TARGET_DIR", &folder)
         .ignore_status();

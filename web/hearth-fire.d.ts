@@ -224,7 +224,7 @@ export class HearthFire extends HTMLElement {
    * @param y metres above the floor
    */
   toPixels(x: number, y: number): HearthPoint | null;
-  /** Stops the fire and frees its memory. The element makes a new fire when it is inserted into a page again. */
+  /** Stops the fire and frees its memory. The element makes a new fire when it is inserted into a page again; calls wait for that. */
   destroy(): Promise<void>;
   addEventListener<Type extends keyof HearthFireEventMap>(
     type: Type,

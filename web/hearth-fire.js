@@ -546,7 +546,7 @@ class HearthFire extends FireAttributes {
 
   /**
    * Stops the fire and frees its memory. The element makes a new fire when it is inserted into a page
-   * again.
+   * again; calls wait for that.
    * @returns {Promise<void>}
    * @example <caption>Put it out</caption> fire.destroy()
    */

@@ -220,6 +220,8 @@ describe('a step', () => {
       /no/,
     );
     assert.equal(history.source('property'), 'property');
+    assert.throws(() => history.step(null), { name: 'TypeError', message: 'act must be a function, not null' });
+    assert.throws(() => history.step(() => {}, Symbol('key')), { message: 'key must be a text, not symbol' });
   });
 
   test('needs a change: there is none of a drag there and back, the same value, a rejection', async () => {

@@ -57,9 +57,6 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
       ...(hide && { h: hide }),
     }),
   );
-  /** @type {EventTarget[]} */
-  const nowhere = [document.body, document.documentElement];
-
   /** @param {KeyboardEvent} event */
   const actionOf = (event) => {
     const key = event.key.toLowerCase();
@@ -81,7 +78,7 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
     const act = actionOf(key);
     if (!act || isTaken(key)) return;
     const path = key.composedPath();
-    if (page && !nowhere.includes(path[0]) && !own.some((element) => path.includes(element))) return;
+    if (page && !isIdle(path[0]) && !own.some((element) => path.includes(element))) return;
     key.preventDefault();
     if (!page) key.stopPropagation();
     // The element's error event reports a refusal.
@@ -92,6 +89,15 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
   return () => {
     for (const target of targets) target.removeEventListener('keydown', onKey);
   };
+}
+
+/**
+ * Whether the focus of a page is on nothing that has keys of its own: a button of the page keeps the focus after a press.
+ * @param {EventTarget} focused
+ */
+function isIdle(focused) {
+  if (focused === document.body || focused === document.documentElement) return true;
+  return focused instanceof HTMLButtonElement && !focused.closest('dialog, [role=dialog], [role=toolbar]');
 }
 
 /**

@@ -31,6 +31,15 @@ function countSaved() {
   };
 }
 
+test('keys act after a press of a button of the page', async () => {
+  const { tab } = await openPage();
+  await tab.page.click('#speaker');
+  await tab.until('the sound is on', () => /** @type {any} */ (document.getElementById('fire')).sound > 0);
+  assert.equal(await tab.evaluate(() => document.activeElement?.id), 'speaker');
+  await tab.press('m');
+  assert.equal(await tab.fire((fire) => fire.muted), true);
+});
+
 test('space pauses and plays the fire, R restarts it', async () => {
   const { tab, panel } = await openPage();
   // With the focus nowhere, on egui, and on an accessible slider.

@@ -59,8 +59,13 @@ export class FireHistory {
    * @param {() => T} act
    * @param {string} [key]  Changes with the key of the last step belong to it.
    * @returns {T}
+   * @throws {TypeError} an argument is neither
    */
   step(act, key) {
+    if (typeof act !== 'function')
+      throw new TypeError(`act must be a function, not ${act === null ? 'null' : typeof act}`);
+    if (!['string', 'undefined'].includes(typeof key))
+      throw new TypeError(`key must be a text, not ${key === null ? 'null' : typeof key}`);
     const outer = this.#key;
     this.#steps += 1;
     this.#key = key ?? `step ${this.#steps}`;

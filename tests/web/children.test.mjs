@@ -185,9 +185,9 @@ test('a child has the id of its object, which the engine decides', () => {
   page.children.update();
   assert.equal(page.frame()[0].id, 1002);
   assert.equal(source.objectId, null);
-  page.report([{ id: 1, kind: 'source' }], { children: [{ id: 1, child: 1002 }] });
+  page.report([{ id: 1, kind: 'source' }], { children: [{ id: 1002, object: 1 }] });
   assert.equal(source.objectId, 1);
-  page.report([{ id: 1, kind: 'solid' }], { children: [{ id: 1, child: 1002 }] });
+  page.report([{ id: 1, kind: 'solid' }], { children: [{ id: 1002, object: 1 }] });
   assert.equal(source.objectId, null);
   page.elements = [];
   page.children.update();
@@ -211,7 +211,7 @@ test('a name of a solid is its id from the first list, and follows it', () => {
   const [other] = page.frame();
   assert.deepEqual([other.values.solid, other.changed], [1003, ['solid']]);
   // The engine gives its object another id.
-  page.report([], { children: [{ id: 7, child: 1003 }] });
+  page.report([], { children: [{ id: 1003, object: 7 }] });
   assert.deepEqual(page.frame()[0].values.solid, 7);
   source.setAttribute('solid', '5');
   assert.equal(page.frame()[0].values.solid, '5');

@@ -176,7 +176,9 @@ export class Editing extends EventTarget {
   /** Shows the other of two states, which begins as a copy of the first one: one step. @param {Letter} letter */
   async compare(letter) {
     if (letter === this.letter) return;
-    const shown = await this.#fire.exportConfig();
+    // Steps that are not answered yet come first.
+    await this.#fire.exportConfig();
+    const shown = this.#fire.history.settings;
     const next = this.#compared[letter] ?? shown;
     this.press();
     await this.step(COMPARE, () => this.#fire.importConfig(next));

@@ -11,7 +11,10 @@ pub fn at_first(start: &Start<'_>) -> (Settings, Vec<ValidationError>) {
     let mut errors = Vec::new();
     let mut settings = Settings::default();
     let preset = start.preset.map(Settings::of_preset);
-    let config = (!start.config.is_missing()).then(|| Settings::of_file(start.config));
+    let config = (!start.config.is_missing()).then(|| match start.children {
+        true => Settings::with_children_of_file(start.config),
+        false => Settings::of_file(start.config),
+    });
     for replaced in [preset, config].into_iter().flatten() {
         match replaced {
             Ok(replaced) => settings = replaced,
@@ -22,48 +25,29 @@ pub fn at_first(start: &Start<'_>) -> (Settings, Vec<ValidationError>) {
     (settings, errors)
 }
 
+/// The source of the changes of an attribute.
+const ATTRIBUTE: &str = "attribute";
 /// The source of the changes of children in events.
 const CHILD: &str = "child";
 
-/// Whether a command lays children over objects.
-pub fn lays_children(settings: &Settings, command: &Command<'_>) -> bool {
-    let replaces = match *command {
-        Command::Children { .. } => return true,
-        Command::Preset { .. } | Command::Import { .. } => true,
-        Command::Set { values, source } => {
-            source == "attribute" && values.iter().any(|(id, _)| id == OBJECTS)
-        }
-        _ => false,
-    };
-    replaces && settings.has_children()
-}
-
 /// The settings after a command and the source of their change; `None` if it changes none. Appends the errors of the
-/// children. Other settings keep the objects of the children, unless a call replaces objects.
+/// children.
 pub fn by_command<'a>(
     settings: &Settings,
     command: &Command<'a>,
     errors: &mut Vec<ValidationError>,
 ) -> Option<(Result<Settings, Vec<ValidationError>>, &'a str)> {
-    let keeps = lays_children(settings, command);
-    let keep = |after: Result<Settings, _>| {
-        after.map(|after| match keeps {
-            true => after.keeping_children(settings),
-            false => after,
-        })
-    };
     let (change, source) = match *command {
-        Command::Import { config, source } => {
-            return Some((keep(Settings::of_file(config)), source));
-        }
-        Command::Restore {
-            settings: whole,
-            source,
-        } => return Some((Settings::of_file(whole), source)),
         Command::Children { children } => {
             return Some((Ok(settings.with_children(children.list(), errors)), CHILD));
         }
-        Command::Set { values, source } => (Change::Set(values), source),
+        Command::Import { config, source } | Command::Restore { config, source } => {
+            return Some((settings.after_file(config), source));
+        }
+        Command::Set { values, source } => match values.iter().any(|(id, _)| id == OBJECTS) {
+            true if source == ATTRIBUTE => (Change::State(values), source),
+            _ => (Change::Set(values), source),
+        },
         Command::AddObject { object, source } => (Change::AddObject(object), source),
         Command::ChangeObject { id, values, source } => {
             (Change::ChangeObject(id.0, values), source)
@@ -72,5 +56,5 @@ pub fn by_command<'a>(
         Command::Preset { name, source } => (Change::Preset(name), source),
         _ => return None,
     };
-    Some((keep(settings.after(&change)), source))
+    Some((settings.after(&change), source))
 }

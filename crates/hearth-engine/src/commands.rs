@@ -153,7 +153,7 @@ commands! { 'a
     /// Replaces all settings by those of a preset.
     "preset" Preset { name: &'a str, source: &'a str }
     /// Applies settings that the fire had; unless they are of another preset, it burns on.
-    "restore" Restore { settings: &'a Untrusted, source: &'a str }
+    "restore" Restore { config: &'a Untrusted, source: &'a str }
     /// Replaces all settings by a [settings file](hearth_settings::file).
     "import" Import { config: &'a Untrusted, source: &'a str }
     /// Answers with a settings file.

@@ -273,8 +273,7 @@ impl Engine {
             }
         };
         let (fire, command) = fire;
-        if change::lays_children(fire.settings(), &command) && parts::lacks(loaded, parts::CHILDREN)
-        {
+        if matches!(command, Command::Children { .. }) && parts::lacks(loaded, parts::CHILDREN) {
             return Ok(Answer::Missing(parts::CHILDREN));
         }
         let mut errors = Vec::new();

@@ -1,7 +1,7 @@
 //! Settings as a [settings file](crate::file).
 
 use crate::apply::{OBJECTS, objects, of_model, other_model};
-use crate::file::{CHILDREN, VERSION};
+use crate::file::{CHILDREN, ORDER, VERSION};
 use crate::settings::{Settings, StatedResolution};
 use crate::untrusted::Untrusted;
 use hearth_core::Scene;
@@ -10,7 +10,7 @@ use hearth_core::preset::Preset;
 use hearth_core::scene::Kind;
 
 /// The fields of [whole] settings.
-pub const FIELDS: [&str; 7] = [
+pub const FIELDS: [&str; 8] = [
     "hearth",
     "preset",
     "values",
@@ -18,6 +18,7 @@ pub const FIELDS: [&str; 7] = [
     "combustion",
     OBJECTS,
     CHILDREN,
+    ORDER,
 ];
 
 /// The values of `model` that differ from the preset, and the stated resolution: all, those of that model
@@ -88,19 +89,26 @@ pub fn export(settings: &Settings) -> Untrusted {
 }
 
 /// Writes settings as a settings file each of whose parts has a place of its own: the values that both models share,
-/// those of each model, all objects with their ids, and the children of the element. The first source is among both. A part that changes leaves
-/// the others.
+/// those of each model, all objects with their ids, the children of the element, and the order of all. The first source
+/// is among both. A part that changes leaves the others.
 pub fn whole(settings: &Settings) -> Untrusted {
-    let model = settings.parameters().model();
-    let base = of_model(&settings.preset().parameters(), model);
-    let name = Untrusted::Text(settings.preset().name.to_owned());
-    let of = |model: Model, alone| differences(settings, model, Some(alone), true);
+    let bare = settings.bare();
+    let model = bare.parameters().model();
+    let base = of_model(&bare.preset().parameters(), model);
+    let name = Untrusted::Text(bare.preset().name.to_owned());
+    let of = |model: Model, alone| differences(&bare, model, Some(alone), true);
+    let children = settings.children.as_ref();
+    let [children, order] = children.map_or(
+        [Untrusted::List(Vec::new()), Untrusted::Text(String::new())],
+        |children| children.write(settings.scene()),
+    );
     let values = [
         ("values", of(model, false)),
         (Model::Classic.name(), of(Model::Classic, true)),
         (Model::Combustion.name(), of(Model::Combustion, true)),
-        (OBJECTS, objects(settings.scene(), Some(&base), true)),
-        (CHILDREN, settings.children.clone()),
+        (OBJECTS, objects(bare.scene(), Some(&base), true)),
+        (CHILDREN, children),
+        (ORDER, order),
     ];
     let mut fields = vec![
         Untrusted::named("hearth", Untrusted::Number(VERSION.into())),

@@ -12,7 +12,8 @@
 //! preset: they are `values` then. In the list, the first source holds its differences from the preset, other
 //! objects those from the defaults. If both state a property of the first source, the later one wins.
 //!
-//! `children` names the objects of children of the element. Only [whole](crate::whole) settings have it.
+//! `children` are those of the element, and `order` the ids of all objects. Only [whole](crate::whole) settings have
+//! them, whose `objects` are those without the children.
 //!
 //! `spacing` states the resolution as a length, `particles` as the number of particles that would fill the domain.
 
@@ -21,11 +22,13 @@ use crate::untrusted::{Check, Form, Untrusted, ValidationError, Values};
 
 /// The name of the list of children in whole settings.
 pub const CHILDREN: &str = "children";
+/// The name of the order of the objects in whole settings.
+pub const ORDER: &str = "order";
 /// The version of the format.
 pub const VERSION: u32 = 2;
 
 /// The fields and their checks.
-const FIELDS: [(&str, Check); 9] = [
+const FIELDS: [(&str, Check); 10] = [
     ("hearth", Check::optional(Form::Any)),
     ("preset", Check::optional(Form::Text)),
     ("values", Check::optional(Form::Values)),
@@ -33,6 +36,7 @@ const FIELDS: [(&str, Check); 9] = [
     ("combustion", Check::optional(Form::Values)),
     (OBJECTS, Check::optional(Form::Any)),
     (CHILDREN, Check::optional(Form::Any)),
+    (ORDER, Check::optional(Form::Text)),
     ("label", Check::optional(Form::Text)),
     ("description", Check::optional(Form::Text)),
 ];

@@ -1,6 +1,7 @@
 //! All that is set of a fire, and the one function that changes it.
 
 use crate::apply::{of_model, with_object, with_settings, with_values};
+use crate::children::overlay::{Laid, Overlay};
 use crate::file::CHILDREN;
 use crate::untrusted::{Argument, Untrusted, ValidationError, Values};
 use crate::{apply, file};
@@ -8,6 +9,7 @@ use hearth_core::params::{Input, Model};
 use hearth_core::preset::Preset;
 use hearth_core::resolution::Resolution;
 use hearth_core::{Parameters, Scene, Simulation};
+use std::sync::Arc;
 
 /// Id of the number of particles.
 const COUNT: &str = "particles";
@@ -47,25 +49,38 @@ pub enum Change<'a> {
     /// Values of parameters, and the list of `objects`, all or none. `undefined` states nothing, `null`
     /// restores.
     Set(Values<'a>),
+    /// The page states such values. The objects of children stay.
+    State(Values<'a>),
     /// An object is added.
     AddObject(Values<'a>),
     /// Properties of the object with this id change.
     ChangeObject(u32, Values<'a>),
     /// The object with this id is removed.
     RemoveObject(u32),
-    /// A preset replaces all settings.
+    /// A preset replaces all settings. Children stay.
     Preset(&'a str),
 }
 
 /// Settings: the parameters of both models, the objects, the preset that they started from, which
-/// parameter states the resolution, and which objects are those of children of the element.
-#[derive(Clone, Debug, PartialEq)]
+/// parameter states the resolution, and the [children](crate::children) of the element.
+#[derive(Clone, Debug)]
 pub struct Settings {
     preset: &'static str,
     scene: Scene,
-    pub(crate) resolution: StatedResolution,
-    /// The [children](crate::children) that are known.
-    pub(crate) children: Untrusted,
+    resolution: StatedResolution,
+    /// The children, behind whose table is code that is loaded with the first one.
+    pub(crate) children: Option<Arc<dyn Overlay>>,
+}
+
+impl PartialEq for Settings {
+    fn eq(&self, other: &Settings) -> bool {
+        let same_children = match (&self.children, &other.children) {
+            (Some(children), Some(others)) => children.equals(&**others),
+            (children, others) => children.is_none() && others.is_none(),
+        };
+        let parts = |settings: &Settings| (settings.preset, settings.resolution);
+        same_children && parts(self) == parts(other) && self.scene == other.scene
+    }
 }
 
 impl Default for Settings {
@@ -81,7 +96,7 @@ impl Settings {
             preset: preset.name,
             scene: preset.scene(),
             resolution: StatedResolution::Auto,
-            children: Untrusted::List(Vec::new()),
+            children: None,
         };
         settings.settle();
         settings
@@ -96,7 +111,7 @@ impl Settings {
         Ok(Settings::starting_from(preset))
     }
 
-    /// The settings of a [file](crate::file).
+    /// The settings of a [file](crate::file), without children.
     ///
     /// # Errors
     /// All validation errors of the file.
@@ -115,26 +130,24 @@ impl Settings {
                 }
             }
         }
-        let mut settings = base.with(scene, resolution);
-        if let list @ Untrusted::List(_) = config.field(CHILDREN) {
-            settings.children = list.clone();
-        }
-        Ok(settings)
+        Ok(base.with(scene, resolution))
     }
 
     /// These settings with another scene, whose resolution is stated so.
-    pub(crate) fn with(&self, scene: Scene, resolution: StatedResolution) -> Settings {
+    fn with(&self, scene: Scene, resolution: StatedResolution) -> Settings {
         let mut settings = Settings {
             preset: self.preset,
             scene,
             resolution,
             children: self.children.clone(),
         };
-        if settings.parameters().model() != self.parameters().model() {
-            forget_replaced(&mut settings.children);
-        }
         settings.settle();
-        settings
+        match &self.children {
+            Some(children) => {
+                settings.burning(children.divided(settings.scene.clone(), self.scene()))
+            }
+            None => settings,
+        }
     }
 
     /// The settings after a change: the only way to change settings.
@@ -147,11 +160,46 @@ impl Settings {
             Ok(self.with(scene, self.resolution))
         };
         match *change {
-            Change::Preset(name) => Settings::of_preset(name),
+            Change::Preset(name) => self.replaced(Settings::of_preset(name), None),
+            Change::State(values) => self.replaced(self.bare().after_values(values), None),
             Change::Set(values) => self.after_values(values),
             Change::AddObject(fields) => with_object(None, Some(fields)),
             Change::ChangeObject(id, fields) => with_object(Some(id), Some(fields)),
             Change::RemoveObject(id) => with_object(Some(id), None),
+        }
+    }
+
+    /// The settings of a [file](crate::file), with the children of these. Whole settings restore what calls have set of
+    /// them.
+    ///
+    /// # Errors
+    /// All validation errors of the file.
+    pub fn after_file(&self, config: &Untrusted) -> Result<Settings, Vec<ValidationError>> {
+        let is_whole = !config.field(CHILDREN).is_missing();
+        self.replaced(Settings::of_file(config), is_whole.then_some(config))
+    }
+
+    /// Other settings with the children of these.
+    fn replaced(
+        &self,
+        other: Result<Settings, Vec<ValidationError>>,
+        whole: Option<&Untrusted>,
+    ) -> Result<Settings, Vec<ValidationError>> {
+        let other = other?;
+        Ok(match &self.children {
+            Some(children) => {
+                other.burning(children.over(other.scene.clone(), self.scene(), whole))
+            }
+            None => other,
+        })
+    }
+
+    /// The settings with this scene and these children.
+    pub(crate) fn burning(&self, (scene, children): Laid) -> Settings {
+        Settings {
+            scene,
+            children,
+            ..*self
         }
     }
 
@@ -185,9 +233,10 @@ impl Settings {
         settings
     }
 
-    /// Whether children of the element are known.
-    pub fn has_children(&self) -> bool {
-        !self.children.list().is_empty()
+    /// The settings without the children.
+    pub(crate) fn bare(&self) -> Settings {
+        let own = self.children.as_ref().map(|children| children.own());
+        self.burning((own.unwrap_or(&self.scene).clone(), None))
     }
 
     /// The preset.
@@ -297,23 +346,6 @@ impl Settings {
         };
         let follows_level = |settings: &Settings| settings.resolution() == Resolution::Level;
         cost(self) == cost(other) && follows_level(self) == follows_level(other)
-    }
-}
-
-/// Forgets the values that children have replaced, which are those of another model.
-fn forget_replaced(value: &mut Untrusted) {
-    match value {
-        Untrusted::List(children) => children.iter_mut().for_each(forget_replaced),
-        Untrusted::Object(fields) => {
-            for (name, value) in fields {
-                if let ("replaced", Untrusted::Object(values)) = (name.as_str(), value) {
-                    values
-                        .iter_mut()
-                        .for_each(|(_, value)| *value = Untrusted::Null);
-                }
-            }
-        }
-        _ => {}
     }
 }
 

@@ -241,3 +241,41 @@ test('other settings keep the objects of children, and undo, export and links ca
   );
   assert.deepEqual(tab.problems, []);
 });
+
+test('undo restores what a call did, and never what the page states', async () => {
+  const tab = await openChildren(browser, '', 'preset="match"');
+  /** The places of the objects, by their ids. */
+  const places = () => tab.fire((fire) => Object.fromEntries(fire.objects.map(({ id, x }) => [id, x])));
+  const first = await places();
+  // The step is older than the child that is laid over the same source.
+  await acts(tab, async (fire) => {
+    await fire.history.step(() => fire.changeObject(1, { x: 0.01 }));
+    fire.insertAdjacentHTML('beforeend', '<hearth-source x="-0.2"></hearth-source>');
+  });
+  assert.deepEqual(await places(), { ...first, 1: -0.2 });
+  await acts(tab, (fire) => fire.history.undo());
+  assert.deepEqual(await places(), { ...first, 1: -0.2 });
+  await acts(tab, (fire) => fire.lastElementChild.remove());
+  assert.deepEqual(await places(), first);
+  await acts(tab, (fire) => fire.history.redo());
+  assert.deepEqual(await places(), { ...first, 1: 0.01 });
+  await acts(tab, (fire) => fire.history.undo());
+
+  // The attribute has another value when the step that removed the object is undone.
+  const child = () => tab.fire((fire) => fire.objects.find(({ id }) => id === fire.lastElementChild.objectId)?.x);
+  await acts(tab, (fire) => fire.insertAdjacentHTML('beforeend', '<hearth-solid x="0.1"></hearth-solid>'));
+  await acts(tab, (fire) => fire.history.step(() => fire.removeObject(fire.lastElementChild.objectId)));
+  assert.equal(await child(), undefined);
+  await acts(tab, (fire) => fire.lastElementChild.setAttribute('x', '0.05'));
+  assert.equal(await child(), 0.05);
+  await acts(tab, (fire) => fire.history.undo());
+  assert.equal(await child(), 0.05);
+  // A child that has left by then does not return.
+  await acts(tab, (fire) => fire.history.step(() => fire.changeObject(fire.lastElementChild.objectId, { x: 0.3 })));
+  await acts(tab, (fire) => {
+    fire.lastElementChild.remove();
+    return fire.history.undo();
+  });
+  assert.deepEqual(await places(), first);
+  assert.deepEqual(tab.problems, []);
+});

@@ -97,7 +97,7 @@ export class Child {
   /** The id of its object, if there is any. @returns {number} */
   get id() {
     const { children = [] } = this.#owner.session.state.settings;
-    return /** @type {any[]} */ (children).find(({ child }) => child === this.number)?.id ?? this.number;
+    return /** @type {any[]} */ (children).find(({ id }) => id === this.number)?.object || this.number;
   }
 
   /** Its object by the last report of the engine. @returns {Values | undefined} */

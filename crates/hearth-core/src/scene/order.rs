@@ -1,8 +1,9 @@
 //! The order of the objects, and objects of another scene.
 
 use super::kinds::Values;
+use super::source_properties::with_properties_of;
 use super::stored::Stored;
-use super::{Fields, Scene};
+use super::{Fields, MAX_OBJECTS, MAX_PIXELS, Scene};
 use crate::params::ParamError;
 
 impl Scene {
@@ -39,6 +40,38 @@ impl Scene {
             from += next + 1;
         }
         self.settle_sources();
+    }
+
+    /// Without a source, the settings keep the values of the next one from another scene.
+    pub fn keep_source_of(&mut self, other: &Scene) {
+        if self.objects().all(|object| object.source().is_none()) {
+            self.settings = with_properties_of(&self.settings, &other.settings);
+        }
+    }
+
+    /// Adds an object of another scene, and returns its id: the same, if it is free. `None` if there is no such object,
+    /// or no room.
+    pub fn copy(&mut self, other: &Scene, id: u32) -> Option<u32> {
+        let object = other.objects.iter().find(|object| object.id == id)?;
+        let kind = object.values.kind().name;
+        let of_kind = self.objects().filter(|known| known.kind.name == kind);
+        if of_kind.count() >= MAX_OBJECTS {
+            return None;
+        }
+        let is_free = |id: &u32| self.objects.iter().all(|object| object.id != *id);
+        let id = std::iter::once(id).chain(1..).find(is_free)?;
+        let values = match &object.values {
+            Values::FirstSource => Values::Source(Box::new(other.settings.clone())),
+            values => values.clone(),
+        };
+        let name = object.name.clone();
+        self.objects.push(Stored { id, name, values });
+        self.settle_sources();
+        if self.pixels() > MAX_PIXELS {
+            self.objects.pop();
+            return None;
+        }
+        Some(id)
     }
 
     /// Changes an object or, without an id, adds one, without the fields that are refused. Appends an error for each,

@@ -17,7 +17,7 @@ fn list(settings: &Settings, children: &[Child]) -> Vec<Untrusted> {
     let known = whole(settings);
     let all = children.iter().map(|Child(id, kind, values, changed)| {
         let mut known = known.field("children").list().iter();
-        let is_known = known.any(|child| child.field("child") == &number(f64::from(*id)));
+        let is_known = known.any(|child| child.field("id") == &number(f64::from(*id)));
         let names = values.iter().map(|(name, _)| text(name));
         let changed = match is_known {
             true => changed.iter().map(|name| text(name)).collect(),
@@ -69,11 +69,14 @@ fn objects(settings: &Settings, names: &[&str]) -> Vec<String> {
 }
 
 fn preset(settings: &Settings, name: &str) -> Settings {
-    after(settings, Change::Preset(name)).keeping_children(settings)
+    after(settings, Change::Preset(name))
 }
 
 fn file(settings: &Settings, config: &Untrusted) -> Settings {
-    imported(config).keeping_children(settings)
+    match settings.after_file(config) {
+        Ok(after) => after,
+        Err(errors) => panic!("{config:?} is refused: {errors:?}"),
+    }
 }
 
 fn change(settings: &Settings, id: u32, values: &Sent) -> Settings {
@@ -142,8 +145,8 @@ fn the_first_source_replaces_that_of_the_settings_until_the_last_one_leaves() {
         assert_eq!(whole(&laid(settings, &[])), whole(&page));
         // One after the other, in both orders.
         let second = laid(settings, &[Child(1002, "source", &[], &[])]);
-        assert_eq!(sources(&second), ["1002 source 0 220 0.4"]);
-        assert_eq!(laid(&second, &[]).parameters(), page.parameters());
+        assert_eq!(sources(&second), [format!("1 source 0 {power} 0.1")]);
+        assert_eq!(whole(&laid(&second, &[])), whole(&page));
         assert_eq!(whole(&laid(&laid(settings, &[SOURCE]), &[])), whole(&page));
     }
     // Another child takes over.
@@ -253,14 +256,14 @@ fn other_settings_keep_the_objects_of_children() {
             "objects",
             Untrusted::List(vec![object([("kind", text("solid"))])]),
         )]);
-        let attribute = after(&settings, Change::Set(&sent([("objects", none.clone())])));
+        let attribute = after(&settings, Change::State(&sent([("objects", none.clone())])));
         let candle = preset(&settings, "candle");
         for (name, other, count) in [
             ("candle", &candle, 4),
             ("default", &preset(&candle, "default"), 2),
             ("file", &file(&candle, &wind), 2),
             ("solids", &file(&candle, &solids), 3),
-            ("attribute", &attribute.keeping_children(&settings), 2),
+            ("attribute", &attribute, 2),
         ] {
             let all = objects(other, &["x", "y", "power", "width"]);
             assert_eq!(all.len(), count, "{name}: {all:?}");
@@ -306,7 +309,7 @@ fn settings_of_the_same_page_hold_the_objects_of_its_children_once() {
     );
     let again = laid(&imported(&export(&moved)), &[SOLID]);
     assert_eq!(objects(&again, &["x"]), ["1 source 0", "1002 solid 0.1"]);
-    let back = Settings::of_file(&whole(&moved)).expect("whole settings");
+    let back = Settings::with_children_of_file(&whole(&moved)).expect("whole settings");
     assert_eq!(back, moved);
     // An id that another object has is not that of the child.
     let taken = after(

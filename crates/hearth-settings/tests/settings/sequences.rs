@@ -4,11 +4,13 @@ use hearth_core::params::{Kind, PARAMETERS, Param};
 use hearth_core::preset::Preset;
 use hearth_core::random::Random;
 use hearth_settings::untrusted::Untrusted;
-use hearth_settings::{Change, Settings, export, whole};
+use hearth_settings::{Change, Settings, export, objects, whole};
 
 use crate::harness::{number, object, text};
 
 const SEQUENCES: u32 = 10_000;
+/// Sequences of the slower laws.
+const FEWER: u32 = SEQUENCES / 5;
 const LONGEST: usize = 8;
 
 fn below(random: &mut Random, count: usize) -> usize {
@@ -96,8 +98,16 @@ fn children(random: &mut Random, of_any_order: bool) -> Vec<Untrusted> {
     list.collect()
 }
 
-/// The settings after a random change; the same if the change is refused.
+/// The settings after a random call or another list of children.
 fn changed(random: &mut Random, settings: &Settings) -> Settings {
+    match below(random, 5) {
+        0 => settings.with_children(&children(random, true), &mut Vec::new()),
+        _ => called(random, settings),
+    }
+}
+
+/// The settings after a random call; the same if it is refused.
+fn called(random: &mut Random, settings: &Settings) -> Settings {
     let ids: Vec<u32> = settings.scene().objects().map(|object| object.id).collect();
     let id = ids.get(below(random, 4)).copied().unwrap_or(9);
     let fields = object_fields(random);
@@ -113,22 +123,21 @@ fn changed(random: &mut Random, settings: &Settings) -> Settings {
         "objects".to_owned(),
         Untrusted::List(vec![Untrusted::Object(fields.clone())]),
     )];
-    let change = match below(random, 16) {
+    let mut all = objects(settings.scene(), None, true).list().to_vec();
+    all.reverse();
+    let reversed = [("objects".to_owned(), Untrusted::List(all))];
+    let change = match below(random, 14) {
         0 => Change::Preset(presets[below(random, presets.len())].name),
         1 => Change::AddObject(&fields),
         2 => Change::ChangeObject(id, &fields[1..]),
         3 => Change::RemoveObject(id),
-        4 | 5 => Change::Set(&list),
+        4 => Change::Set(&list),
+        5 => Change::State(&list),
         6 | 7 => Change::Set(&null),
-        8..=10 => return settings.with_children(&children(random, true), &mut Vec::new()),
+        8 => Change::Set(&reversed),
         _ => Change::Set(&values),
     };
-    let after = settings.after(&change).unwrap_or_else(|_| settings.clone());
-    match change {
-        Change::Preset(_) => after.keeping_children(settings),
-        Change::Set(_) if random.bits() & 1 == 0 => after.keeping_children(settings),
-        _ => after,
-    }
+    settings.after(&change).unwrap_or_else(|_| settings.clone())
 }
 
 #[test]
@@ -140,8 +149,9 @@ fn a_file_restores_the_settings_after_any_sequence_of_changes() {
             settings = changed(random, &settings);
         }
         let file = whole(&settings);
-        let read = Settings::of_file(&file).unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
-        assert!(read == settings, "{seed}: {file:?} is {read:?}");
+        let read = Settings::with_children_of_file(&file);
+        let read = read.unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
+        assert!(read == settings, "{seed}: {file:?}");
         let file = export(&settings);
         let read = Settings::of_file(&file).unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
         assert_eq!(export(&read), file, "{seed}");
@@ -149,10 +159,59 @@ fn a_file_restores_the_settings_after_any_sequence_of_changes() {
     }
 }
 
+/// The list that the element sends if nothing of its children has changed.
+fn same_children(settings: &Settings) -> Vec<Untrusted> {
+    let known = whole(settings);
+    let list = known.field("children").list().iter().map(|child| {
+        let values = match child.field("state").text() {
+            "hidden" => Untrusted::Null,
+            _ => child.field("values").clone(),
+        };
+        object([
+            ("id", child.field("id").clone()),
+            ("kind", child.field("kind").clone()),
+            ("values", values),
+            ("changed", Untrusted::List(Vec::new())),
+        ])
+    });
+    list.collect()
+}
+
+#[test]
+fn what_burns_follows_from_the_page_and_the_children_alone() {
+    for seed in 0..FEWER {
+        let random = &mut Random::new(seed);
+        let mut settings = Settings::default();
+        for _ in 0..=below(random, LONGEST) {
+            settings = changed(random, &settings);
+        }
+        let again = settings.with_children(&same_children(&settings), &mut Vec::new());
+        assert!(again == settings, "{seed}: {:?}", whole(&settings));
+    }
+}
+
+#[test]
+fn whole_settings_undo_what_calls_have_set_since() {
+    for seed in 0..FEWER {
+        let random = &mut Random::new(seed);
+        let mut before = Settings::default();
+        for _ in 0..=below(random, LONGEST) {
+            before = changed(random, &before);
+        }
+        let mut after = before.clone();
+        for _ in 0..=below(random, LONGEST) {
+            after = called(random, &after);
+        }
+        let undone = after.after_file(&whole(&before));
+        let undone = undone.unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
+        assert!(undone == before, "{seed}: {:?}", whole(&undone));
+    }
+}
+
 #[test]
 fn children_that_come_and_leave_change_nothing_else() {
     let none = |settings: &Settings| settings.with_children(&[], &mut Vec::new());
-    for seed in 0..SEQUENCES / 5 {
+    for seed in 0..FEWER {
         let random = &mut Random::new(seed);
         let mut settings = Settings::default();
         for _ in 0..=below(random, LONGEST) {
@@ -171,7 +230,7 @@ fn children_that_come_and_leave_change_nothing_else() {
         let laid = bare.with_children(&list, &mut errors);
         let again = laid.with_children(&list, &mut errors);
         assert_eq!(errors, [], "{seed}");
-        assert!(again == laid, "{seed}: {list:?} laid twice: {again:?}");
+        assert!(again == laid, "{seed}: {list:?} laid twice");
         assert_eq!(whole(&none(&laid)), whole(&bare), "{seed}");
     }
 }

@@ -132,7 +132,7 @@ class HearthFire extends FireAttributes {
 
   /** @param {HearthObject[]} objects */
   set objects(objects) {
-    this.#session.set({ objects: stated(this, 'objects', objects) });
+    this.#session.change(['set', { objects: stated(this, 'objects', objects) }]);
   }
 
   /**
@@ -252,7 +252,7 @@ class HearthFire extends FireAttributes {
    * @example <caption>Strong and windy</caption> fire.set({ fuel_power: 350, wind: 0.5 })
    */
   set(ids, value) {
-    return this.#session.set(typeof ids === 'object' && ids ? ids : { [String(ids)]: value });
+    return this.#session.change(['set', typeof ids === 'object' && ids ? ids : { [String(ids)]: value }]);
   }
 
   /**
@@ -263,7 +263,7 @@ class HearthFire extends FireAttributes {
    * @posted
    */
   addObject(object) {
-    return this.#session.call('addObject', postable(object, 1), this.#session.history.source('property'));
+    return this.#session.change(['addObject', object]);
   }
 
   /**
@@ -275,12 +275,7 @@ class HearthFire extends FireAttributes {
    * @example <caption>Move the source</caption> fire.changeObject(fire.objects[0].id, { x: 0.2 })
    */
   changeObject(id, properties) {
-    return this.#session.call(
-      'changeObject',
-      postable(id),
-      postable(properties, 1),
-      this.#session.history.source('property'),
-    );
+    return this.#session.change(['changeObject', id, properties]);
   }
 
   /**
@@ -291,7 +286,7 @@ class HearthFire extends FireAttributes {
    * @posted
    */
   removeObject(id) {
-    return this.#session.call('removeObject', postable(id), this.#session.history.source('property'));
+    return this.#session.change(['removeObject', id]);
   }
 
   /**
@@ -320,7 +315,7 @@ class HearthFire extends FireAttributes {
     if (ids.length > 0)
       return this.set(Object.fromEntries(ids.map((id) => [typeof id === 'string' ? id : typeof id, null])));
     this.#session.reflectPreset();
-    return this.#session.call('preset', 'default', this.#session.history.source('property'));
+    return this.#session.change(['preset', 'default']);
   }
 
   /**
@@ -383,11 +378,7 @@ class HearthFire extends FireAttributes {
    */
   importConfig(config) {
     try {
-      return this.#session.call(
-        'import',
-        reportedSettings(config, 'config', this.#session.reports),
-        this.#session.history.source('property'),
-      );
+      return this.#session.change(['import', reportedSettings(config, 'config', this.#session.reports)]);
     } catch (error) {
       return quiet(Promise.reject(error));
     }

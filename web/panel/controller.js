@@ -131,9 +131,9 @@ export class PanelController extends EventTarget {
     this.#editing.press();
   }
 
-  /** @type {(id: Id, value: Value) => Promise<void>} */
+  /** Sets a parameter, or restores its default for null. @type {(id: Id, value: Value | null) => Promise<void>} */
   set(id, value) {
-    return this.#editing.step(id, () => this.#fire.set(id, value));
+    return this.#fire.history.step(() => this.#fire.set(id, value), this.#editing.key(id));
   }
 
   /**
@@ -152,9 +152,7 @@ export class PanelController extends EventTarget {
     const target = this.defaultOf(id);
     // A restored resolution follows the scene and the quality again.
     const isDefault = RESOLUTION.includes(id) || target === modelDefault(id, this.#fire.params.model);
-    return this.#editing.step(id, () =>
-      isDefault ? this.#fire.restore(id) : this.#fire.set(id, /** @type {Value} */ (target)),
-    );
+    return this.set(id, isDefault || target === undefined ? null : target);
   }
 
   /** The selected object. @returns {Fields | undefined} */

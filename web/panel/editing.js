@@ -76,15 +76,9 @@ export class Editing extends EventTarget {
     this.#gesture += 1;
   }
 
-  /**
-   * Does something to the fire at once: a step, with what the same gesture has done to the same.
-   * @template T
-   * @param {string} what
-   * @param {() => T} act
-   * @returns {T}
-   */
-  step(what, act) {
-    return this.#fire.history.step(act, `${this.#gesture} ${what}`);
+  /** The key of a step of the history: what the same gesture does to the same is one step. @param {string} what */
+  key(what) {
+    return `${this.#gesture} ${what}`;
   }
 
   /**
@@ -93,7 +87,7 @@ export class Editing extends EventTarget {
    */
   group() {
     this.press();
-    const key = `${this.#gesture} group`;
+    const key = this.key('group');
     return (act) => this.#fire.history.step(act, key);
   }
 
@@ -105,7 +99,8 @@ export class Editing extends EventTarget {
     // A step before this one may have removed some.
     const all = [...changes].filter(([id]) => this.find(id));
     const what = all.map(([id, properties]) => `${id}.${Object.keys(properties)}`).join();
-    await this.step(what, () => Promise.all(all.map(([id, properties]) => this.#fire.changeObject(id, properties))));
+    const changed = () => Promise.all(all.map(([id, properties]) => this.#fire.changeObject(id, properties)));
+    await this.#fire.history.step(changed, this.key(what));
   }
 
   /** The selected object; of several, the one that was selected last. @returns {Fields | undefined} */
@@ -181,7 +176,7 @@ export class Editing extends EventTarget {
     const shown = this.#fire.history.settings;
     const next = this.#compared[letter] ?? shown;
     this.press();
-    await this.step(COMPARE, () => this.#fire.importConfig(next));
+    await this.#fire.history.step(() => this.#fire.importConfig(next), this.key(COMPARE));
     this.#compared = { [this.letter]: shown, [letter]: next };
     this.letter = letter;
     this.#changed();

@@ -68,22 +68,15 @@ async function draw(session, canvas, { width = canvas.width, background = 'scene
     session.send('max_pixels', Math.max(width * height, MIN_LIMIT));
     session.send('resize', width, height, Math.min(up, Math.sqrt(across * up)));
     // The answer comes after the frames before.
-    await session.set(values, 'picture');
+    await session.change(['set', values], 'picture');
     await next(view, canvas, (frame) => frame.width === width, take);
   } finally {
     session.send('max_pixels', limitOf(fire));
     // A value that has changed meanwhile is the present one.
-    await session
-      .set(
-        Object.fromEntries(
-          Object.keys(values).map((id) => [
-            id,
-            session.state.params[/** @type {keyof typeof session.state.params} */ (id)],
-          ]),
-        ),
-        'picture',
-      )
-      .catch(() => {});
+    const { params } = session.state;
+    const ids = /** @type {(keyof typeof params)[]} */ (Object.keys(values));
+    const present = Object.fromEntries(ids.map((id) => [id, params[id]]));
+    await session.change(['set', present], 'picture').catch(() => {});
     await observedAgain(view, canvas, copy.width);
     copy.remove();
   }

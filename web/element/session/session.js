@@ -96,9 +96,9 @@ export class FireSession {
     this.#connection?.send(...call);
   }
 
-  /** @type {(values: {[id: string]: unknown}, source?: string) => Promise<void>} */
-  set(values, source = this.history.source('property')) {
-    return this.call('set', postable(values, DEPTH), source);
+  /** Changes settings. @type {(call: Call, source?: string) => Promise<any>} */
+  change([method, ...given], source = this.history.source('property')) {
+    return this.call(method, ...postable(given, 1 + DEPTH), source);
   }
 
   /** Sets the preset attribute and keeps the values. */
@@ -147,7 +147,7 @@ export class FireSession {
     const { begun } = this;
     if (id !== undefined) {
       if (name === 'model' && !begun) return;
-      this.set({ [id]: value }, 'attribute');
+      this.change(['set', { [id]: value }], 'attribute');
     } else if (name === 'objects') {
       this.#setObjects(value);
     } else if (name === 'preset') {
@@ -174,7 +174,7 @@ export class FireSession {
   /** Sets the objects of the attribute, which are JSON. @param {string | null} value */
   #setObjects(value) {
     try {
-      this.set({ objects: value && reportedSettings(value, 'objects', this.reports) }, 'attribute');
+      this.change(['set', { objects: value && reportedSettings(value, 'objects', this.reports) }], 'attribute');
     } catch {
       // It is reported.
     }

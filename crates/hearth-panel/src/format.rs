@@ -4,7 +4,7 @@
 //! digits, and typed text may contain the unit or a decimal comma. The parameter table of
 //! hearth-core validates the range.
 
-use hearth_core::params::{Param, Scale, Value};
+use hearth_core::params::{AnyValue, Param, Scale};
 
 /// Most letters of a text in its row.
 const LONGEST_SHORT: usize = 28;
@@ -25,13 +25,15 @@ pub fn significant(x: f64, digits: i32) -> String {
 }
 
 /// A value as its row shows it, without the unit.
-pub fn value_text(value: &Value) -> String {
+pub fn value_text(value: &AnyValue<'_>) -> String {
     match value {
-        Value::Number(_) => significant(value.as_number().unwrap_or_default(), 4),
-        Value::Choice(name) => choice_text(name),
-        Value::Integer(_) | Value::Seed(_) | Value::Flag(_) | Value::Colour(_) | Value::Text(_) => {
-            value.to_string()
-        }
+        AnyValue::Number(_) => significant(value.as_number().unwrap_or_default(), 4),
+        AnyValue::Choice(name) => choice_text(name),
+        AnyValue::Integer(_)
+        | AnyValue::Seed(_)
+        | AnyValue::Flag(_)
+        | AnyValue::Colour(_)
+        | AnyValue::Text(_) => value.to_string(),
     }
 }
 

@@ -130,7 +130,7 @@ impl Panel {
     /// The text of the value under the pointer, and its label.
     pub fn hovered_value(&self) -> Option<(String, &'static str)> {
         let subject = self.output.hovered?;
-        let value = self.state.fire.text(subject);
+        let value = self.state.fire.value(subject).to_string();
         Some((value, subject.param.description().label))
     }
 

@@ -1,7 +1,5 @@
 //! Applies the actions of the views to the state.
 
-use hearth_core::params::{Input, Kind, Value};
-
 use crate::state::fire::Entry;
 use crate::state::{Action, Command, State, Subject};
 
@@ -23,14 +21,14 @@ impl Update<'_> {
             Action::Send(command) => self.send(command),
             Action::Set(subject, entry) => self.set(subject, &entry, true),
             Action::Slide(subject, entry) => self.set(subject, &entry, false),
-            Action::Choose(subject, name) => self.choose(subject, name),
+            Action::Choose(subject, name) => {
+                self.state.anchor.chosen = Some(subject.id);
+                self.set(subject, &Entry::Text(name.to_owned()), true);
+            }
             Action::Restore(subject) => {
                 open.field = None;
                 self.state.fire.refusals.remove(subject.id);
-                self.send(match subject.object {
-                    None => Command::Restore(subject.id),
-                    Some(_) => Command::RestoreProperty(subject),
-                });
+                self.send(Command::Restore(subject));
             }
             Action::Select(id) => self.select(id),
             Action::RestoreAll => {
@@ -103,44 +101,17 @@ impl Update<'_> {
 
     /// Sets a value and sends it: `always`, or only a change. A refused value is not sent.
     fn set(&mut self, subject: Subject, entry: &Entry, always: bool) {
-        if let Kind::Text(_) = subject.param.kind {
-            return self.write(subject, entry);
+        let fire = &mut self.state.fire;
+        let before = Entry::from(fire.value(subject));
+        if fire.set(subject, entry.input()).is_err() {
+            return;
         }
-        let before = self.state.fire.value(subject);
-        if let Ok(now) = self.state.fire.set(subject, entry.input())
-            && (always || now != before)
-        {
+        let now = Entry::from(fire.value(subject));
+        if always || now != before {
             let field = &mut self.state.open.field;
             field.take_if(|field| field.subject == subject);
-            self.send_value(subject, now);
+            self.send(Command::Set(subject, now));
         }
-    }
-
-    /// Sets a text and sends it, if it is another one.
-    fn write(&mut self, subject: Subject, entry: &Entry) {
-        let before = self.state.fire.text(subject);
-        if self.state.fire.set(subject, entry.input()).is_ok() {
-            let field = &mut self.state.open.field;
-            field.take_if(|field| field.subject == subject);
-            let now = self.state.fire.text(subject);
-            if now != before {
-                self.send(Command::Write(subject, now));
-            }
-        }
-    }
-
-    fn choose(&mut self, subject: Subject, name: &'static str) {
-        if let Ok(now) = self.state.fire.set(subject, Input::Text(name)) {
-            self.state.anchor.chosen = Some(subject.id);
-            self.send_value(subject, now);
-        }
-    }
-
-    fn send_value(&mut self, subject: Subject, now: Value) {
-        self.send(match subject.object {
-            None => Command::Set(subject.id, now),
-            Some(_) => Command::Change(subject, now),
-        });
     }
 
     /// Selects an object. What was typed for another one counts, and what was open of it closes:

@@ -1,23 +1,16 @@
 //! The commands that the panel sends to its host.
 
-use hearth_core::params::Value;
-
+use crate::state::entry::Entry;
 use crate::state::memory::Memory;
 use crate::state::subject::Subject;
 
 /// A command for the panel controller of the page.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
-    /// Set a parameter.
-    Set(&'static str, Value),
-    /// Reset a parameter to the scene's value.
-    Restore(&'static str),
-    /// Set a property of an object.
-    Change(Subject, Value),
-    /// Set a property of an object that is a text.
-    Write(Subject, String),
-    /// Reset a property of an object to the scene's value.
-    RestoreProperty(Subject),
+    /// Set a parameter or a property of an object.
+    Set(Subject, Entry),
+    /// Reset a parameter or a property to the scene's value.
+    Restore(Subject),
     /// Add an object of a kind.
     Add(&'static str),
     /// Add another object with the same properties.

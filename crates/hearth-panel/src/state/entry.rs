@@ -1,9 +1,9 @@
 //! Values that have not been checked.
 
-use hearth_core::params::Input;
+use hearth_core::params::{AnyValue, Input};
 
 /// An input that has not been checked.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Entry {
     /// A number.
     Number(f64),
@@ -11,6 +11,16 @@ pub enum Entry {
     Flag(bool),
     /// A text, which may spell any kind of value.
     Text(String),
+}
+
+impl From<AnyValue<'_>> for Entry {
+    fn from(value: AnyValue<'_>) -> Entry {
+        match (value.as_number(), value) {
+            (Some(number), _) => Entry::Number(number),
+            (None, AnyValue::Flag(on)) => Entry::Flag(on),
+            (None, value) => Entry::Text(value.to_string()),
+        }
+    }
 }
 
 impl Entry {

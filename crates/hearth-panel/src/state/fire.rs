@@ -8,11 +8,11 @@ use std::collections::{BTreeMap, VecDeque};
 
 use hearth_core::Scene;
 use hearth_core::params::{
-    Domain, Input, Kind, PARAMETERS, Param, ParamError, ParamErrorKind, Parameters, Scale, Value,
+    AnyValue, Domain, Input, Kind, PARAMETERS, Param, ParamError, ParamErrorKind, Parameters, Scale,
 };
 
 pub use crate::state::entry::Entry;
-use crate::state::objects::{Fields, differ, text_in, update, value_in};
+use crate::state::objects::{Fields, OBJECTS, differ, update, value_in};
 pub use crate::state::stats::Stats;
 use crate::state::subject::{Owner, Subject};
 
@@ -51,14 +51,13 @@ pub struct Fire {
     pub refusals: BTreeMap<&'static str, String>,
     /// The latest other error.
     pub notice: Option<String>,
+    /// The number of pending requests by what they change.
     pending: BTreeMap<&'static str, u32>,
-    /// Requests to change an object that are pending.
-    pub(super) changes: u32,
 }
 
 impl Fire {
     /// The present value.
-    pub fn value(&self, subject: impl Into<Subject>) -> Value {
+    pub fn value(&self, subject: impl Into<Subject>) -> AnyValue<'_> {
         let subject = subject.into();
         match subject.object {
             None => subject.param.get(&self.parameters),
@@ -68,24 +67,9 @@ impl Fire {
         }
     }
 
-    /// The present value as text, as a field shows it.
-    pub fn text(&self, subject: Subject) -> String {
-        let text = text_in(&self.objects, subject);
-        text.map_or_else(|| self.value(subject).to_string(), str::to_owned)
-    }
-
-    /// The text in the scene, or the default, of a value that is one.
-    pub fn default_text_of(&self, subject: Subject) -> Option<&str> {
-        let default = match self.domain_of(subject).default {
-            Value::Text(text) => text,
-            _ => return None,
-        };
-        Some(text_in(&self.scene_objects, subject).unwrap_or(default))
-    }
-
     /// The value in the scene, for the present model. An object that the scene lacks has the
     /// defaults.
-    pub fn default_of(&self, subject: impl Into<Subject>) -> Value {
+    pub fn default_of(&self, subject: impl Into<Subject>) -> AnyValue<'_> {
         let subject = subject.into();
         let param = subject.param;
         let model = self.parameters.model();
@@ -125,9 +109,7 @@ impl Fire {
 
     /// Whether the scene has the value: it lacks the properties of an added object.
     pub fn is_of_scene(&self, subject: Subject) -> bool {
-        subject.object.is_none()
-            || value_in(&self.scene_objects, subject).is_some()
-            || text_in(&self.scene_objects, subject).is_some()
+        subject.object.is_none() || value_in(&self.scene_objects, subject).is_some()
     }
 
     /// The range in the present model.
@@ -186,15 +168,11 @@ impl Fire {
         }
     }
 
-    /// Sets a value before the fire confirms it, and returns it as the table rounds it.
+    /// Sets a value before the fire confirms it.
     ///
     /// # Errors
     /// Returns the reason why the table refuses the value; nothing changes then.
-    pub fn set(
-        &mut self,
-        subject: impl Into<Subject>,
-        input: Input<'_>,
-    ) -> Result<Value, ParamError> {
+    pub fn set(&mut self, subject: impl Into<Subject>, input: Input<'_>) -> Result<(), ParamError> {
         let subject = subject.into();
         match subject.object {
             None => {
@@ -205,7 +183,7 @@ impl Fire {
             Some(owner) => change(&mut self.objects, owner, input)?,
         }
         self.refusals.remove(subject.id);
-        Ok(self.value(subject))
+        Ok(())
     }
 
     /// Takes a value that the fire reports.
@@ -224,14 +202,15 @@ impl Fire {
         }
     }
 
-    /// Counts a request for `id` as pending.
-    pub fn sent(&mut self, id: &'static str) {
-        *self.pending.entry(id).or_default() += 1;
+    /// Counts a request to set a value as pending. The fire reports all objects at once.
+    pub fn sent(&mut self, subject: Subject) {
+        *self.pending.entry(reported_with(subject)).or_default() += 1;
     }
 
-    /// Counts a request for `id` as answered. Returns whether none is pending any more, so
-    /// that the caller reads the fire's value again.
-    pub fn answered(&mut self, id: &'static str) -> bool {
+    /// Counts such a request as answered. Returns whether none is pending any more, so that the caller reads the
+    /// fire's values again.
+    pub fn answered(&mut self, subject: Subject) -> bool {
+        let id = reported_with(subject);
         match self.pending.get_mut(id) {
             Some(count) if *count > 1 => {
                 *count -= 1;
@@ -241,6 +220,13 @@ impl Fire {
                 self.pending.remove(id);
                 true
             }
+        }
+    }
+
+    /// Takes the objects that the fire reports.
+    pub fn receive_objects(&mut self, objects: &[Fields]) {
+        if !self.pending.contains_key(OBJECTS) {
+            update(&mut self.objects, &self.parameters, objects);
         }
     }
 
@@ -261,11 +247,13 @@ impl Fire {
     /// Whether a value differs from the scene.
     pub fn differs(&self, subject: impl Into<Subject>) -> bool {
         let subject = subject.into();
-        match self.default_text_of(subject) {
-            Some(default) => text_in(&self.objects, subject).is_some_and(|text| text != default),
-            None => self.value(subject) != self.default_of(subject),
-        }
+        self.value(subject) != self.default_of(subject)
     }
+}
+
+/// What the fire reports a value with: its parameter, or the objects.
+fn reported_with(subject: Subject) -> &'static str {
+    subject.object.map_or(subject.id, |_| OBJECTS)
 }
 
 /// Changes a property. A scene names all that is wrong; here it is one value.
@@ -284,7 +272,7 @@ fn change(scene: &mut Scene, owner: Owner, input: Input<'_>) -> Result<(), Param
 
 #[cfg(test)]
 mod tests {
-    use hearth_core::params::Model;
+    use hearth_core::params::{Model, Value};
 
     use super::*;
 
@@ -346,12 +334,12 @@ mod tests {
         let mut fire = classic();
         let viscosity = Param::find("viscosity").expect("the table has viscosity");
         fire.set(viscosity, Input::Number(0.08)).expect("in range");
-        fire.sent("viscosity");
-        fire.sent("viscosity");
+        fire.sent(viscosity.into());
+        fire.sent(viscosity.into());
         fire.receive("viscosity", Input::Number(0.01));
         assert_eq!(fire.parameters.viscosity, 0.08);
-        assert!(!fire.answered("viscosity"));
-        assert!(fire.answered("viscosity"));
+        assert!(!fire.answered(viscosity.into()));
+        assert!(fire.answered(viscosity.into()));
         fire.receive("viscosity", Input::Number(0.01));
         assert_eq!(fire.parameters.viscosity, 0.01);
     }

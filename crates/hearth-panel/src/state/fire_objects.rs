@@ -1,34 +1,12 @@
-//! The panel's copy of the fire's objects.
-//!
-//! As the copy of the values, it has checked objects only and ignores reports while a request
-//! is pending.
+//! What the panel shows of the fire's objects.
 
 use hearth_core::scene::{Kind, MAX_OBJECTS, Object};
 
 use crate::state::fire::Fire;
-use crate::state::objects::{Fields, has_row, update};
+use crate::state::objects::has_row;
 use crate::state::subject::Subject;
 
 impl Fire {
-    /// Takes the objects that the fire reports.
-    pub fn receive_objects(&mut self, objects: &[Fields]) {
-        if self.changes == 0 {
-            update(&mut self.objects, &self.parameters, objects);
-        }
-    }
-
-    /// Counts a request to change an object as pending.
-    pub fn sent_change(&mut self) {
-        self.changes += 1;
-    }
-
-    /// Counts such a request as answered. Returns whether none is pending any more, so that the
-    /// caller reads the fire's objects again.
-    pub fn answered_change(&mut self) -> bool {
-        self.changes = self.changes.saturating_sub(1);
-        self.changes == 0
-    }
-
     /// The object with this id.
     pub fn object(&self, id: u32) -> Option<Object<'_>> {
         self.objects.objects().find(|object| object.id == id)

@@ -1,6 +1,6 @@
 //! Scenes of objects, and their names.
 
-use hearth_core::params::{AnyValue, Input, Model, Parameters, Property, Value};
+use hearth_core::params::{AnyValue, Input, Model, Parameters, Property};
 use hearth_core::scene::{Object, Scene};
 
 use crate::right_to_left::is_from_right;
@@ -77,11 +77,7 @@ fn has(object: Object<'_>, (name, entry): &(String, Entry)) -> bool {
     }
     let mut values = object.properties();
     let value = values.find(|(known, ..)| known == name);
-    value.is_some_and(|(.., value)| match entry {
-        Entry::Number(number) => value.as_number() == Some(*number),
-        Entry::Flag(on) => value == AnyValue::Flag(*on),
-        Entry::Text(text) => value.to_string() == *text,
-    })
+    value.is_some_and(|(.., value)| Entry::from(value) == *entry)
 }
 
 /// Whether a property has a row in `model`.
@@ -89,34 +85,14 @@ pub fn has_row(property: Property, model: Model) -> bool {
     property.param(model).is_some()
 }
 
-fn find(scene: &Scene, subject: Subject) -> Option<AnyValue<'_>> {
+/// The value of a property in a scene.
+pub fn value_in(scene: &Scene, subject: Subject) -> Option<AnyValue<'_>> {
     let owner = subject.object?;
     let mut all = scene.objects();
     let object = all.find(|object| object.id == owner.id && object.kind.name == owner.kind)?;
     let mut values = object.properties();
     let (.., value) = values.find(|(name, ..)| *name == owner.property)?;
     Some(value)
-}
-
-/// The text of a property in a scene; none of a property with another value.
-pub fn text_in(scene: &Scene, subject: Subject) -> Option<&str> {
-    match find(scene, subject)? {
-        AnyValue::Text(text) => Some(text),
-        _ => None,
-    }
-}
-
-/// The value of a property in a scene; none of a text, which [`text_in`] reads.
-pub fn value_in(scene: &Scene, subject: Subject) -> Option<Value> {
-    match find(scene, subject)? {
-        AnyValue::Number(x) => Some(Value::Number(x)),
-        AnyValue::Integer(n) => Some(Value::Integer(n)),
-        AnyValue::Choice(name) => Some(Value::Choice(name)),
-        AnyValue::Flag(on) => Some(Value::Flag(on)),
-        AnyValue::Colour(colour) => Some(Value::Colour(colour)),
-        AnyValue::Seed(n) => Some(Value::Seed(n)),
-        AnyValue::Text(_) => None,
-    }
 }
 
 /// Whether the objects of two scenes differ. The properties of the first source are parameters.

@@ -6,7 +6,7 @@
 
 use egui::style::ScrollAnimation;
 use egui::{EventFilter, Id, Key, PointerButton, Rect, Ui};
-use hearth_core::params::Value;
+use hearth_core::params::AnyValue;
 
 use crate::format::choice_text;
 use crate::state::{Action, Fire, State, Subject};
@@ -77,7 +77,7 @@ fn unfolder(
     names: Names,
     (rect, open): (Rect, bool),
 ) -> bool {
-    let Value::Choice(now) = fire.value(subject) else {
+    let AnyValue::Choice(now) = fire.value(subject) else {
         return false;
     };
     let response = button::unfolder(
@@ -126,7 +126,7 @@ pub fn buttons(
     for (rect, &name) in button::split(rect, parts, 4.0).zip(names) {
         let text = choice_text(name);
         let face = Face {
-            lit: now == Value::Choice(name),
+            lit: now == AnyValue::Choice(name),
             ..Face::text(&text)
         };
         let key = format!("choice:{}:{name}", subject.id);

@@ -6,7 +6,7 @@
 
 use egui::ecolor::Hsva;
 use egui::{Align2, Color32, CursorIcon, Id, Rect, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
-use hearth_core::params::{Colour, Value};
+use hearth_core::params::{AnyValue, Colour};
 
 use crate::state::fire::Entry;
 use crate::state::{Action, OpenColour, State, Subject};
@@ -18,7 +18,7 @@ use crate::view::{button, field, title};
 
 /// Shows the row of a colour.
 pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
-    let Value::Colour(colour) = state.fire.value(subject) else {
+    let AnyValue::Colour(colour) = state.fire.value(subject) else {
         return;
     };
     let open = state.open.colour.filter(|open| open.id == subject.id);

@@ -1,7 +1,7 @@
 //! The controls of numbers, seeds and flags.
 
 use egui::{Align2, Id, Ui};
-use hearth_core::params::{Scale, Value};
+use hearth_core::params::{AnyValue, Scale};
 
 use crate::cost;
 use crate::format::{fraction, step, text_in_short, value_at, value_text};
@@ -105,7 +105,7 @@ pub fn seed(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
     // A seed has no slider: its control is the number.
     out.record(ui, subject.id, room);
     if response.clicked()
-        && let Value::Seed(old) = value
+        && let AnyValue::Seed(old) = value
     {
         let time = ui.input(|input| input.time).to_bits();
         let seed = f64::from(random_seed(old, time));
@@ -127,7 +127,7 @@ fn random_seed(old: u32, time: u64) -> u32 {
 pub fn flag(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
     let control = state.device.measures.control;
     let room = title::line(state, out, ui, subject, control);
-    let on = state.fire.value(subject) == Value::Flag(true);
+    let on = state.fire.value(subject) == AnyValue::Flag(true);
     let hit = room.with_min_x(room.right() - control);
     if button::check_box(ui, hit, Id::unique(("flag", subject.id)), on) {
         out.push(Action::Set(subject, Entry::Flag(!on)));
@@ -138,7 +138,7 @@ pub fn flag(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
 /// A text: a field, which is closed while it shows the text in short.
 pub fn text(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
     let room = title::line(state, out, ui, subject, state.device.measures.control);
-    let shown = text_in_short(subject.param.id, &state.fire.text(subject));
+    let shown = text_in_short(subject.param.id, &state.fire.value(subject).to_string());
     field::show(state, out, ui, subject, room, &shown);
     out.record(ui, subject.id, room);
     // The field shows such letters from left to right.

@@ -62,7 +62,7 @@ pub fn show(
     }
     out.record(ui, format!("value:{}", subject.id), hit);
     if response.clicked() {
-        let text = state.fire.text(subject);
+        let text = state.fire.value(subject).to_string();
         out.push(Action::OpenField(Field {
             subject,
             before: text.clone(),

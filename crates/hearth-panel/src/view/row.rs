@@ -1,7 +1,7 @@
 //! The row of a parameter: its control, and below it notes on its value.
 
 use egui::{Id, Rect, Sense, Shape, Ui, vec2};
-use hearth_core::params::Kind;
+use hearth_core::params::{AnyValue, Kind};
 
 use crate::cost;
 use crate::format::{bound_text, text_in_short, value_text, with_unit};
@@ -93,13 +93,11 @@ fn description(state: &State, subject: Subject) -> String {
         "" => "Default",
         preset => preset,
     };
-    let default = match state.fire.default_text_of(subject) {
-        Some(text) => with_unit(&text_in_short(subject.param.id, text), subject.param.unit),
-        None => {
-            let value = value_text(&state.fire.default_of(subject));
-            with_unit(&value, subject.param.unit)
-        }
+    let default = match state.fire.default_of(subject) {
+        AnyValue::Text(text) => text_in_short(subject.param.id, text),
+        value => value_text(&value),
     };
+    let default = with_unit(&default, subject.param.unit);
     let mut text = format!("{}\n{scene} {default}", subject.param.description().doc);
     if let Kind::Number(_) | Kind::Integer(_) | Kind::Seed = subject.param.kind {
         let (min, max) = state.fire.range_of(subject);

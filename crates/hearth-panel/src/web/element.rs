@@ -16,7 +16,7 @@ use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{CustomEvent, Event, EventTarget};
 
 use crate::panel::Panel;
-use crate::state::{Command, MODEL, Subject};
+use crate::state::{Command, MODEL, Owner, Subject};
 use crate::web::listener::Listener;
 use crate::web::read::{objects, property, stats, text, to_js, value_of};
 
@@ -87,15 +87,11 @@ impl Element {
     /// Sends a command. Events report its effect; a refusal is shown in the parameter's row.
     pub fn send(&self, command: Command) {
         let row = match &command {
-            Command::Set(id, _) => Some((*id, false)),
-            Command::Change(subject, _) | Command::Write(subject, _) => Some((subject.id, true)),
+            Command::Set(subject, _) => Some(*subject),
             _ => None,
         };
-        if let (Some((id, of_object)), Ok(mut panel)) = (row, self.panel.try_borrow_mut()) {
-            match of_object {
-                true => panel.state.fire.sent_change(),
-                false => panel.state.fire.sent(id),
-            }
+        if let (Some(subject), Ok(mut panel)) = (row, self.panel.try_borrow_mut()) {
+            panel.state.fire.sent(subject);
         }
         let answer = self.call(command);
         let (fire, panel) = (self.fire.clone(), Rc::downgrade(&self.panel));
@@ -111,108 +107,57 @@ impl Element {
     }
 
     fn call(&self, command: Command) -> Result<JsValue, JsValue> {
-        let arguments = Array::new();
-        let method = match command {
-            Command::Set(id, value) => {
-                arguments.push(&JsValue::from_str(id));
-                arguments.push(&to_js(value));
-                "set"
-            }
-            Command::Restore(id) => {
-                arguments.push(&id.into());
-                "restore"
-            }
-            Command::Change(subject, value) => {
-                push_owner(&arguments, subject);
-                arguments.push(&to_js(value));
-                "change"
-            }
-            Command::Write(subject, text) => {
-                push_owner(&arguments, subject);
-                arguments.push(&text.into());
-                "change"
-            }
-            Command::RestoreProperty(subject) => {
-                push_owner(&arguments, subject);
-                "restoreProperty"
-            }
-            Command::Add(kind) => {
-                arguments.push(&kind.into());
-                "add"
-            }
-            Command::Duplicate(id) => {
-                arguments.push(&id.into());
-                "duplicate"
-            }
-            Command::Remove(id) => {
-                arguments.push(&id.into());
-                "remove"
-            }
-            Command::Order(id, front) => {
-                arguments.push(&id.into());
-                arguments.push(&front.into());
-                "order"
-            }
-            Command::Act(name, id) => {
-                arguments.push(&name.into());
-                arguments.push(&id.into());
-                "act"
-            }
-            Command::Select(id) => {
-                arguments.push(&id.into());
-                "select"
-            }
+        let (method, arguments): (&str, Vec<JsValue>) = match command {
+            Command::Set(subject, entry) => match subject.object {
+                None => ("set", vec![subject.id.into(), to_js(entry)]),
+                Some(Owner { id, property, .. }) => {
+                    ("change", vec![id.into(), property.into(), to_js(entry)])
+                }
+            },
+            Command::Restore(subject) => match subject.object {
+                None => ("restore", vec![subject.id.into()]),
+                Some(Owner { id, property, .. }) => {
+                    ("restoreProperty", vec![id.into(), property.into()])
+                }
+            },
+            Command::Add(kind) => ("add", vec![kind.into()]),
+            Command::Duplicate(id) => ("duplicate", vec![id.into()]),
+            Command::Remove(id) => ("remove", vec![id.into()]),
+            Command::Order(id, front) => ("order", vec![id.into(), front.into()]),
+            Command::Act(name, id) => ("act", vec![name.into(), id.into()]),
+            Command::Select(id) => ("select", vec![id.into()]),
             Command::Remember(memory) => {
                 let folded: Array = memory.folded.into_iter().map(JsValue::from_str).collect();
-                arguments.push(&folded);
-                arguments.push(&memory.times.into());
-                "rememberFolds"
+                ("rememberFolds", vec![folded.into(), memory.times.into()])
             }
-            Command::RestoreAll => "restoreAll",
-            Command::Quality(name) => {
-                arguments.push(&name.into());
-                "quality"
-            }
-            Command::Copy(what) => {
-                arguments.push(&what.into());
-                "copy"
-            }
-            Command::Compare(letter) => {
-                arguments.push(&letter.into());
-                "compare"
-            }
-            Command::Randomise => "randomise",
-            Command::Scenes => "scenes",
-            Command::Play => "play",
-            Command::Pause => "pause",
-            Command::Reset => "reset",
-            Command::Step => "step",
-            Command::Undo => "undo",
-            Command::Redo => "redo",
-            Command::Paste => "paste",
-            Command::Picture => "picture",
-            Command::Fullscreen => "fullscreen",
-            Command::Help => "help",
+            Command::RestoreAll => ("restoreAll", vec![]),
+            Command::Quality(name) => ("quality", vec![name.into()]),
+            Command::Copy(what) => ("copy", vec![what.into()]),
+            Command::Compare(letter) => ("compare", vec![letter.into()]),
+            Command::Randomise => ("randomise", vec![]),
+            Command::Scenes => ("scenes", vec![]),
+            Command::Play => ("play", vec![]),
+            Command::Pause => ("pause", vec![]),
+            Command::Reset => ("reset", vec![]),
+            Command::Step => ("step", vec![]),
+            Command::Undo => ("undo", vec![]),
+            Command::Redo => ("redo", vec![]),
+            Command::Paste => ("paste", vec![]),
+            Command::Picture => ("picture", vec![]),
+            Command::Fullscreen => ("fullscreen", vec![]),
+            Command::Help => ("help", vec![]),
         };
         let function: Function = Reflect::get(&self.controller, &method.into())?.dyn_into()?;
-        function.apply(&self.controller, &arguments)
+        function.apply(&self.controller, &arguments.into_iter().collect())
     }
 }
 
-/// Adds the id of the object and the name of its property.
-fn push_owner(arguments: &Array, subject: Subject) {
-    if let Some(owner) = subject.object {
-        arguments.push(&owner.id.into());
-        arguments.push(&owner.property.into());
-    }
-}
-
-/// Handles the answer to a command: shows its error and reads the present values. A command of a
-/// row has its name and whether it is of an object.
+/// Handles the answer to a command: shows its error and reads the present values. A command that
+/// sets a value has a row.
 fn settle(
     panel: &Weak<RefCell<Panel>>,
     fire: &JsValue,
-    row: Option<(&'static str, bool)>,
+    row: Option<Subject>,
     refusal: Option<JsValue>,
 ) {
     let Some(panel) = panel.upgrade() else { return };
@@ -221,17 +166,17 @@ fn settle(
     };
     let refusal = refusal.map(|error| text(&error, "message").unwrap_or_default());
     match row {
-        Some((id, of_object)) => {
-            if of_object {
-                if panel.state.fire.answered_change() {
-                    read_objects(&mut panel, fire);
+        Some(subject) => {
+            match panel.state.fire.answered(subject) {
+                true if subject.object.is_some() => read_objects(&mut panel, fire),
+                true => {
+                    let value = property(&property(fire, "params"), subject.id);
+                    receive_value(&mut panel, fire, subject.id, &value);
                 }
-            } else if panel.state.fire.answered(id) {
-                let value = property(&property(fire, "params"), id);
-                receive_value(&mut panel, fire, id, &value);
+                false => {}
             }
             if let Some(refusal) = refusal {
-                panel.state.fire.refusals.insert(id, refusal);
+                panel.state.fire.refusals.insert(subject.id, refusal);
             }
         }
         None => {

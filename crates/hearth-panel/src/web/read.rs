@@ -1,7 +1,6 @@
 //! Values of JavaScript in the panel's types. A missing property or one of the wrong type counts
 //! as empty.
 
-use hearth_core::params::Value;
 use js_sys::{Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
 
@@ -109,10 +108,10 @@ pub(super) fn text(of: &JsValue, name: &str) -> Option<String> {
     property(of, name).as_string()
 }
 
-pub(super) fn to_js(value: Value) -> JsValue {
-    match (value, value.as_number()) {
-        (_, Some(number)) => JsValue::from_f64(number),
-        (Value::Flag(on), None) => JsValue::from_bool(on),
-        (_, None) => JsValue::from_str(&value.to_string()),
+pub(super) fn to_js(entry: Entry) -> JsValue {
+    match entry {
+        Entry::Number(number) => number.into(),
+        Entry::Flag(on) => on.into(),
+        Entry::Text(text) => text.into(),
     }
 }

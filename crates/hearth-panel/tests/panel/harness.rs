@@ -6,7 +6,7 @@
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, Shape, vec2};
 use hearth_core::params::{Choice, Input, Model, Param, Value};
 use hearth_panel::Panel;
-use hearth_panel::state::MODEL;
+use hearth_panel::state::{Command, MODEL};
 use hearth_panel::theme::{self, Measures};
 
 pub struct Harness {
@@ -167,6 +167,12 @@ impl Harness {
         let value = self.panel.state.fire.parameters.get(id);
         value.unwrap_or_else(|| panic!("there is no {id}"))
     }
+}
+
+/// The command that sets a parameter.
+pub fn set(id: &str, value: Value) -> Command {
+    let param = Param::find(id).unwrap_or_else(|| panic!("there is no {id}"));
+    Command::Set(param.into(), value.into())
 }
 
 /// Width, height, and sizes for mouse or finger.

@@ -15,7 +15,7 @@ use hearth_panel::state::{Command, ControllerState, CopyForm, MODEL};
 use hearth_panel::state::{SHARE, TOOLS};
 use hearth_panel::theme::Measures;
 
-use harness::{Harness, PHONE, TALL, models};
+use harness::{Harness, PHONE, TALL, models, set};
 
 #[test]
 fn the_header_names_the_scene() {
@@ -291,7 +291,7 @@ fn each_model_has_its_own_rows_ranges_and_defaults() {
         .receive("source_width", Input::Number(0.2));
     harness.click("choice:model:combustion");
     let commands = harness.panel.take_commands();
-    assert_eq!(commands, [Command::Set(MODEL, Value::Choice("combustion"))]);
+    assert_eq!(commands, [set(MODEL, Value::Choice("combustion"))]);
     harness.reveal("ember_size");
     harness.rect("ember_size");
     harness.reveal("walls");

@@ -3,8 +3,9 @@
 use std::sync::Mutex;
 
 use egui::{Color32, ColorImage, Event, Key};
-use hearth_core::params::{Model, Param, Value};
+use hearth_core::params::{Model, Param};
 use hearth_panel::right_to_left;
+use hearth_panel::state::fire::Entry;
 use hearth_panel::state::{Command, Subject};
 
 use crate::harness::{Harness, PHONE, TALL};
@@ -41,13 +42,13 @@ fn a_name_is_typed_listed_and_reset() {
             let row = rows[0];
             type_into(&mut harness, row.id, name);
             let commands = harness.panel.take_commands();
-            assert_eq!(commands, [Command::Write(row, name.to_owned())]);
+            assert_eq!(commands, [Command::Set(row, Entry::Text(name.to_owned()))]);
             assert!(shows(&mut harness, listed), "{listed}");
             assert!(harness.panel.state.fire.is_changed());
             harness.reveal(row.id);
             harness.click(&format!("action:restore:{}", row.id));
             let commands = harness.panel.take_commands();
-            assert_eq!(commands, [Command::RestoreProperty(row)]);
+            assert_eq!(commands, [Command::Restore(row)]);
         }
     }
 }
@@ -105,7 +106,8 @@ fn outlines_have_rows_that_show_their_size_and_take_texts() {
     assert!(shows(&mut harness, "16 × 16 cells"));
     let points = row(&rows, "solid:points");
     type_into(&mut harness, points.id, "0,0 0.1,0 0.1,0.1 0,0.1");
-    let written = Command::Write(points, "0,0 0.1,0 0.1,0.1 0,0.1".to_owned());
+    let outline = Entry::Text("0,0 0.1,0 0.1,0.1 0,0.1".to_owned());
+    let written = Command::Set(points, outline);
     assert_eq!(harness.panel.take_commands(), [written]);
     assert!(shows(&mut harness, "4 points, 0.1 × 0.1"));
     type_into(&mut harness, points.id, "0,0 0.1");
@@ -120,7 +122,7 @@ fn the_eye_of_an_object_switches_it_off_and_on() {
         let mut harness = with_objects(Model::Combustion, size);
         harness.click("enabled:3");
         let commands = harness.panel.take_commands();
-        let [Command::Change(row, Value::Flag(false))] = commands[..] else {
+        let [Command::Set(row, Entry::Flag(false))] = commands[..] else {
             panic!("{commands:?}");
         };
         assert_eq!(
@@ -130,12 +132,12 @@ fn the_eye_of_an_object_switches_it_off_and_on() {
         assert!(shows(&mut harness, "Solid 3 · wood line · off"));
         harness.click("enabled:3");
         let commands = harness.panel.take_commands();
-        assert_eq!(commands, [Command::Change(row, Value::Flag(true))]);
+        assert_eq!(commands, [Command::Set(row, Entry::Flag(true))]);
         // The properties of the first source are parameters.
         harness.click("enabled:1");
-        let id = Param::find("source_enabled").map_or("", |param| param.id);
+        let enabled = Param::find("source_enabled").expect("the table has it");
         let commands = harness.panel.take_commands();
-        assert_eq!(commands, [Command::Set(id, Value::Flag(false))]);
+        assert_eq!(commands, [Command::Set(enabled.into(), Entry::Flag(false))]);
         assert!(shows(&mut harness, "Source 1 · off"));
     }
 }

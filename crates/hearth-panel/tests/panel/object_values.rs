@@ -1,6 +1,6 @@
 //! Values of objects: the ranges of their sliders, requests that are pending, and reports of the fire.
 
-use hearth_core::params::{AnyValue, Input, Model, Parameters, Value};
+use hearth_core::params::{Input, Model, Parameters, Value};
 use hearth_core::scene::{Object, Scene};
 use hearth_panel::state::fire::{Entry, Fire};
 use hearth_panel::state::{Fields, Subject};
@@ -34,12 +34,12 @@ fn an_older_list_does_not_move_a_dragged_slider() {
     let fire = &mut harness.panel.state.fire;
     let old = [source(1), solid(3, "line", "wood")];
     assert!(fire.set(coordinate, Entry::Number(0.4).input()).is_ok());
-    fire.sent_change();
-    fire.sent_change();
+    fire.sent(coordinate);
+    fire.sent(coordinate);
     fire.receive_objects(&old);
     assert_eq!(fire.value(coordinate), Value::Number(0.4));
-    assert!(!fire.answered_change());
-    assert!(fire.answered_change());
+    assert!(!fire.answered(coordinate));
+    assert!(fire.answered(coordinate));
     fire.receive_objects(&old);
     assert_eq!(fire.value(coordinate), Value::Number(0.0));
 }
@@ -52,12 +52,7 @@ fn report(scene: &Scene) -> Vec<Fields> {
             number("id", object.id.into()),
         ];
         for (name, _, value) in object.properties() {
-            let entry = match (value.as_number(), value) {
-                (Some(value), _) => Entry::Number(value),
-                (None, AnyValue::Flag(on)) => Entry::Flag(on),
-                (None, value) => Entry::Text(value.to_string()),
-            };
-            fields.push((name.to_owned(), entry));
+            fields.push((name.to_owned(), value.into()));
         }
         fields
     };

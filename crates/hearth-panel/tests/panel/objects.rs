@@ -1,7 +1,7 @@
 //! The objects: the list, the buttons, the rows of the selected one, and the search.
 
 use egui::{Event, Key};
-use hearth_core::params::{Kind as ValueKind, Model, Value};
+use hearth_core::params::{Kind as ValueKind, Model};
 use hearth_core::scene::Kind;
 use hearth_panel::state::fire::Entry;
 use hearth_panel::state::objects::has_row;
@@ -178,24 +178,25 @@ fn dragging_changes_every_slider_and_reset_restores_it() {
                 }
                 harness.reveal(row.id);
                 let rail = harness.rect(row.id);
-                let before = harness.panel.state.fire.value(row);
+                let value = |harness: &Harness| Entry::from(harness.panel.state.fire.value(row));
+                let before = value(&harness);
                 harness.drag(rail.center(), rail.right_center());
-                let now = harness.panel.state.fire.value(row);
+                let now = value(&harness);
                 assert_ne!(now, before, "{}", row.id);
                 let (_, max) = harness.panel.state.fire.slider_range(row);
-                assert_eq!(now.as_number(), Some(max), "{}", row.id);
+                assert_eq!(now, Entry::Number(max), "{}", row.id);
                 let last = harness.panel.take_commands().pop();
-                assert_eq!(last, Some(Command::Change(row, now)));
+                assert_eq!(last, Some(Command::Set(row, now)));
                 assert!(harness.panel.state.fire.is_changed());
                 harness.reveal(row.id);
                 harness.click(&format!("action:restore:{}", row.id));
                 let commands = harness.panel.take_commands();
-                assert_eq!(commands, [Command::RestoreProperty(row)]);
-                let default = harness.panel.state.fire.default_of(row);
+                assert_eq!(commands, [Command::Restore(row)]);
+                let default = Entry::from(harness.panel.state.fire.default_of(row));
                 assert_eq!(default, before, "{}", row.id);
-                let input = Entry::Number(default.as_number().unwrap_or_default());
-                let set = harness.panel.state.fire.set(row, input.input());
-                assert_eq!(set, Ok(before));
+                let set = harness.panel.state.fire.set(row, default.input());
+                assert_eq!(set, Ok(()));
+                assert_eq!(value(&harness), before);
                 assert!(!harness.panel.state.fire.is_changed());
             }
         }
@@ -234,7 +235,7 @@ fn what_is_typed_counts_when_another_object_is_selected() {
     harness.frame(vec![Event::Text("0.7".to_owned())]);
     harness.click("object:4");
     let commands = harness.panel.take_commands();
-    let set = Command::Change(*width, Value::Number(0.7));
+    let set = Command::Set(*width, Entry::Number(0.7));
     assert!(commands.contains(&set), "{commands:?}");
     assert!(commands.contains(&Command::Select(Some(4))));
     assert!(harness.panel.state.open.field.is_none());

@@ -18,16 +18,15 @@
  */
 
 import { element, iconButton } from '../element/controls/icon-button.js';
-import { isBody, nameOf } from '../panel/objects.js';
+import { entriesOf, isBody, nameOf } from '../panel/objects.js';
 import { SPEAKER } from '../sound/speaker.js';
 import { ALIGNMENTS, ARROWS, ICONS, TOOLS } from './table.js';
 
-/** Materials of new solids. */
-const MATERIALS = ['stone', 'wood', 'iron', 'brick', 'coal', 'wax', 'glass', 'none'];
-
-/** The options of a list of materials; `first` is chosen. */
-export const materialOptions = (first = MATERIALS[0]) =>
-  MATERIALS.map((name) => new Option(name === 'none' ? 'invisible' : name, name, false, name === first));
+/** The options of a list of materials, of which one is chosen. @param {string} [chosen] */
+export const materialOptions = (chosen) =>
+  (entriesOf('solid').find(({ name }) => name === 'material')?.choices ?? []).map(
+    (name) => new Option(name === 'none' ? 'invisible' : name, name, false, name === chosen),
+  );
 
 /** The bar of one toolbar. */
 export class Bar {

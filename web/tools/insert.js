@@ -96,7 +96,7 @@ export class Inserts {
         style,
       );
     };
-    this.close = wordForm(this.#host, seen.width, add, () => (this.close = () => {}));
+    this.close = wordForm(this.#host, seen.width, this.#edits.material, add, () => (this.close = () => {}));
   }
 
   /**
@@ -138,12 +138,13 @@ export class Inserts {
  * Asks for a word.
  * @param {HTMLElement} host  Gets the form.
  * @param {number} across  The width that is seen [m].
+ * @param {string} chosen  The material at first.
  * @param {(fields: Fields, style: import('./edits.js').NewSolidStyle) => void} add  Adds the solid, which has no
  *   position yet.
  * @param {() => void} closed
  * @returns {() => void} closes the form
  */
-function wordForm(host, across, add, closed) {
+function wordForm(host, across, chosen, add, closed) {
   const form = document.createElement('form');
   form.className = 'hearth-text';
   form.setAttribute('aria-label', 'A word as a solid');
@@ -154,7 +155,7 @@ function wordForm(host, across, add, closed) {
   list.append(...FAMILIES.map((name) => Object.assign(document.createElement('option'), { value: name })));
   family.input.setAttribute('list', list.id);
   const material = document.createElement('select');
-  material.append(...materialOptions('wood'));
+  material.append(...materialOptions(chosen));
   const burns = Object.assign(document.createElement('input'), { type: 'checkbox', checked: true });
   const [made, lit] = [document.createElement('label'), document.createElement('label')];
   made.append('Material', material);

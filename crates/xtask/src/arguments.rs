@@ -1,6 +1,7 @@
 //! The command line of `cargo xtask` and of `cargo measure`, around what xflags reads.
 
 use std::ffi::OsString;
+use std::io::Write;
 use std::process::ExitCode;
 
 use anyhow::Result;
@@ -29,7 +30,11 @@ pub fn outcome<C>(
 ) -> ExitCode {
     let result = match parsed {
         Ok(command) => run(command).map_err(|error| format!("{error:#}")),
-        Err(error) if error.is_help() => error.exit(),
+        Err(error) if error.is_help() => {
+            // A program that reads the first lines closes the pipe.
+            let _ = writeln!(std::io::stdout(), "{error}");
+            return ExitCode::SUCCESS;
+        }
         Err(error) => Err(format!(
             "{error}; `{program} help` lists all commands and options"
         )),

@@ -7,8 +7,8 @@
  * A script that only one other needs goes into that one: fewer files to fetch, and
  * they compress better together. What the package exports, a page or a worker begins
  * with, or is only loaded on request stays a file, and so do what several need and
- * what tests its own name. Properties keep their names, and licences
- * stay.
+ * what tests its own name. A style sheet that others import goes into each.
+ * Properties keep their names, and licences stay.
  */
 import { readFile, readdir, rm, rmdir } from 'node:fs/promises';
 import path from 'node:path';
@@ -19,14 +19,17 @@ const folder = path.resolve(process.argv[2] ?? '');
 const manifest = JSON.parse(await readFile(path.join(folder, 'package.json'), 'utf8'));
 const all = await filesOf('');
 const scripts = all.filter((file) => file.endsWith('.js'));
+const sheets = all.filter((file) => file.endsWith('.css'));
 
 const COMMON = /** @type {const} */ ({ absWorkingDir: folder, format: 'esm', bundle: true, logLevel: 'warning' });
 
 /** Into which file each script goes. */
 const owners = await ownersOf();
+/** The style sheets that others import, which go into each of them. */
+const shared = new Set((await Promise.all(sheets.map(importsOf))).flat());
 await build({
   ...COMMON,
-  entryPoints: all.filter((file) => owners.get(file) === file || file.endsWith('.css')),
+  entryPoints: [...scripts.filter((file) => owners.get(file) === file), ...sheets.filter((file) => !shared.has(file))],
   outdir: folder,
   outbase: folder,
   allowOverwrite: true,
@@ -44,10 +47,10 @@ await build({
     },
   ],
 });
-const merged = [...owners].filter(([file, owner]) => owner !== file);
-await Promise.all(merged.map(([file]) => rm(path.join(folder, file))));
+const merged = [...scripts.filter((file) => owners.get(file) !== file), ...shared];
+await Promise.all(merged.map((file) => rm(path.join(folder, file))));
 // A folder whose scripts all went into others is empty.
-for (const below of new Set(merged.map(([file]) => path.dirname(file))))
+for (const below of new Set(merged.map((file) => path.dirname(file))))
   await rmdir(path.join(folder, below)).catch(() => {});
 
 /**
@@ -55,7 +58,7 @@ for (const below of new Set(merged.map(([file]) => path.dirname(file))))
  * @param {import('esbuild').OnResolveArgs} asked
  */
 function resolved({ path: name, kind, importer, resolveDir }) {
-  if (kind === 'entry-point') return undefined;
+  if (kind === 'entry-point' || kind === 'import-rule') return undefined;
   const [from, to] = [importer, path.join(resolveDir, name)].map((file) => posix(path.relative(folder, file)));
   if (owners.get(from) === owners.get(to) && owners.has(to)) return undefined;
   return { path: /^\.\.?\//.test(name) ? relative(owners.get(from) ?? from, to) : name, external: true };
@@ -85,6 +88,12 @@ async function withSmallSheets(script) {
       : JSON.stringify((await transform(part, { loader: 'css', minify: true, target: 'es2022' })).code.trim()),
   );
   return (await Promise.all(small)).join('');
+}
+
+/** The style sheets that a sheet imports. @param {string} sheet @returns {Promise<string[]>} */
+async function importsOf(sheet) {
+  const text = await readFile(path.join(folder, sheet), 'utf8');
+  return [...text.matchAll(/@import '(.+?)'/g)].map(([, name]) => path.posix.join(path.posix.dirname(sheet), name));
 }
 
 /** How a script of `from`'s folder names `to`. @param {string} from @param {string} to */

@@ -7,6 +7,28 @@ export const MAX_OBJECTS = 64;
 /** The kinds of bodies, which gas flows around. */
 export const BODIES = ["solid"];
 
+/** Each property of a source, and the parameter that it is of the first one. */
+export const SOURCE = {
+  enabled: 'source_enabled',
+  shape: 'source_shape',
+  solid: 'source_solid',
+  x: 'source_x',
+  y: 'source_height',
+  angle: 'source_angle',
+  width: 'source_width',
+  power: 'fuel_power',
+  rate: 'emission_rate',
+  speed: 'emission_speed',
+  spread: 'emission_spread',
+  noise: 'emission_noise',
+  temperature: 'source_temperature',
+  oxygen: 'source_oxygen',
+  birth_temperature: 'maximum_temperature',
+  life_min: 'lifetime_min',
+  life_max: 'lifetime_max',
+  taper: 'taper',
+};
+
 /** The properties of each kind that are no parameters, in the order of a panel.
  * @type {{[kind: string]: ({id: string, label: string, unit: string, doc: string, kind: string} & {[field: string]: any})[]}} */
 export const KINDS = {

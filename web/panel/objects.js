@@ -3,8 +3,7 @@
  * the position of a new one.
  */
 
-import { SOURCE } from '../generated/objects.js';
-import { BODIES, KINDS as OWN, MAX_OBJECTS } from '../generated/scene-objects.js';
+import { BODIES, KINDS as OWN, MAX_OBJECTS, SOURCE } from '../generated/scene-objects.js';
 import { PARAMETERS } from '../generated/table.js';
 
 /**

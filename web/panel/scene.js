@@ -3,8 +3,7 @@
  */
 
 import { entriesOf, isSame } from './objects.js';
-import { OBJECTS } from '../generated/scene-objects.js';
-import { SOURCE } from '../generated/objects.js';
+import { OBJECTS, SOURCE } from '../generated/scene-objects.js';
 import { PARAMETERS, PRESETS } from '../generated/table.js';
 
 /**

@@ -129,16 +129,6 @@ pub(super) fn prewarmed() -> String {
         + &constant(doc, "PREWARMED", OBJECT, entries)
 }
 
-/// The module of the parameters that are properties of the first source: apart, since only
-/// the panel needs it.
-pub(super) fn objects() -> String {
-    let doc = "Each property of a source, and the parameter that it is of the first one.";
-    let properties = scene::Kind::SOURCE.properties();
-    let properties = properties.filter(|property| !property.is_common());
-    let entries = properties.map(|property| format!("{}: '{}'", property.name, property.id));
-    HEADER.to_owned() + &constant(doc, "SOURCE", OBJECT, entries)
-}
-
 /// The module of the properties of objects: apart, since only children of the element need it.
 pub(super) fn properties() -> String {
     let doc = "@type {{[kind: string]: {[name: string]: Property}}}";
@@ -206,6 +196,11 @@ pub(super) fn scene_objects(scenes: &[Scene]) -> String {
         format!("{}: [\n{}  ]", kind.name, entries.collect::<String>())
     });
     let kinds = constant(doc, "KINDS", OBJECT, kinds);
+    let properties = scene::Kind::SOURCE.properties();
+    let properties = properties.filter(|property| !property.is_common());
+    let doc = "Each property of a source, and the parameter that it is of the first one.";
+    let entries = properties.map(|property| format!("{}: '{}'", property.name, property.id));
+    let source = constant(doc, "SOURCE", OBJECT, entries);
     let bodies = KINDS.iter().filter(|kind| kind.is_body);
     let bodies: Vec<_> = bodies.map(|kind| kind.name).collect();
     let doc = "The fields of the objects of each preset besides its source.\n \
@@ -224,7 +219,7 @@ pub(super) fn scene_objects(scenes: &[Scene]) -> String {
          export const MAX_OBJECTS = {MAX_OBJECTS};\n\n\
          /** The kinds of bodies, which gas flows around. */\n\
          export const BODIES = {};\n\
-         {kinds}{objects}",
+         {source}{kinds}{objects}",
         json!(bodies)
     )
 }

@@ -56,7 +56,6 @@ fn generate(checkout: &Path) -> Result<Vec<Generated>> {
             "web/generated/interpolation.js",
             javascript::interpolation(),
         ),
-        ("web/generated/objects.js", javascript::objects()),
         ("web/generated/properties.js", javascript::properties()),
         (
             "web/generated/scene-objects.js",

@@ -129,16 +129,6 @@ describe('under pointer and keys', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('a finger drags a slider and the page does not scroll', async () => {
-    const { tab, panel } = await openFire(360, 640, { width: 360, height: 640, touch: true });
-    const rectangle = await panel.reveal('buoyancy');
-    const scrolled = await tab.evaluate(() => window.scrollY);
-    await tab.touchDrag(along(rectangle, 0.2), along(rectangle, 0.8));
-    const near = (value) => Math.abs(fractionOf(entry.buoyancy, value) - 0.8) < 0.08;
-    await panel.value('buoyancy', 'where the finger let go', near);
-    assert.equal(await tab.evaluate(() => window.scrollY), scrolled);
-  });
-
   test('the wheel scrolls the panel over the panel, and the page elsewhere', async () => {
     const { tab, panel } = await openFire(400, 500);
     const { x, y } = await tab.rectangle('hearth-fire');

@@ -138,19 +138,6 @@ test('a fire that is destroyed while it reconnects is destroyed with its predece
   assert.deepEqual(tab.problems, []);
 });
 
-test('a fire that is moved in the document burns on', async () => {
-  const tab = await browser.show(`${FIRE}<section></section>`);
-  await tab.burnt(0.5);
-  await tab.fire((fire) => {
-    for (const parent of ['section', 'body', 'section']) {
-      document.querySelector(parent)?.append(fire);
-    }
-  });
-  await tab.burnt(1.5);
-  await assertBurns(tab);
-  assert.deepEqual(tab.problems, []);
-});
-
 test('the drawing follows the size of the element', async () => {
   const tab = await browser.open(FIRE, { ratio: 2 });
   await tab.burnt(0.2);

@@ -148,52 +148,6 @@ test('objects go with settings, and come back when the element does', async () =
   assert.deepEqual(await places(tab), { 1: -0.3 });
 });
 
-test('names and objects that are off go with settings and addresses', async () => {
-  const objects = [
-    { kind: 'source', name: 'Wick', enabled: false },
-    { kind: 'source', x: 0.3, name: 'Über, "quoted"' },
-    { kind: 'solid', name: 'Back log', enabled: false },
-  ];
-  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
-  await tab.ready();
-  await tab.fire((fire, objects) => fire.set({ objects }), objects);
-  const config = await tab.fire((fire) => fire.exportConfig());
-  assert.deepEqual(config.objects, objects);
-  await destroyedAndBack(tab);
-  assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), config);
-  const page = await browser.open(`index.html?scene=default&objects=${encodeURIComponent(JSON.stringify(objects))}`);
-  await page.ready();
-  assert.deepEqual((await page.fire((fire) => fire.exportConfig())).objects, objects);
-  assert.equal(await page.fire((fire) => fire.params.source_enabled), false);
-  const error = await refusal(page, (fire, name) => fire.changeObject(1, { name }), 'a'.repeat(65));
-  assert.match(error.message, /name = "a+…" is refused: it must be a line of at most 64 characters/);
-});
-
-test('attributes of a child set its name and switch it off', async () => {
-  const tab = await browser.show(`<hearth-fire paused>
-    <hearth-source name="Wick" enabled="false"></hearth-source><hearth-solid name="Wax"></hearth-solid>
-  </hearth-fire>`);
-  await tab.ready();
-  const listed = (/** @type {string} */ wanted) =>
-    tab.until(
-      `the objects are ${wanted}`,
-      (wanted) => {
-        const { objects } = document.querySelector('hearth-fire');
-        return objects.map(({ name, enabled }) => `${name} ${enabled}`).join() === wanted;
-      },
-      wanted,
-    );
-  await listed('Wick false,Wax true');
-  await tab.fire((fire) => fire.lastElementChild.setAttribute('enabled', 'false'));
-  await listed('Wick false,Wax false');
-  await tab.fire((fire) => {
-    fire.lastElementChild.removeAttribute('enabled');
-    fire.lastElementChild.removeAttribute('name');
-  });
-  await listed('Wick false, true');
-  assert.deepEqual(tab.problems, []);
-});
-
 test('every source is seen to burn', async () => {
   const objects = [
     { kind: 'source', x: -0.35, width: 0.15 },

@@ -43,22 +43,6 @@ function refusal(tab, config) {
   }, config);
 }
 
-test('the export of a fire holds its changes alone', async () => {
-  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
-  await tab.ready();
-  assert.deepEqual((await state(tab)).config, { hearth: 2, values: {} });
-  await tab.fire((fire) => fire.set({ detail: 0.5, background: '#102030' }));
-  const { config } = await state(tab);
-  assert.deepEqual(config, { hearth: 2, values: { detail: 0.5, background: '#102030' } });
-  await tab.fire((fire) => fire.set({ model: 'classic', viscosity: 0.02 }));
-  assert.deepEqual((await state(tab)).config.values, {
-    model: 'classic',
-    viscosity: 0.02,
-    detail: 0.5,
-    background: '#102030',
-  });
-});
-
 test('one fire imports the export of another, as data or as text', async () => {
   const tab = await browser.show(
     '<hearth-fire paused preset="seed" viscosity="0.02" seed="7"></hearth-fire><hearth-fire paused exposure="2"></hearth-fire>',
@@ -123,53 +107,6 @@ test('settings that are wrong anywhere are refused whole, by name', async () => 
   assert.ok(errors.every(({ kind, id, message }) => kind === 'bad-parameter' && id !== undefined && message));
   const uncaught = tab.problems.filter((problem) => problem.startsWith('uncaught'));
   assert.deepEqual(uncaught, []);
-});
-
-test('values that throw when they are read are refused, and no others', async () => {
-  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
-  await tab.ready();
-  const outcome = await tab.fire(async (fire) => {
-    const thrower = {
-      get exposure() {
-        throw new Error('no');
-      },
-    };
-    const proxy = new Proxy(
-      {},
-      {
-        ownKeys() {
-          throw new Error('no');
-        },
-      },
-    );
-    const given = [
-      () => fire.set(thrower),
-      () => fire.set(proxy),
-      () => fire.set({ exposure: Object.create(null) }),
-      () => fire.set({ exposure: Symbol('x') }),
-      () => fire.set({ exposure: 1n }),
-      () => fire.set(Symbol('x'), 1),
-      () => fire.set(Object.create(null)),
-      () => fire.importConfig({ values: thrower }),
-      () => fire.restore(Object.create(null)),
-      () => fire.step({}),
-    ];
-    const names = [];
-    for (const give of given)
-      names.push(
-        await give().then(
-          () => 'taken',
-          (error) => error.name,
-        ),
-      );
-    return { names, params: fire.params };
-  });
-  // An empty object sets nothing, which is no error.
-  assert.deepEqual(
-    outcome.names,
-    outcome.names.map((_, at) => (at === 6 ? 'taken' : 'RangeError')),
-  );
-  assert.deepEqual(outcome.params, DEFAULTS);
 });
 
 test('a fire starts from a settings file, and attributes override it', async () => {
@@ -250,51 +187,4 @@ test('a fire that is removed while its file loads starts from it when it is inse
   assert.deepEqual(params[0], { ...defaultsOf('classic'), viscosity: 0.02 });
   assert.equal(params[1].bloom, 0.5);
   assert.equal(params[1].model, DEFAULTS.model);
-});
-
-test('without a spacing, a number of particles states the resolution of open air', async () => {
-  const tab = await browser.show('<hearth-fire seam="0.03" domain-width="2.4" particles="5000" paused></hearth-fire>');
-  await tab.ready();
-  const opened = await state(tab);
-  const spacing = Math.sqrt((2.4 * 1.8) / 5000);
-  assert.ok(Math.abs(opened.params.spacing / spacing - 1) < 0.002, `${opened.params.spacing}`);
-  assert.deepEqual(opened.config.values, { domain_width: 2.4, seam: 0.03, particles: 5000 });
-  // The later of a number and a spacing is the resolution, and a cap leaves it.
-  const attributes = [
-    ['particles', '3200', Math.sqrt((2.4 * 1.8) / 3200)],
-    ['spacing', '0.05', 0.05],
-    ['max-particles', '900', 0.05],
-    ['particles', '900', Math.sqrt((2.4 * 1.8) / 900)],
-  ];
-  for (const [name, value, expected] of attributes) {
-    const { params } = await tab.fire(
-      async (fire, name, value) => {
-        fire.setAttribute(name, value);
-        await fire.exportConfig();
-        return { params: fire.params };
-      },
-      name,
-      value,
-    );
-    assert.ok(Math.abs(params.spacing / expected - 1) < 0.002, `${name}="${value}": ${params.spacing}`);
-  }
-});
-
-test('a fire that follows a stopped one keeps whether its spacing is set', async () => {
-  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
-  await tab.ready();
-  for (const [spacing, stated] of [
-    [undefined, {}],
-    [0.03, { spacing: 0.03 }],
-  ]) {
-    const values = await tab.fire(async (fire, spacing) => {
-      if (spacing !== undefined) await fire.set({ spacing });
-      const parent = fire.parentNode;
-      fire.remove();
-      parent.append(fire);
-      await fire.ready;
-      return (await fire.exportConfig()).values;
-    }, spacing);
-    assert.deepEqual(values, stated);
-  }
 });

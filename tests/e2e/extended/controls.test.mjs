@@ -10,7 +10,7 @@ import { assertBurns } from '../assertions.mjs';
 import { Panel, along, entriesOf, fractionOf, sharedPage } from '../panel.mjs';
 import { table } from '../site.mjs';
 
-const { PARAMETERS, PRESETS, DEFAULTS: PAGE, defaultsOf } = await table();
+const { PARAMETERS, defaultsOf } = await table();
 const DEFAULTS = defaultsOf('classic');
 const entry = entriesOf(PARAMETERS, 'classic');
 
@@ -34,44 +34,6 @@ async function openPage(model = 'classic', draws = false) {
 }
 
 const stat = (tab, name) => tab.fire((fire, wanted) => fire.stats[wanted], name);
-
-test('a number slider sets the value at which the mouse is released', async () => {
-  const { tab, panel } = await openPage();
-  await panel.dragSlider('buoyancy', 0.2, 0.8);
-  const near = (value) => Math.abs(fractionOf(entry.buoyancy, value) - 0.8) < AIM;
-  await panel.value('buoyancy', 'about 0.8', near);
-  assert.deepEqual(tab.problems, []);
-});
-
-test('a log slider spreads by ratios, and less emission means fewer particles', async () => {
-  const { tab, panel } = await openPage();
-  await tab.fire((fire) => fire.play());
-  const many = await stat(tab, 'particles');
-  await panel.dragSlider('emission_rate', 0.6, 0.1);
-  const near = (value) => Math.abs(fractionOf(entry.emission_rate, value) - 0.1) < AIM;
-  await panel.value('emission_rate', 'a tenth along', near);
-  await tab.until(
-    `less than half of ${many} particles`,
-    (most) => /** @type {any} */ (document.querySelector('hearth-fire')).stats.particles < most,
-    many / 2,
-  );
-});
-
-test('an integer slider sets whole numbers, and the cap holds', async () => {
-  const { tab, panel } = await openPage();
-  await tab.fire((fire) => fire.play());
-  await panel.dragSlider('max_particles', 0.5, 0.1);
-  const cap = await panel.value(
-    'max_particles',
-    'a whole number a tenth along',
-    (value) => Number.isInteger(value) && Math.abs(fractionOf(entry.max_particles, value) - 0.1) < AIM,
-  );
-  await tab.until(
-    `no more than ${cap} particles`,
-    (most) => /** @type {any} */ (document.querySelector('hearth-fire')).stats.particles <= most,
-    cap,
-  );
-});
 
 test('each of many choices is selected from a list, by mouse and keys', async () => {
   const { tab, panel } = await openPage();
@@ -110,19 +72,6 @@ test('a seed is typed over the number, and the fire restarts from it', async () 
   );
 });
 
-test('the restart button restarts the fire with the same values', async () => {
-  const { tab, panel } = await openPage();
-  await tab.fire((fire) => fire.set('buoyancy', 0.5));
-  const before = await stat(tab, 'time');
-  await panel.press('reset');
-  await tab.until(
-    'the fire has restarted',
-    (time) => /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < time,
-    before,
-  );
-  assert.equal(await tab.fire((fire) => fire.params.buoyancy), 0.5);
-});
-
 test('one value, and then all values, return to their defaults', async () => {
   const { tab, panel } = await openPage();
   const changes = { buoyancy: 0.5, viscosity: 0.02, walls: 'solid', printed_euler: true };
@@ -136,51 +85,6 @@ test('one value, and then all values, return to their defaults', async () => {
   }
 });
 
-test('a scene brings its values', async () => {
-  const { panel } = await openPage();
-  for (const name of ['seed', 'default', 'classic']) {
-    await panel.scene(name);
-    const { values } = PRESETS.find((preset) => preset.name === name);
-    const expected = { ...defaultsOf(values.model ?? PAGE.model), ...values };
-    for (const [id, value] of Object.entries(expected)) {
-      await panel.value(id, value, (now) => now === value);
-    }
-  }
-});
-
-test('each model has its own controls, and its values return with it', async () => {
-  const { tab, panel } = await openPage();
-  const there = entriesOf(PARAMETERS, 'combustion');
-  const changes = { buoyancy: 0.5, max_particles: 400, viscosity: 0.02, bloom: 0.5 };
-  await tab.fire((fire, values) => fire.set(values), changes);
-
-  await panel.choose('model', 'combustion');
-  await panel.value('model', 'combustion', (value) => value === 'combustion');
-  // What both models share came along; what each has of its own did not.
-  await panel.value('bloom', 'kept', (value) => value === changes.bloom);
-  for (const id of ['buoyancy', 'max_particles']) {
-    await panel.value(id, 'its default', (value) => value === there[id].default);
-  }
-  const used = Object.values(there)
-    .filter((entry) => entry.used)
-    .map(({ id }) => id);
-  assert.deepEqual(await panel.controls(), used);
-  await panel.reveal('fuel_power');
-  await panel.dragSlider('buoyancy', 0.5, 0.8);
-  const near = (value) => Math.abs(fractionOf(there.buoyancy, value) - 0.8) < AIM;
-  const burning = await panel.value('buoyancy', 'about 0.8 of this model’s range', near);
-
-  await panel.choose('model', 'classic');
-  for (const [id, expected] of Object.entries(changes)) {
-    await panel.value(id, expected, (value) => value === expected);
-  }
-  assert.ok(!(await panel.controls()).includes('fuel_power'));
-  await panel.reveal('viscosity');
-  await panel.choose('model', 'combustion');
-  await panel.value('buoyancy', burning, (value) => value === burning);
-  assert.deepEqual(tab.problems, []);
-});
-
 test('reset all resets the active model and leaves the other one unchanged', async () => {
   const { tab, panel } = await openPage();
   await tab.fire((fire) => fire.set({ viscosity: 0.02, wind: 1.5 }));
@@ -188,19 +92,6 @@ test('reset all resets the active model and leaves the other one unchanged', asy
   await panel.value('viscosity', 'the default', (value) => value === DEFAULTS.viscosity);
   const { model, wind } = await tab.fire((fire) => fire.params);
   assert.deepEqual({ model, wind }, { model: 'classic', wind: 1.5 });
-});
-
-test('with open edges the spacing has a slider', async () => {
-  const { tab, panel } = await openPage('combustion');
-  await tab.fire((fire) => fire.set('edges', 'open'));
-  const { spacing } = entriesOf(PARAMETERS, 'combustion', 'open');
-  const before = await tab.fire((fire) => fire.params);
-  await panel.dragSlider('spacing', fractionOf(spacing, before.spacing), 0.8);
-  const near = (value) => Math.abs(fractionOf(spacing, value) - 0.8) < AIM;
-  const value = await panel.value('spacing', 'at 0.8 of its slider', near);
-  const now = await tab.fire((fire) => fire.params);
-  assert.deepEqual(now, { ...before, spacing: value, particles: now.particles });
-  assert.deepEqual(tab.problems, []);
 });
 
 for (const model of ['combustion', 'classic']) {

@@ -17,27 +17,6 @@ before(async () => {
 });
 after(() => browser?.close());
 
-/** What `fire.set(…)` does: the values after it, and why it was refused. */
-function set(tab, ...args) {
-  return tab.fire(
-    async (fire, ...given) => {
-      const error = await fire.set(...given).then(
-        () => null,
-        (/** @type {any} */ reason) => ({
-          name: reason.name,
-          message: reason.message,
-          id: reason.id,
-          value: reason.value,
-          min: reason.min,
-          max: reason.max,
-        }),
-      );
-      return { error, params: fire.params };
-    },
-    ...args,
-  );
-}
-
 test('an attribute out of range is rejected with an error event, and the fire burns with the default', async () => {
   const tab = await browser.show(recording('<hearth-fire viscosity="99"></hearth-fire>'));
   await tab.ready();
@@ -66,6 +45,7 @@ const BAD = /** @type {[string, string, RegExp][]} */ ([
   ['seed', '-1', /-1/],
   ['preset', 'volcano', /volcano/],
   ['model', 'volcano', /volcano.*classic, combustion/],
+  ['quality', 'LOW', /quality.*"LOW".*auto, low, medium, high/],
 ]);
 
 test('each invalid attribute is rejected with an error event and a warning, and its fire has the defaults', async () => {
@@ -92,58 +72,6 @@ test('each invalid attribute is rejected with an error event and a warning, and 
   }
 });
 
-test('a bad value leaves the last good one in place', async () => {
-  const tab = await browser.show(recording('<hearth-fire viscosity="0.02"></hearth-fire>'));
-  await tab.ready();
-  await tab.fire((fire) => fire.setAttribute('viscosity', 'much'));
-  await tab.until('the refusal', () => /** @type {any} */ (window).events.at(-1)?.type === 'error');
-  assert.equal(await tab.fire((fire) => fire.params.viscosity), 0.02);
-});
-
-test('a set of values is taken as a whole or not at all', async () => {
-  const tab = await browser.show('<hearth-fire></hearth-fire>');
-  await tab.ready();
-  const good = await set(tab, { viscosity: 0.02, buoyancy: 0.5 });
-  assert.equal(good.error, null);
-  assert.deepEqual([good.params.viscosity, good.params.buoyancy], [0.02, 0.5]);
-  const bad = await set(tab, { viscosity: 0.03, buoyancy: 9 });
-  assert.deepEqual(
-    [bad.error.name, bad.error.id, Number(bad.error.value), bad.error.min, bad.error.max],
-    ['RangeError', 'buoyancy', 9, entry.buoyancy.min, entry.buoyancy.max],
-  );
-  assert.deepEqual([bad.params.viscosity, bad.params.buoyancy], [0.02, 0.5]);
-});
-
-test('an unknown name is answered with the nearest known one', async () => {
-  const tab = await browser.show('<hearth-fire></hearth-fire>');
-  await tab.ready();
-  const { error } = await set(tab, 'viscosty', 0.02);
-  assert.match(error.message, /viscosty.*viscosity/);
-});
-
-test('no kind of nonsense is taken for a number', async () => {
-  const tab = await browser.show('<hearth-fire></hearth-fire>');
-  await tab.ready();
-  const nonsense = [{}, [], '', ' ', true, 'x'.repeat(100_000), '0.02m'];
-  for (const value of nonsense) {
-    const { error, params } = await set(tab, 'viscosity', value);
-    assert.ok(error, `${JSON.stringify(value)?.slice(0, 40)} was taken`);
-    assert.ok(error.message.length < 500, 'a hostile value floods no console');
-    assert.equal(params.viscosity, DEFAULTS.viscosity);
-  }
-  const unwritable = await tab.fire(async (fire) => {
-    const refused = [];
-    for (const value of [NaN, Infinity, Symbol('fire'), () => 1, 10n]) {
-      await fire.set('viscosity', value).catch(() => refused.push(typeof value));
-    }
-    return { refused, viscosity: fire.params.viscosity };
-  });
-  assert.deepEqual(unwritable, {
-    refused: ['number', 'number', 'symbol', 'function', 'bigint'],
-    viscosity: DEFAULTS.viscosity,
-  });
-});
-
 test('a rejection without a handler is no uncaught exception', async () => {
   const tab = await browser.show(recording('<hearth-fire></hearth-fire>'));
   await tab.ready();
@@ -160,106 +88,6 @@ test('a rejection without a handler is no uncaught exception', async () => {
     tab.problems.filter((problem) => problem.startsWith('uncaught')),
     [],
   );
-});
-
-const POSTER =
-  '<img slot="poster" id="poster" alt="A fire" src="data:image/svg+xml,' +
-  '%3Csvg xmlns=%22http://www.w3.org/2000/svg%22 width=%2240%22 height=%2240%22/%3E">';
-
-for (const [missing, word, before] of [
-  [
-    'WebGL2',
-    /WebGL ?2/i,
-    () => {
-      // In a worker there is no canvas of the page.
-      for (const type of [globalThis.HTMLCanvasElement, OffscreenCanvas]) {
-        if (!type) continue;
-        const original = /** @type {any} */ (type.prototype.getContext);
-        /** @type {any} */ (type.prototype).getContext = function getContext(kind, ...rest) {
-          return kind === 'webgl2' ? null : original.call(this, kind, ...rest);
-        };
-      }
-    },
-  ],
-  [
-    'wasm SIMD',
-    /SIMD/i,
-    () => {
-      WebAssembly.validate = () => false;
-    },
-  ],
-]) {
-  test(`a browser without ${missing} shows a message and the poster`, async () => {
-    const body = recording(`<hearth-fire>${POSTER}</hearth-fire>`);
-    const tab = await browser.open(body, { before, beforeWorker: before });
-    await tab.until('an error event', () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'));
-    const [{ kind, message }] = await events(tab, 'error');
-    assert.equal(kind, 'unsupported');
-    assert.match(message, /** @type {RegExp} */ (word));
-    await tab.frames();
-    const shown = await tab.fire((fire) => fire.shadowRoot.textContent);
-    assert.match(shown, /** @type {RegExp} */ (word), 'words stand in the element');
-    const poster = await tab.rectangle('#poster');
-    assert.ok(poster.width > 0 && poster.height > 0, 'the poster is shown');
-    assert.deepEqual(
-      tab.problems.filter((problem) => problem.startsWith('uncaught')),
-      [],
-    );
-  });
-
-  if (missing !== 'WebGL2') continue;
-  test(`the page reports that ${missing} is missing`, async () => {
-    const tab = await browser.open('index.html', { before, beforeWorker: before });
-    await tab.until(
-      `words about ${missing}`,
-      (source) => {
-        const fire = document.querySelector('hearth-fire');
-        const text = document.body.innerText + (fire?.shadowRoot?.textContent ?? '');
-        return new RegExp(source, 'i').test(text);
-      },
-      /** @type {RegExp} */ (word).source,
-    );
-    assert.deepEqual(
-      tab.problems.filter((problem) => problem.startsWith('uncaught')),
-      [],
-    );
-  });
-}
-
-test('an engine that cannot be loaded shows a message and the poster', async () => {
-  const body = recording(`<hearth-fire>${POSTER}</hearth-fire>`);
-  const tab = await browser.open(body, { without: 'hearth-engine_bg.wasm' });
-  await tab.until('an error event', () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'));
-  const [{ kind }] = await events(tab, 'error');
-  assert.equal(kind, 'load');
-  const shown = await tab.fire((fire) => fire.shadowRoot.textContent);
-  assert.match(shown, /could not be loaded/);
-  const poster = await tab.rectangle('#poster');
-  assert.ok(poster.width > 0 && poster.height > 0, 'the poster is shown');
-  assert.deepEqual(
-    tab.problems.filter((problem) => problem.startsWith('uncaught')),
-    [],
-  );
-});
-
-test('a fire without a context reports it once, and its removal reports nothing', async () => {
-  const blind = () => {
-    for (const type of [globalThis.HTMLCanvasElement, OffscreenCanvas]) {
-      if (type) type.prototype.getContext = () => null;
-    }
-  };
-  const tab = await browser.open(recording('<hearth-fire></hearth-fire>'), { before: blind, beforeWorker: blind });
-  await tab.until('an error event', () => /** @type {any} */ (window).events.length > 0);
-  await tab.fire(async (fire) => {
-    fire.remove();
-    for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
-  });
-  const errors = await events(tab, 'error');
-  assert.deepEqual(
-    errors.map(({ kind }) => kind),
-    ['unsupported'],
-  );
-  assert.equal(tab.problems.length, 1);
 });
 
 test('a panel that fails to load shows a message, and the fire burns without it', async () => {

@@ -1,7 +1,6 @@
 /**
- * The two models of a fire: a model is set with its values by attribute, property or URL
- * parameter, in any order; a switch keeps values; fires keep real time or report that they
- * are slowed.
+ * The two models of a fire: a model is set with its values by attribute or URL parameter, in any order; fires keep
+ * real time or report that they are slowed.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -25,11 +24,6 @@ const ONLY = {
   combustion: { source_width: 0.9, buoyancy: 1.5 },
 };
 
-/** Some of the fire's values. */
-function values(tab, ids) {
-  return tab.fire((fire, wanted) => Object.fromEntries(wanted.map((id) => [id, fire.params[id]])), ids);
-}
-
 for (const [model, only] of Object.entries(ONLY)) {
   const pairs = Object.entries({ ...only, model });
   const orders = [pairs, [...pairs].reverse()];
@@ -42,35 +36,6 @@ for (const [model, only] of Object.entries(ONLY)) {
       assert.deepEqual(await tab.fire((fire) => fire.params), { ...defaultsOf(model), ...only, model });
       assert.deepEqual(tab.problems, []);
     }
-  });
-
-  test(`${model} is set with its values in one call, in any order, or not at all`, async () => {
-    const [other] = Object.keys(ONLY).filter((name) => name !== model);
-    for (const order of orders) {
-      const tab = await browser.show(`<hearth-fire paused model="${other}"></hearth-fire>`);
-      await tab.ready();
-      const refused = await tab.fire(
-        (fire, all) => fire.set({ ...all, bloom: 99 }).catch((error) => error.id),
-        Object.fromEntries(order),
-      );
-      assert.equal(refused, 'bloom');
-      assert.deepEqual(await tab.fire((fire) => fire.params), defaultsOf(other));
-      await tab.fire((fire, all) => fire.set(all), Object.fromEntries(order));
-      assert.deepEqual(await tab.fire((fire) => fire.params), { ...defaultsOf(model), ...only, model });
-    }
-  });
-
-  test(`a value that ${model} does not accept is rejected together with the model`, async () => {
-    const [[other, alien]] = Object.entries(ONLY).filter(([name]) => name !== model);
-    const tab = await browser.show(recording(`<hearth-fire paused model="${other}"></hearth-fire>`));
-    await tab.ready();
-    const refused = await tab.fire((fire, all) => fire.set(all).catch((error) => error.errors.map(({ id }) => id)), {
-      ...alien,
-      model,
-    });
-    assert.deepEqual(refused.sort(), Object.keys(alien).sort());
-    assert.equal(await tab.fire((fire) => fire.model), other);
-    assert.equal((await events(tab, 'error')).length, refused.length);
   });
 }
 
@@ -85,16 +50,6 @@ test('the classic model in the address decides the ranges of values before it', 
     ...ONLY.classic,
     model: 'classic',
   });
-  assert.deepEqual(tab.problems, []);
-});
-
-test('a model overrides the preset’s, and values override both', async () => {
-  const tab = await browser.show(
-    '<hearth-fire paused source-width="0.9" preset="seed" model="combustion"></hearth-fire>',
-  );
-  await tab.ready();
-  const seen = await values(tab, ['model', 'source_width', 'walls']);
-  assert.deepEqual(seen, { model: 'combustion', source_width: 0.9, walls: 'solid' });
   assert.deepEqual(tab.problems, []);
 });
 
@@ -129,30 +84,6 @@ test('a change of the model reports every value that differs', async () => {
     );
     assert.deepEqual(Object.fromEntries(sent.map(({ id, value }) => [id, value])), Object.fromEntries(differing));
   }
-});
-
-test('a model that is restored has its previous values', async () => {
-  const tab = await browser.show('<hearth-fire paused model="classic" domain-height="1"></hearth-fire>');
-  await tab.ready();
-  const ids = ['domain_height', 'viscosity', 'fuel_power', 'exposure'];
-  await tab.fire((fire) => fire.set({ viscosity: 0.02, fuel_power: 100 }));
-  assert.deepEqual(Object.values(await values(tab, ids)), [1, 0.02, 100, 0]);
-  await tab.fire((fire) => fire.set({ model: 'combustion', domain_height: 2, exposure: 1 }));
-  assert.deepEqual(Object.values(await values(tab, ids)), [2, 0.02, 100, 1]);
-  // Off the page and back: nothing is lost on the way either.
-  await tab.fire(async (fire) => {
-    fire.remove();
-    for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
-    document.body.append(fire);
-    await fire.ready;
-  });
-  assert.deepEqual(Object.values(await values(tab, ids)), [2, 0.02, 100, 1]);
-  await tab.fire((fire) => fire.set('model', 'classic'));
-  assert.deepEqual(Object.values(await values(tab, ids)), [1, 0.02, 100, 1]);
-  await tab.fire((fire) => fire.restore());
-  await tab.fire((fire) => fire.set('model', 'classic'));
-  assert.deepEqual(await tab.fire((fire) => fire.params), defaultsOf('classic'));
-  assert.deepEqual(tab.problems, []);
 });
 
 test('a burning fire changes its model and burns on', async () => {

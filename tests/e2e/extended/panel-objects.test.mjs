@@ -48,7 +48,6 @@ async function scenePage(name) {
   return { tab, panel };
 }
 
-const scene = (panel) => panel.in((root) => root.querySelector('[data-action="scenes"]').textContent);
 const titled = (panel, text) =>
   panel.until(
     `the scene is called ${text}`,
@@ -275,18 +274,6 @@ test('a source on a solid goes with it, and undo restores both', async () => {
       ['source', 'solid'],
     ],
   );
-});
-
-test('the scene is changed when an object moves, and is not when it returns', async () => {
-  const { tab, panel } = await scenePage('campfire');
-  assert.equal(await scene(panel), 'Scene: Campfire');
-  await tab.fire((fire) => fire.changeObject(3, { x: 0.3 }));
-  await titled(panel, 'Campfire, changed');
-  await tab.fire((fire) => fire.changeObject(3, { x: 0.12 }));
-  await titled(panel, 'Campfire');
-  // The forge has a height that is no short decimal.
-  await tab.fire((fire) => fire.importConfig({ hearth: 2, preset: 'forge', values: {} }));
-  await titled(panel, 'Forge');
 });
 
 test('the list follows the page, and a removed object is not selected', async () => {

@@ -79,79 +79,8 @@ test('a burning fire changes its quality and burns on', async () => {
   assert.deepEqual(tab.problems, []);
 });
 
-test('a requested number of particles stays until the default is restored', async () => {
-  const tab = await browser.show('<hearth-fire quality="low" particles="2000"></hearth-fire>', small);
-  await tab.burnt(0.1);
-  await settles(tab, 'low', 2000);
-  await tab.fire((fire) => fire.removeAttribute('particles'));
-  await settles(tab, 'low');
-  await tab.fire((fire) => fire.set('particles', 1500));
-  await settles(tab, 'low', 1500);
-  await tab.fire((fire) => fire.restore('particles'));
-  await settles(tab, 'low');
-  // The default is a number like any other, also after a while off the page.
-  await tab.fire((fire) => fire.setAttribute('particles', '3000'));
-  await settles(tab, 'low', 3000);
-  await tab.fire(async (fire) => {
-    fire.remove();
-    for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
-    document.body.append(fire);
-    await fire.ready;
-  });
-  await settles(tab, 'low', 3000);
-  await tab.fire((fire) => fire.removeAttribute('particles'));
-  await settles(tab, 'low');
-  assert.deepEqual(tab.problems, []);
-});
-
 /** Sets the number of processor cores that a page reads, from which it chooses low or medium. */
-const twoCores = () => Object.defineProperty(navigator, 'hardwareConcurrency', { value: 2 });
 const eightCores = () => Object.defineProperty(navigator, 'hardwareConcurrency', { value: 8 });
-
-test('with a quality or a number of particles the same seed gives the same fire, whatever quality the device starts with', async () => {
-  const asked = ['quality="medium"', 'particles="1500"', 'particles="3000"'];
-  const [slow, fast] = [[], []];
-  for (const [fires, before] of /** @type {[object[], () => void][]} */ ([
-    [slow, twoCores],
-    [fast, eightCores],
-  ])) {
-    for (const attributes of asked) {
-      const tab = await browser.show(`<hearth-fire seed="7" ${attributes} autoplay="false"></hearth-fire>`, {
-        ...small,
-        before,
-      });
-      fires.push(
-        await tab.fire(async (fire) => {
-          await fire.ready;
-          await fire.step(40);
-          const { time, particles, embers, neighbours } = fire.stats;
-          return { time, particles, embers, neighbours };
-        }),
-      );
-      assert.deepEqual(tab.problems, []);
-    }
-  }
-  assert.ok(slow.every(({ time }) => time > 0));
-  assert.deepEqual(slow, fast);
-});
-
-test('an unknown quality is rejected with an error event, and the last good one stays', async () => {
-  const tab = await browser.show(recording('<hearth-fire quality="low"></hearth-fire>'), small);
-  await tab.burnt(0.1);
-  for (const bad of ['best', '', 'LOW', '2']) {
-    await tab.fire((fire, value) => fire.setAttribute('quality', value), bad);
-  }
-  await tab.until(
-    'four errors',
-    () => /** @type {any} */ (window).events.filter(({ type }) => type === 'error').length === 4,
-  );
-  const [{ kind, id, value, message }] = await events(tab, 'error');
-  assert.deepEqual([kind, id, value], ['bad-parameter', 'quality', 'best']);
-  assert.match(message, /quality.*"best".*auto, low, medium, high/);
-  assert.equal(await tab.fire((fire) => fire.quality), 'low');
-  await tab.fire((fire) => fire.removeAttribute('quality'));
-  await tab.until('auto is back', () => /** @type {any} */ (document.querySelector('hearth-fire')).quality === 'auto');
-});
 
 test('quality is kept when set early, in the address, and off the page', async () => {
   const tab = await browser.show(`<hearth-fire id="fire"></hearth-fire><script>fire.quality = 'low'</script>`, small);

@@ -59,19 +59,6 @@ test('each state keeps its values and objects, and undo goes back through both',
   assert.deepEqual(tab.problems, []);
 });
 
-test('keys reach the states: the native buttons do what those of egui do', async () => {
-  const { tab, panel } = await openPage();
-  await tab.page.focus(actionOf('compare:B'));
-  await tab.press('Enter');
-  await shows(panel, 'B');
-  await tab.fire((fire) => fire.set({ wind: 1.5 }));
-  await tab.page.focus(actionOf('compare:A'));
-  await tab.press('Enter');
-  await shows(panel, 'A');
-  assert.equal(await tab.fire((fire) => fire.params.wind), 0);
-  assert.deepEqual(tab.problems, []);
-});
-
 test('random values are those of another fire of the same scene: one step of undo', async () => {
   const { tab, panel } = await openPage({ width: 390, height: 844 });
   await panel.pointAt(actionOf('randomise'));

@@ -4,6 +4,7 @@
 
 import { askForSettings, offerFile, showKeys, showText } from './cards.js';
 import { download, saveSettings } from './download.js';
+import { editingOf } from './editing.js';
 import { COPIES, beside, isSettings, settingsOf, shownAs, textOf } from './exchange.js';
 import { ownScenesOf } from './own-scenes.js';
 import { askForPicture } from './picture-card.js';
@@ -12,43 +13,80 @@ import { showScenes } from './scenes.js';
 import { PRESETS } from '../parameters.js';
 import { pageLink } from '../share.js';
 
+/** How long a button confirms its action [ms]. */
+const DONE_MS = 2000;
+
 /**
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
  * @typedef {import('../hearth-fire.js').HearthConfig} HearthConfig
+ *
+ * @typedef {object} PanelOptions
+ * @property {HearthFire} fire
+ * @property {HTMLElement} host  The element of the panel and its cards.
+ * @property {string | URL} [page]  The URL of a page that applies its URL parameters.
+ * @property {string | URL} [script]  The URL of `hearth-fire.js` for other pages.
+ * @property {string | URL} [embed]  The URL of `embed.html` for other pages.
+ * @property {string[]} [only]  The parameters that the panel shows.
  */
 
-/** The cards of one panel, of which one at most is open. */
-export class CardCommands {
+/** The cards of one panel, of which one at most is open, and the message about the last action. */
+export class CardCommands extends EventTarget {
   #fire;
   #host;
   #addresses;
-  #replace;
-  #attempt;
-  #notify;
   #report;
   /** @type {import('./cards.js').Card | undefined} */
   #card;
+  /** @type {number | undefined} */
+  #doneEnds;
+  /** The button whose action has just succeeded. */
+  done = '';
+  /** About the last action, a success or a failure. */
+  message = '';
 
-  /**
-   * @param {object} options
-   * @param {HearthFire} options.fire
-   * @param {HTMLElement} options.host  The parent of the cards.
-   * @param {{page?: string | URL, script?: string | URL, embed?: string | URL}} options.addresses  For the texts of
-   *   copies.
-   * @param {(config: HearthConfig | string) => Promise<void>} options.replace  Shows the fire of settings: one step.
-   * @param {<T>(act: () => T | Promise<T>) => Promise<T | undefined>} options.attempt  Runs what the fire or the
-   *   browser may refuse; a refusal becomes a message.
-   * @param {(done: string, message: string) => void} options.notify  Reports success: the button, and a message.
-   */
-  constructor({ fire, host, addresses, replace, attempt, notify }) {
+  /** @param {PanelOptions} options */
+  constructor({ fire, host, page, script = beside('hearth-fire.js'), embed = beside('embed.html') }) {
+    super();
     this.#fire = fire;
     this.#host = host;
-    this.#addresses = addresses;
-    this.#replace = replace;
-    this.#attempt = attempt;
-    this.#notify = notify;
+    this.#addresses = { page, script, embed };
     this.#report = new Report(fire);
   }
+
+  /** Shows the fire of settings: one step. @param {HearthConfig | string} config */
+  async replace(config) {
+    await editingOf(this.#fire).group()(() => this.#fire.importConfig(config));
+  }
+
+  /**
+   * Does something that the fire or the browser may refuse; a refusal becomes a message.
+   * @template T
+   * @param {() => T | Promise<T>} act
+   * @returns {Promise<T | undefined>}
+   */
+  async attempt(act) {
+    try {
+      return await act();
+    } catch (error) {
+      this.notify('', error instanceof Error ? error.message : String(error));
+      return undefined;
+    }
+  }
+
+  /** Shows a message for a while, and which button has succeeded. @type {(done: string, message: string) => void} */
+  notify(done, message) {
+    [this.done, this.message] = [done, message];
+    clearTimeout(this.#doneEnds);
+    this.#doneEnds = setTimeout(() => {
+      [this.done, this.message] = ['', ''];
+      this.changed();
+    }, DONE_MS);
+    this.changed();
+  }
+
+  changed = () => {
+    this.dispatchEvent(new Event('change'));
+  };
 
   /** The forms that the page can copy: a link needs its URL, an iframe that of `embed.html`. */
   get copies() {
@@ -70,18 +108,18 @@ export class CardCommands {
         scenes: PRESETS,
         pictureOf: (name) => beside(`scenes/${name}.jpg`),
         current: () => this.#fire.preset,
-        choose: (name) => this.#attempt(() => this.#replace(settingsOfPreset(name))),
-        own: ownScenesOf(this.#fire, this.#replace),
+        choose: (name) => this.attempt(() => this.replace(settingsOfPreset(name))),
+        own: ownScenesOf(this.#fire, (config) => this.replace(config)),
       }),
     );
   }
 
   /** Shows the fire of a file that a visitor has dropped, or a message why not. @param {File} file */
   open(file) {
-    return this.#attempt(async () => {
+    return this.attempt(async () => {
       if (!isSettings(file)) throw new Error(`“${file.name}” is no file of settings, whose name ends in “.json”.`);
-      await this.#replace(await settingsOf(file));
-      this.#notify('', `Opened “${file.name}”`);
+      await this.replace(await settingsOf(file));
+      this.notify('', `Opened “${file.name}”`);
     });
   }
 
@@ -91,7 +129,7 @@ export class CardCommands {
    */
   async copy(name) {
     const label = COPIES.find((form) => form.name === name)?.label;
-    const config = await this.#attempt(() => this.#fire.exportConfig());
+    const config = await this.attempt(() => this.#fire.exportConfig());
     const { page } = this.#addresses;
     // A fire that has failed has a report alone.
     if (!config && name !== 'report') return;
@@ -103,13 +141,13 @@ export class CardCommands {
           : await textOf(name, /** @type {HearthConfig} */ (config), this.#addresses, shownAs(this.#fire));
     } catch (error) {
       const { message } = /** @type {Error} */ (error);
-      this.#notify('', message);
+      this.notify('', message);
       this.#show(offerFile({ host: this.#host, title: `No ${label}`, why: message, save: () => saveSettings(config) }));
       return;
     }
     try {
       await navigator.clipboard.writeText(text);
-      this.#notify(`copy:${name}`, `Copied: ${label}`);
+      this.notify(`copy:${name}`, `Copied: ${label}`);
     } catch {
       this.#show(showText({ host: this.#host, title: `Copy the ${label}`, text }));
     }
@@ -118,8 +156,8 @@ export class CardCommands {
   /** Asks for settings as JSON. */
   paste() {
     const apply = async (/** @type {string} */ text) => {
-      await this.#replace(text);
-      this.#notify('paste', 'The pasted settings are applied');
+      await this.replace(text);
+      this.notify('paste', 'The pasted settings are applied');
     };
     this.#show(askForSettings({ host: this.#host, apply }));
   }
@@ -134,7 +172,7 @@ export class CardCommands {
       // A fire of low quality is drawn with fewer pixels than its place on the screen has.
       const width = scale * Math.round(this.#fire.offsetWidth * devicePixelRatio);
       download(await this.#fire.toBlob({ width, background }), 'hearth.png');
-      this.#notify('picture', `Saved an image, ${width} pixels wide`);
+      this.notify('picture', `Saved an image, ${width} pixels wide`);
     };
     this.#show(askForPicture({ host: this.#host, save }));
   }
@@ -158,6 +196,7 @@ export class CardCommands {
 
   /** Closes the card and stops listening. */
   close() {
+    clearTimeout(this.#doneEnds);
     this.#report.close();
     this.#card?.close();
   }

@@ -8,7 +8,6 @@
 import { act } from './acts.js';
 import { CardCommands } from './card-commands.js';
 import { editingOf } from './editing.js';
-import { beside } from './exchange.js';
 import { remember, remembered } from './memory.js';
 import { copyOf, newObject } from './objects.js';
 import { PARAMETERS } from '../parameters.js';
@@ -24,9 +23,6 @@ import {
   sceneValue,
   valuesOf,
 } from './scene.js';
-
-/** How long a button confirms its action [ms]. */
-const DONE_MS = 2000;
 
 /** The parameters that state the resolution. @type {string[]} */
 const RESOLUTION = ['particles', 'spacing'];
@@ -60,50 +56,30 @@ const CHANGES = ['ready', 'params-change', 'objects-change'];
  */
 
 /** The controller of one panel. It dispatches `change` when its state changes. */
-export class PanelController extends EventTarget {
+export class PanelController extends CardCommands {
   #fire;
   #page;
-  #cards;
   #editing;
   /** Ends what listens to the selection. */
   #ended = new AbortController();
-  /** @type {number | undefined} */
-  #doneEnds;
-  #done = '';
-  #message = '';
   #scene = '';
   #preset = '';
 
   /** The value under the pointer and its label; undefined without one. @type {() => string[] | undefined} */
   hovered = () => undefined;
 
-  /**
-   * @param {object} options
-   * @param {HearthFire} options.fire
-   * @param {HTMLElement} options.host  The element of the panel and its cards.
-   * @param {string | URL} [options.page]  The URL of a page that applies its URL parameters.
-   * @param {string | URL} [options.script]  The URL of `hearth-fire.js` for other pages.
-   * @param {string | URL} [options.embed]  The URL of `embed.html` for other pages.
-   * @param {string[]} [options.only]  The parameters that the panel shows.
-   */
-  constructor({ fire, host, page, only, script = beside('hearth-fire.js'), embed = beside('embed.html') }) {
-    super();
+  /** @param {import('./card-commands.js').PanelOptions} options */
+  constructor(options) {
+    super(options);
+    const { fire, page, only } = options;
     this.#fire = fire;
     this.#page = page;
-    this.#cards = new CardCommands({
-      fire,
-      host,
-      addresses: { page, script, embed },
-      replace: (config) => this.#replace(config),
-      attempt: (act) => this.#try(act),
-      notify: (done, message) => this.#notify(done, message),
-    });
     const known = only?.map((id) => id.replaceAll('-', '_')).filter(isParameter);
     /** The parameters that the panel shows, in this order; undefined means all. */
     this.only = known?.length ? known : undefined;
     this.#restoreQuality();
     this.#editing = editingOf(fire);
-    this.#editing.watch(this.#changed, this.#ended.signal);
+    this.#editing.watch(this.changed, this.#ended.signal);
     for (const name of CHANGES) fire.addEventListener(name, this.#update);
     this.#update();
   }
@@ -119,10 +95,10 @@ export class PanelController extends EventTarget {
       compared: this.#editing.letter,
       undo: this.#fire.history.canUndo,
       redo: this.#fire.history.canRedo,
-      copies: this.#cards.copies,
+      copies: this.copies,
       fullscreen: document.fullscreenEnabled === true,
-      done: this.#done,
-      message: this.#message,
+      done: this.done,
+      message: this.message,
     };
   }
 
@@ -149,10 +125,15 @@ export class PanelController extends EventTarget {
    * @param {Id} id
    */
   restore(id) {
+    return this.set(id, this.#restored(id));
+  }
+
+  /** The value in the scene; null for the default. @param {Id} id */
+  #restored(id) {
     const target = this.defaultOf(id);
     // A restored resolution follows the scene and the quality again.
     const isDefault = RESOLUTION.includes(id) || target === modelDefault(id, this.#fire.params.model);
-    return this.set(id, isDefault || target === undefined ? null : target);
+    return isDefault || target === undefined ? null : target;
   }
 
   /** The selected object. @returns {Fields | undefined} */
@@ -208,7 +189,7 @@ export class PanelController extends EventTarget {
 
   /** Does one of `ACTS` at an object. @type {(name: string, id: number) => Promise<void>} */
   act(name, id) {
-    return this.#try(() => act(this.#fire, this.#editing, name, id));
+    return this.attempt(() => act(this.#fire, this.#editing, name, id));
   }
 
   /**
@@ -217,20 +198,17 @@ export class PanelController extends EventTarget {
    */
   restoreAll() {
     const fire = this.#fire;
-    const now = fire.params;
     const ids = (this.only ?? PARAMETERS.map(({ id }) => id)).filter(
-      (id) => id !== MODEL.id && DOMAINS.get(id)?.[now.model],
+      (id) => id !== MODEL.id && DOMAINS.get(id)?.[fire.params.model],
     );
-    const defaults = ids.filter((id) => this.defaultOf(id) === modelDefault(id, now.model));
-    const others = ids.filter((id) => !defaults.includes(id) && this.defaultOf(id) !== now[id]);
-    const values = [...defaults.map((id) => [id, null]), ...others.map((id) => [id, this.defaultOf(id)])];
+    const values = ids.map((id) => [id, this.#restored(id)]);
     const objects = this.only || hasSceneObjects(fire) ? undefined : /** @type {any[]} */ (sceneObjects(fire));
     return this.#editing.group()(() => fire.set({ objects, ...Object.fromEntries(values) }));
   }
 
   /** Shows the fire of settings: one step. @param {HearthConfig | string} config */
-  async #replace(config) {
-    await this.#editing.group()(() => this.#fire.importConfig(config));
+  async replace(config) {
+    await super.replace(config);
     this.#update();
   }
 
@@ -271,9 +249,9 @@ export class PanelController extends EventTarget {
     if (!hovered || !(getSelection()?.isCollapsed ?? true)) return undefined;
     const [value, label] = hovered;
     return () =>
-      this.#try(async () => {
+      this.attempt(async () => {
         await navigator.clipboard.writeText(value);
-        this.#notify('value', `Copied: ${label} ${value}`);
+        this.notify('value', `Copied: ${label} ${value}`);
       });
   }
 
@@ -301,59 +279,28 @@ export class PanelController extends EventTarget {
     return this.#fire.history.redo();
   }
 
-  /** Shows or hides the card of scenes. */
-  scenes() {
-    this.#cards.scenes();
-  }
-
-  /** Shows the fire of a file that a visitor has dropped, or a message that rejects it. @param {File} file */
-  open(file) {
-    return this.#cards.open(file);
-  }
-
-  /** Copies the fire in one of several forms. @param {string} name  Of one of `COPIES`. */
-  copy(name) {
-    return this.#cards.copy(name);
-  }
-
-  /** Asks for settings as JSON. */
-  paste() {
-    this.#cards.paste();
-  }
-
-  /** Asks for the size and the background of a picture, and saves it. */
-  picture() {
-    this.#cards.picture();
-  }
-
-  /** Shows or hides the list of shortcuts. */
-  help() {
-    this.#cards.help();
-  }
-
   /** Enters or leaves full screen: for the fire, or for a page about it. */
   async fullscreen() {
     const target = this.#page === undefined ? this.#fire : document.documentElement;
-    await this.#try(() => (document.fullscreenElement ? document.exitFullscreen() : target.requestFullscreen()));
+    await this.attempt(() => (document.fullscreenElement ? document.exitFullscreen() : target.requestFullscreen()));
   }
 
   /** Closes the card and stops listening. */
   close() {
     for (const name of CHANGES) this.#fire.removeEventListener(name, this.#update);
     this.#ended.abort();
-    clearTimeout(this.#doneEnds);
-    this.#cards.close();
+    super.close();
   }
 
   /** Compares the fire with its scene. */
   #update = () => {
-    this.#cards.mark();
+    this.mark();
     const [scene, preset] = [sceneOf(this.#fire), this.#fire.preset];
     const isGone = this.#editing.id !== undefined && !this.selected;
     if (scene === this.#scene && preset === this.#preset && !isGone) return;
     [this.#scene, this.#preset] = [scene, preset];
     if (isGone) this.select();
-    this.#changed();
+    this.changed();
   };
 
   /** Applies the quality of the last visit, unless the page or its URL sets one. */
@@ -364,36 +311,6 @@ export class PanelController extends EventTarget {
     if (isSet || (quality !== 'low' && quality !== 'medium' && quality !== 'high')) return;
     fire.quality = quality;
   }
-
-  /**
-   * Does something that the fire or the browser may refuse; a refusal becomes a message.
-   * @template T
-   * @param {() => T | Promise<T>} act
-   * @returns {Promise<T | undefined>}
-   */
-  async #try(act) {
-    try {
-      return await act();
-    } catch (error) {
-      this.#notify('', error instanceof Error ? error.message : String(error));
-      return undefined;
-    }
-  }
-
-  /** @type {(done: string, message: string) => void} */
-  #notify(done, message) {
-    [this.#done, this.#message] = [done, message];
-    clearTimeout(this.#doneEnds);
-    this.#doneEnds = setTimeout(() => {
-      [this.#done, this.#message] = ['', ''];
-      this.#changed();
-    }, DONE_MS);
-    this.#changed();
-  }
-
-  #changed = () => {
-    this.dispatchEvent(new Event('change'));
-  };
 }
 
 /** @type {(id: string) => id is Id} */

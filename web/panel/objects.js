@@ -142,7 +142,7 @@ export function newObject(fire, kind) {
     if (!first) return { kind, enabled: true };
     const { id, shape, solid, name: own, enabled, ...fields } = first;
     for (const name of ['width', 'power', 'rate']) {
-      if (name in fields) fields[name] = inRange(fire, kind, name, fields[name] / 2);
+      if (name in fields) fields[name] = rounded(inRange(fire, kind, name, fields[name] / 2));
     }
     return { ...fields, ...freePosition(fire, fields, first) };
   }
@@ -158,15 +158,15 @@ export function copyOf(fire, object) {
 }
 
 /**
- * The range decides about half a value.
+ * A value of a property within its range.
  * @type {(fire: Pick<HearthFire, 'params'>, kind: Kind, name: string, value: number) => number}
  */
-function inRange(fire, kind, name, value) {
+export function inRange(fire, kind, name, value) {
   const { min = value, max = value } =
     entriesOf(kind)
       .find((entry) => entry.name === name)
       ?.domain(fire.params.model) ?? {};
-  return rounded(Math.min(max, Math.max(min, value)));
+  return Math.min(max, Math.max(min, value));
 }
 
 /**

@@ -11,7 +11,7 @@
  */
 
 import { MAX_OBJECTS } from '../generated/scene-objects.js';
-import { copyOf, entriesOf, isBody, isFull, nameOf, newObject } from '../panel/objects.js';
+import { copyOf, inRange, isBody, isFull, nameOf, newObject } from '../panel/objects.js';
 import { aligned, moved, outlineOf, rounded } from './geometry.js';
 import { placed } from './gestures.js';
 
@@ -82,9 +82,9 @@ export class Edits {
     const fields = { ...like, ...drawn };
     for (const name of ['power', 'rate']) {
       if (!(name in like)) continue;
-      fields[name] = rounded(this.#inRange(name, (like[name] * drawn.width) / like.width));
+      fields[name] = rounded(inRange(this.#fire, 'source', name, (like[name] * drawn.width) / like.width));
     }
-    return { ...fields, shape: 'line', width: this.#inRange('width', drawn.width) };
+    return { ...fields, shape: 'line', width: inRange(this.#fire, 'source', 'width', drawn.width) };
   }
 
   /** A source at the surface of a solid. @type {(id: number, solid: Drawn) => Drawn} */
@@ -95,16 +95,12 @@ export class Edits {
       (sum, point, at) => sum + (at ? Math.hypot(point.x - ends[at - 1].x, point.y - ends[at - 1].y) : 0),
       0,
     );
-    return { kind: 'source', shape: 'solid', solid: id, power: rounded(this.#inRange('power', POWER * around)) };
-  }
-
-  /** @type {(name: string, value: number, kind?: 'source' | 'solid') => number} */
-  #inRange(name, value, kind = 'source') {
-    const { min = value, max = value } =
-      entriesOf(kind)
-        .find((entry) => entry.name === name)
-        ?.domain(this.#fire.params.model) ?? {};
-    return Math.min(max, Math.max(min, value));
+    return {
+      kind: 'source',
+      shape: 'solid',
+      solid: id,
+      power: rounded(inRange(this.#fire, 'source', 'power', POWER * around)),
+    };
   }
 
   /** Adds an object like each selected one, and selects the new ones. */
@@ -176,7 +172,7 @@ export class Edits {
           Object.fromEntries(
             Object.entries(all).map(([name, value]) => [
               name,
-              typeof value === 'number' ? this.#inRange(name, value, kind) : value,
+              typeof value === 'number' ? inRange(this.#fire, kind, name, value) : value,
             ]),
           ),
         ];

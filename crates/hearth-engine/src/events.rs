@@ -2,7 +2,7 @@
 //!
 //! | type | other fields |
 //! |---|---|
-//! | `ready` | `fire`; `values`: all of them; `objects`; `preset`; `settings`: the [whole](hearth_settings::whole) |
+//! | `ready` | `fire`; `values`: all of them; `objects`; `settings`: the [whole](hearth_settings::whole) |
 //! | `done` | `fire`, `request`; `value`: the result, if the command has one |
 //! | `changed` | as `ready`, but what changed; `source` |
 //! | `refused` | `fire`, `request`; `errors`: id, value, message and, for a number, min and max |
@@ -101,7 +101,6 @@ impl Events {
             }
         }
         event.set_object("settings", &parts);
-        event.set_text("preset", settings.preset().name);
         differs
     }
 

@@ -13,25 +13,36 @@ export class OnDemandCode {
   #session;
   /** The style hooks, once they are loaded. @type {import('../view/css-hooks.js').CssHooks | undefined} */
   #css;
-  /** @type {Promise<void> | undefined} */
-  #cssLoading;
   /**
    * The children that are objects, once their code is loaded.
    * @type {import('../children/children.js').Children | undefined}
    */
   #children;
-  /** @type {Promise<void> | undefined} */
-  #childrenLoading;
   /** The sound, once its code is loaded. @type {import('../../sound/player.js').Player | undefined} */
   #player;
-  /** @type {Promise<void> | undefined} */
-  #playerLoading;
+  /** What is loaded or loading, by its name. @type {Map<string, Promise<void>>} */
+  #loading = new Map();
   /** The calls since the first transition. @type {import('./transition.js').Calls | undefined} */
   #calls;
 
   /** @param {import('./session.js').FireSession} session */
   constructor(session) {
     this.#session = session;
+  }
+
+  /**
+   * Loads code once and does something with it. Without it the fire burns on.
+   * @template T
+   * @param {string} what its name in the warning if it does not arrive
+   * @param {() => Promise<T>} load
+   * @param {(code: T) => void} use
+   */
+  #once(what, load, use) {
+    if (this.#loading.has(what)) return;
+    this.#loading.set(
+      what,
+      this.#session.reports.loads(load(), what).then(use, () => {}),
+    );
   }
 
   /** Records a call for the transitions. @type {(call: Call, answer: Promise<unknown>) => void} */
@@ -72,23 +83,19 @@ export class OnDemandCode {
 
   /** The element may have other children. The code for those that are objects is loaded with the first one. */
   async adopt(begins = this.#session.begun) {
-    const { fire, reports } = this.#session;
+    const { fire } = this.#session;
     if (fire.querySelector(':scope>:not([slot],hearth-source,hearth-solid)')) {
       import('../attributes/spelling.js').then(
         ({ warnOfContent }) => warnOfContent(fire),
         () => {},
       );
     }
+    const what = 'The code for children';
     if (begins && fire.querySelector('hearth-source,hearth-solid')) {
-      const load = () => reports.loads(import('../children/children.js'), 'The code for children');
-      this.#childrenLoading ??= load().then(
-        ({ Children }) => {
-          this.#children = new Children(this.#session);
-        },
-        () => {},
-      );
+      const load = () => import('../children/children.js');
+      this.#once(what, load, ({ Children }) => (this.#children = new Children(this.#session)));
     }
-    await this.#childrenLoading;
+    await this.#loading.get(what);
     this.#children?.update();
   }
 
@@ -117,16 +124,13 @@ export class OnDemandCode {
 
   /** Sets or removes `:state(burning)`. The code is loaded with the first frame. @param {boolean} burning */
   setBurning(burning) {
-    const { fire, view, reports } = this.#session;
+    const { fire, view } = this.#session;
     if (burning) {
-      const load = () => reports.loads(import('../view/css-hooks.js'), 'The code for style hooks');
-      this.#cssLoading ??= load().then(
-        ({ CssHooks }) => {
-          this.#css = new CssHooks(fire, view);
-          this.#session.updateBurning();
-        },
-        () => {},
-      );
+      const load = () => import('../view/css-hooks.js');
+      this.#once('The code for style hooks', load, ({ CssHooks }) => {
+        this.#css = new CssHooks(fire, view);
+        this.#session.updateBurning();
+      });
     }
     this.#css?.burning(burning);
   }
@@ -135,12 +139,8 @@ export class OnDemandCode {
   sound(renew) {
     const session = this.#session;
     if (session.fire.sound > 0) {
-      this.#playerLoading ??= session.reports.loads(import('../../sound/player.js'), 'The code for sound').then(
-        ({ Player }) => {
-          this.#player = new Player(session);
-        },
-        () => {},
-      );
+      const load = () => import('../../sound/player.js');
+      this.#once('The code for sound', load, ({ Player }) => (this.#player = new Player(session)));
     }
     if (renew) this.#player?.renew();
     else this.#player?.update();

@@ -20,20 +20,22 @@ export class FireState {
   settings = {};
   /** Whether the engine has reported the values of a fire. */
   started = false;
-  /** @type {PresetName} */
-  preset = 'default';
   /** @type {'auto' | HearthQuality} */
   quality = 'auto';
   /** @type {HearthStats | null} */
   stats = null;
 
   /** Takes over the values of a message. @param {Message} message */
-  take({ type, values, objects, settings, preset }) {
+  take({ type, values, objects, settings }) {
     if (type === 'ready') this.started = true;
     this.params = { ...this.params, ...values };
     this.objects = objects ?? this.objects;
     this.settings = { ...this.settings, ...settings };
-    this.preset = preset;
+  }
+
+  /** @returns {PresetName} */
+  get preset() {
+    return /** @type {PresetName} */ (this.settings.preset ?? 'default');
   }
 
   /**

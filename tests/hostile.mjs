@@ -39,6 +39,8 @@ export function hostileValues() {
     'a throwing proxy': new Proxy({}, Object.fromEntries(traps.map((trap) => [trap, fail]))),
     'a throwing list': new Proxy([], Object.fromEntries(traps.map((trap) => [trap, fail]))),
     'a revoked proxy': revoked.proxy,
+    // Its type is "undefined".
+    ...(globalThis.document && { 'document.all': document.all }),
   };
 }
 

@@ -8,6 +8,7 @@
  * while the panel does not show it. Tests click there with a real mouse.
  */
 
+import { element } from '../element/controls/icon-button.js';
 import { COPIES } from './exchange.js';
 import { OBJECTS, mountAccessibleObjects } from './accessible-objects.js';
 import { idDomain } from './objects.js';
@@ -48,13 +49,8 @@ const DEFAULT_MODEL = /** @type {ModelName} */ (PARAMETERS.find(({ id }) => id =
  * @returns {AccessibleControls}
  */
 export function mountAccessibleControls({ host, fire, controller, reveal }) {
-  const root = document.createElement('div');
-  root.className = 'hearth-controls';
-  root.dir = 'ltr';
-  root.setAttribute('role', 'group');
-  root.setAttribute('aria-label', 'Fire controls');
-  const status = document.createElement('p');
-  status.setAttribute('role', 'status');
+  const root = element('div', { class: 'hearth-controls', dir: 'ltr', role: 'group', 'aria-label': 'Fire controls' });
+  const status = element('p', { role: 'status' });
   /** The native controls by the names of their counterparts on the panel. @type {Map<string, HTMLElement>} */
   const counterparts = new Map();
   /** @type {Map<string, () => void>} */
@@ -79,10 +75,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
    * @param {HTMLElement} [parent]
    */
   function addButton(action, text, press, parent = root) {
-    const button = document.createElement('button');
-    button.type = 'button';
-    button.dataset.action = action;
-    button.textContent = text;
+    const button = element('button', { type: 'button', 'data-action': action }, text);
     button.addEventListener('click', () => ignoreRefusal(press()));
     parent.append(button);
     counterparts.set(`action:${action}`, button);
@@ -150,11 +143,8 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
       // As on the panel, the objects follow the first group.
       if (group && !limited && !objects)
         objects = mountAccessibleObjects({ root, fire, controller, reveal, addButton, counterparts });
-      group = document.createElement('fieldset');
-      group.name = limited ? 'Controls' : parameter.group;
-      const legend = document.createElement('legend');
-      legend.textContent = group.name;
-      group.append(legend);
+      const name = limited ? 'Controls' : parameter.group;
+      group = element('fieldset', { name }, element('legend', {}, name));
       root.append(group);
     }
     const parent = group;

@@ -5,6 +5,7 @@
  * The properties of the first source are parameters, whose controls stand in their own groups.
  */
 
+import { element } from '../element/controls/icon-button.js';
 import { ACTS } from './acts.js';
 import { KINDS, entriesOf, isBody, isFirstSource, isFull, isSame, nameOf, objectsOf, sliderDomain } from './objects.js';
 import { makeControl, noteConditions } from './native-controls.js';
@@ -30,11 +31,7 @@ export const OBJECTS = 'Objects';
  * @returns {AccessibleObjects}
  */
 export function mountAccessibleObjects({ root, fire, controller, reveal, addButton, counterparts }) {
-  const group = document.createElement('fieldset');
-  group.name = OBJECTS;
-  const legend = document.createElement('legend');
-  legend.textContent = OBJECTS;
-  group.append(legend);
+  const group = element('fieldset', { name: OBJECTS }, element('legend', {}, OBJECTS));
   root.append(group);
 
   const revealGroup = (/** @type {HTMLElement} */ control) => control.addEventListener('focus', () => reveal(OBJECTS));

@@ -9,6 +9,7 @@
  * @property {() => void} [mark]  Marks the current item.
  */
 
+import { element } from '../element/controls/icon-button.js';
 import { KEYS, shortcutsForbidden } from './keys.js';
 import { remember, remembered } from './memory.js';
 
@@ -86,24 +87,14 @@ export function showKeys({ host, fire }) {
   const card = openCard(host, 'help', 'Keyboard shortcuts');
   const list = card.add('dl', '');
   for (const [keys, effect] of KEYS) {
-    const term = document.createElement('dt');
-    keys.forEach((key, at) => {
-      const cap = document.createElement('kbd');
-      cap.textContent = key;
-      if (at > 0) term.append(' or ');
-      term.append(cap);
-    });
-    const about = document.createElement('dd');
-    about.textContent = effect;
-    list.append(term, about);
+    const caps = keys.flatMap((key, at) => [...(at > 0 ? [' or '] : []), element('kbd', {}, key)]);
+    list.append(element('dt', {}, ...caps), element('dd', {}, effect));
   }
   if (!shortcutsForbidden(host, fire)) {
-    const label = card.add('label', '');
-    const box = document.createElement('input');
-    box.type = 'checkbox';
+    const box = element('input', { type: 'checkbox' });
     box.checked = remembered().shortcutsOff !== true;
     box.addEventListener('change', () => remember({ shortcutsOff: !box.checked }));
-    label.append(box, ' Single-key shortcuts');
+    card.add('label', '').append(box, ' Single-key shortcuts');
   }
   const close = card.button('close', 'Close', card.close);
   close.focus({ preventScroll: true });
@@ -119,21 +110,17 @@ export function showKeys({ host, fire }) {
 export function openCard(host, name, title) {
   const root = /** @type {Document | ShadowRoot} */ (host.getRootNode());
   const before = /** @type {HTMLElement | null} */ (root.activeElement);
-  const card = document.createElement('section');
-  card.className = 'hearth-card';
-  card.dataset.card = name;
-  card.dir = 'ltr';
-  card.setAttribute('role', 'dialog');
-  const heading = document.createElement('h2');
   cards += 1;
-  heading.id = `hearth-card-${cards}`;
-  heading.textContent = title;
-  card.setAttribute('aria-labelledby', heading.id);
-  const content = document.createElement('div');
-  content.className = 'hearth-card-content';
-  const buttons = document.createElement('div');
-  buttons.className = 'hearth-card-buttons';
-  card.append(heading, content, buttons);
+  const id = `hearth-card-${cards}`;
+  const content = element('div', { class: 'hearth-card-content' });
+  const buttons = element('div', { class: 'hearth-card-buttons' });
+  const card = element(
+    'section',
+    { class: 'hearth-card', 'data-card': name, dir: 'ltr', role: 'dialog', 'aria-labelledby': id },
+    element('h2', { id }, title),
+    content,
+    buttons,
+  );
 
   const close = () => {
     const had = card.contains(root.activeElement);
@@ -152,27 +139,21 @@ export function openCard(host, name, title) {
     close,
     content,
     isOpen: (/** @type {string} */ other) => other === name && card.isConnected,
-    /** @type {(tag: string, text: string) => HTMLElement} */
+    /** @type {(tag: keyof HTMLElementTagNameMap, text: string) => HTMLElement} */
     add(tag, text) {
-      const element = document.createElement(tag);
-      element.textContent = text;
-      content.append(element);
-      return element;
+      const added = element(tag, {}, text);
+      content.append(added);
+      return added;
     },
     /** @param {string} label */
     field(label) {
-      const field = document.createElement('textarea');
-      field.setAttribute('aria-label', label);
-      field.spellcheck = false;
+      const field = element('textarea', { 'aria-label': label, spellcheck: 'false' });
       content.append(field);
       return field;
     },
     /** @type {(action: string, text: string, press: () => void) => HTMLButtonElement} */
     button(action, text, press) {
-      const button = document.createElement('button');
-      button.type = 'button';
-      button.dataset.card = action;
-      button.textContent = text;
+      const button = element('button', { type: 'button', 'data-card': action }, text);
       button.addEventListener('click', press);
       buttons.append(button);
       return button;

@@ -2,6 +2,8 @@
  * Native controls with labels, one for each kind of value.
  */
 
+import { element } from '../element/controls/icon-button.js';
+
 /** The number of presses of an arrow key that cross a logarithmic range. */
 const LOG_STEPS = 100;
 
@@ -25,18 +27,11 @@ let controls = 0;
  * @param {(name: string) => void} set
  */
 export function addQuality(root, set) {
-  const row = document.createElement('div');
-  row.className = 'row';
-  const label = document.createElement('label');
-  label.textContent = 'Quality';
-  const control = document.createElement('select');
   controls += 1;
-  control.id = `hearth-controls-${controls}`;
-  label.htmlFor = control.id;
-  control.dataset.action = 'quality';
+  const id = `hearth-controls-${controls}`;
+  const control = element('select', { id, 'data-action': 'quality' });
   list({ choices: ['auto', 'low', 'medium', 'high'] }, control, (name) => set(String(name)));
-  row.append(label, control);
-  root.append(row);
+  root.append(element('div', { class: 'row' }, element('label', { for: id }, 'Quality'), control));
   return control;
 }
 
@@ -47,22 +42,16 @@ export function addQuality(root, set) {
  * @param {(value: Value) => void} set
  */
 export function makeControl(parameter, set) {
-  const row = document.createElement('div');
-  row.className = 'row';
-  const label = document.createElement('label');
-  // The unit is part of a slider's value.
-  label.textContent = parameter.label;
   controls += 1;
-  label.htmlFor = `hearth-controls-${controls}`;
-  const input = document.createElement('input');
-  const select = document.createElement('select');
+  const id = `hearth-controls-${controls}`;
+  const described = { id, 'aria-describedby': `${id}-note` };
+  const input = element('input', described);
+  const select = element('select', described);
   const control = parameter.kind === 'choice' ? select : input;
-  control.id = label.htmlFor;
   // The reason why the parameter has no effect at present.
-  const note = document.createElement('small');
-  note.id = `${control.id}-note`;
-  control.setAttribute('aria-describedby', note.id);
-  row.append(label, control, note);
+  const note = element('small', { id: `${id}-note` });
+  // The unit is part of a slider's value.
+  const row = element('div', { class: 'row' }, element('label', { for: id }, parameter.label), control, note);
   return { row, control, note, show: bind() };
 
   /** Sets up the control for the kind of its parameter. @returns {Show} */

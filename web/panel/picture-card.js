@@ -2,6 +2,7 @@
  * The card that asks how to save a picture: its size and its background. It opens with the last choices.
  */
 
+import { element } from '../element/controls/icon-button.js';
 import { openCard } from './cards.js';
 import { remember, remembered } from './memory.js';
 
@@ -52,9 +53,7 @@ export function askForPicture({ host, save }) {
  */
 function choice(card, name, text, choices, chosen) {
   const label = card.add('label', `${text} `);
-  const select = document.createElement('select');
-  select.dataset.card = name;
-  select.append(...choices.map(([value, shown]) => new Option(shown, value)));
+  const select = element('select', { 'data-card': name }, ...choices.map(([value, shown]) => new Option(shown, value)));
   if (choices.some(([value]) => value === chosen)) select.value = /** @type {string} */ (chosen);
   label.append(select);
   return select;

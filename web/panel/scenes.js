@@ -15,6 +15,7 @@
  * @property {(file: Blob) => Promise<void>} open  Shows the fire of a file.
  */
 
+import { element } from '../element/controls/icon-button.js';
 import { openCard } from './cards.js';
 import { MAX_NAME } from './own-scenes.js';
 
@@ -136,26 +137,17 @@ function ownSection(card, own) {
     rows.hidden = all.length === 0;
     rows.replaceChildren(
       ...all.map((scene) => {
-        const row = document.createElement('li');
-        const start = document.createElement('button');
-        start.type = 'button';
-        start.dataset.own = scene.name;
-        start.setAttribute('aria-label', `Show ${scene.name}`);
-        const image = Object.assign(document.createElement('img'), {
-          alt: '',
-          width: 30,
-          height: 40,
-          src: scene.picture,
-        });
+        const image = element('img', { alt: '', width: '30', height: '40', src: scene.picture });
         image.hidden = !scene.picture;
-        start.append(image);
+        const labelled = { type: 'button', 'data-own': scene.name, 'aria-label': `Show ${scene.name}` };
+        const start = element('button', labelled, image);
         start.addEventListener('click', () => act(() => own.choose(scene)));
-        const name = Object.assign(document.createElement('input'), {
+        const name = element('input', {
           value: scene.name,
-          maxLength: MAX_NAME,
-          spellcheck: false,
+          maxlength: String(MAX_NAME),
+          spellcheck: 'false',
+          'aria-label': `Name of ${scene.name}`,
         });
-        name.setAttribute('aria-label', `Name of ${scene.name}`);
         let entered = false;
         name.addEventListener('keydown', ({ key }) => (entered = key === 'Enter'));
         name.addEventListener('change', async () => {
@@ -166,19 +158,19 @@ function ownSection(card, own) {
         });
         /** @type {(label: string, sign: string, action: () => unknown) => HTMLButtonElement} */
         const button = (label, sign, action) => {
-          const node = Object.assign(document.createElement('button'), { textContent: sign, title: label });
-          node.type = 'button';
-          node.setAttribute('aria-label', `${label} ${scene.name}`);
+          const node = element(
+            'button',
+            { type: 'button', title: label, 'aria-label': `${label} ${scene.name}` },
+            sign,
+          );
           node.addEventListener('click', () => act(action));
           return node;
         };
-        row.append(
-          start,
-          name,
+        const [download, remove] = [
           button('Download', '⤓', () => own.download(scene)),
           button('Delete', '✕', () => own.remove(scene.name)),
-        );
-        return row;
+        ];
+        return element('li', {}, start, name, download, remove);
       }),
     );
   };
@@ -194,7 +186,7 @@ function rowOf(rows, name) {
 
 /** Lets the visitor choose a file of settings. @param {(file: Blob) => void} use */
 function chooseFile(use) {
-  const input = Object.assign(document.createElement('input'), { type: 'file', accept: '.json,application/json' });
+  const input = element('input', { type: 'file', accept: '.json,application/json' });
   input.addEventListener('change', () => {
     const [file] = input.files ?? [];
     if (file) use(file);
@@ -204,27 +196,17 @@ function chooseFile(use) {
 
 /** @type {(scene: Scene, picture: URL | undefined) => HTMLButtonElement} */
 function makeTile({ name, label, description = '' }, picture) {
-  const tile = document.createElement('button');
-  tile.type = 'button';
-  tile.className = 'hearth-scene';
-  tile.dataset.scene = name;
-  tile.tabIndex = -1;
-  const caption = document.createElement('span');
-  caption.textContent = label;
-  tile.append(caption);
-  const image = document.createElement('img');
-  image.alt = description;
-  image.width = 120;
-  image.height = 160;
-  image.loading = 'lazy';
-  image.decoding = 'async';
-  image.draggable = false;
+  const size = { width: '120', height: '160' };
+  const image = element('img', { alt: description, ...size, loading: 'lazy', decoding: 'async', draggable: 'false' });
+  const tile = element(
+    'button',
+    { type: 'button', class: 'hearth-scene', 'data-scene': name, tabindex: '-1' },
+    element('span', {}, label),
+    element('i', {}, image),
+  );
   image.addEventListener('error', () => tile.classList.add('bare'));
   if (picture) image.src = picture.href;
   else tile.classList.add('bare');
-  const crop = document.createElement('i');
-  crop.append(image);
-  tile.append(crop);
   return tile;
 }
 

@@ -3,6 +3,7 @@
  * change its height, which is kept for the next visit.
  */
 
+import { element } from '../element/controls/icon-button.js';
 import { remember, remembered } from './memory.js';
 
 /** Minimum and maximum height as a share of the container. */
@@ -23,14 +24,15 @@ const HEIGHT = '--hearth-sheet';
  * @returns {() => void} removes it
  */
 export function addSheet(host, fire) {
-  const grip = document.createElement('div');
-  grip.className = 'hearth-grip';
-  grip.tabIndex = 0;
-  grip.setAttribute('role', 'separator');
-  grip.setAttribute('aria-orientation', 'horizontal');
-  grip.setAttribute('aria-label', 'Height of the controls');
-  grip.setAttribute('aria-valuemin', String(SHARES[0] * 100));
-  grip.setAttribute('aria-valuemax', String(SHARES[1] * 100));
+  const grip = element('div', {
+    class: 'hearth-grip',
+    tabindex: '0',
+    role: 'separator',
+    'aria-orientation': 'horizontal',
+    'aria-label': 'Height of the controls',
+    'aria-valuemin': String(SHARES[0] * 100),
+    'aria-valuemax': String(SHARES[1] * 100),
+  });
   host.append(grip);
 
   const outer = () =>

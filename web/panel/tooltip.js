@@ -3,6 +3,8 @@
  * beside the panel, where it covers no other row. The accessible controls have the same texts.
  */
 
+import { element } from '../element/controls/icon-button.js';
+
 /** How long the pointer rests before it [ms]. */
 const REST_MS = 600;
 
@@ -13,12 +15,8 @@ const GAP = 8;
 
 /** @param {HTMLElement} host  The panel. */
 export function addTooltip(host) {
-  const tooltip = document.createElement('div');
-  tooltip.className = 'hearth-tooltip';
-  tooltip.setAttribute('aria-hidden', 'true');
-  // The top layer: neither the panel nor the fire cuts it.
-  tooltip.popover = 'manual';
-  tooltip.hidden = true;
+  // A popover is in the top layer: neither the panel nor the fire cuts it.
+  const tooltip = element('div', { class: 'hearth-tooltip', 'aria-hidden': 'true', popover: 'manual', hidden: '' });
   host.append(tooltip);
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let planned;

@@ -50,16 +50,16 @@ const CHARTS = [
 export class Card {
   element = element('section', { class: 'hearth-plots', 'aria-label': 'Plots' });
   #record;
-  #head = element('h2', {});
+  #head = element('h2', {}, 'Plots');
   /** @type {{[field: string]: Chart}} */
   #charts = Object.fromEntries(CHARTS.map(({ field, title, shape }) => [field, new Chart(title, shape)]));
 
   /** @param {Record} record @param {() => void} close */
   constructor(record, close) {
     this.#record = record;
-    this.#head.textContent = 'Plots';
-    const bar = element('header', {});
-    bar.append(
+    const bar = element(
+      'header',
+      {},
       this.#head,
       button('CSV', 'Download the series, the spectrum and the profiles as CSV', () =>
         download(new Blob([record.csv()], { type: 'text/csv' }), 'hearth.csv'),
@@ -164,8 +164,7 @@ function pointOf(x, y) {
 
 /** @type {(text: string, title: string, act: () => void) => HTMLElement} */
 function button(text, title, act) {
-  const made = element('button', { type: 'button', title });
-  made.textContent = text;
+  const made = element('button', { type: 'button', title }, text);
   made.addEventListener('click', act);
   return made;
 }

@@ -49,13 +49,12 @@ export class Chart {
   constructor(title, shape = '') {
     this.#title = title;
     this.element.className = `chart ${shape}`;
-    const caption = element('p', {});
-    caption.append(Object.assign(element('span', {}), { textContent: title }), this.#now);
-    const area = element('div', {});
     for (const [name, value] of Object.entries({ viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: 'none' }))
       this.#drawing.setAttribute(name, value);
-    area.append(this.#drawing, ...Object.values(this.#labels));
-    this.element.append(caption, area);
+    this.element.append(
+      element('p', {}, element('span', {}, title), this.#now),
+      element('div', {}, this.#drawing, ...Object.values(this.#labels)),
+    );
   }
 
   /** @param {ChartData} data */

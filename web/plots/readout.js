@@ -64,14 +64,9 @@ export class Readout {
   /** @type {(place: Place | undefined, at: Point) => void} */
   show(place, { x, y }) {
     const values = { ...(place && valuesOf(place)), at: `${x.toFixed(2)}, ${y.toFixed(2)} m` };
-    const rows = Object.entries(values).map(([name, value]) => {
-      const row = element('div', {});
-      row.append(
-        Object.assign(element('dt', {}), { textContent: name }),
-        Object.assign(element('dd', {}), { textContent: value }),
-      );
-      return row;
-    });
+    const rows = Object.entries(values).map(([name, value]) =>
+      element('div', {}, element('dt', {}, name), element('dd', {}, value)),
+    );
     this.#list.replaceChildren(...rows);
   }
 

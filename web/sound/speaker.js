@@ -57,13 +57,9 @@ export function speakerControls(fire, className) {
   const button = iconButton(SPEAKER, { class: className, 'aria-label': 'Sound', title: 'Sound on or off (M)' });
   const sliders = element('div', { class: 'hearth-sound', role: 'group', 'aria-label': 'Sound', hidden: '' });
   const all = ['sound', 'crackle'].map((name) => {
-    const label = element('label', {});
-    const slider = /** @type {HTMLInputElement} */ (
-      element('input', { type: 'range', min: '0', max: '1', step: '0.05', 'data-sound': name })
-    );
-    label.append(name === 'sound' ? 'Volume' : 'Crackle', slider);
+    const slider = element('input', { type: 'range', min: '0', max: '1', step: '0.05', 'data-sound': name });
     slider.addEventListener('input', () => Object.assign(fire, { [name]: Number(slider.value) }));
-    sliders.append(label);
+    sliders.append(element('label', {}, name === 'sound' ? 'Volume' : 'Crackle', slider));
     return slider;
   });
   const end = bindSpeaker(button, fire, (on) => {

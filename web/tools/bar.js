@@ -38,13 +38,9 @@ export class Bar {
   });
   /** Shown while several objects are selected. */
   align = element('div', { class: 'hearth-align', role: 'toolbar', 'aria-label': 'Align', hidden: '' });
-  #list = /** @type {HTMLSelectElement} */ (
-    element('select', { 'aria-label': 'Selected object', title: 'Selected object' })
-  );
-  #material = /** @type {HTMLSelectElement} */ (
-    element('select', { 'aria-label': 'Material of new solids', title: 'Material of new solids' })
-  );
-  #burns = /** @type {HTMLInputElement} */ (element('input', { type: 'checkbox' }));
+  #list = element('select', { 'aria-label': 'Selected object', title: 'Selected object' });
+  #material = element('select', { 'aria-label': 'Material of new solids', title: 'Material of new solids' });
+  #burns = element('input', { type: 'checkbox' });
   /** @type {Map<string, HTMLButtonElement>} */
   #buttons = new Map();
   /** @type {HTMLButtonElement} */
@@ -57,7 +53,7 @@ export class Bar {
       const shown = key.toUpperCase();
       this.#button(name, `${label} (${shown})`, icon, () => acts.tool(name)).title = `${label}: ${hint} (${shown})`;
     }
-    const file = /** @type {HTMLInputElement} */ (element('input', { type: 'file', accept: 'image/*', hidden: '' }));
+    const file = element('input', { type: 'file', accept: 'image/*', hidden: '' });
     file.addEventListener('change', () => {
       const [first] = file.files ?? [];
       if (first) acts.picture(first);
@@ -67,14 +63,11 @@ export class Bar {
     this.#button('picture', 'Picture', ICONS.picture, () => file.click()).title =
       'A picture from a file; it may also be dropped or pasted';
     this.#material.append(...materialOptions());
-    const burns = element('label', { title: 'New solids burn all around' });
-    burns.append(this.#burns, 'on fire');
+    const burns = element('label', { title: 'New solids burn all around' }, this.#burns, 'on fire');
     this.#list.addEventListener('change', () =>
       acts.select(this.#list.value === '' ? undefined : Number(this.#list.value)),
     );
-    const settings = element('div', { class: 'settings' });
-    settings.append(this.#material, burns, this.#list, file);
-    this.element.append(settings);
+    this.element.append(element('div', { class: 'settings' }, this.#material, burns, this.#list, file));
     this.#several = this.#button('several', 'Select several', ICONS.several, () => this.#setSeveral(!this.several));
     this.#several.title = 'Select several: each click adds an object, as with Shift';
     this.#setSeveral(false);

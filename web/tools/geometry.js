@@ -180,13 +180,30 @@ function sizeOf(object) {
   return object.shape === 'line' ? { width: width + height, height } : { width, height };
 }
 
+/** The corners of the box of an object; the ends of a source. @param {Fields} object */
+function cornersOf(object) {
+  const { width, height } = sizeOf(object);
+  const corners = isBody(object)
+    ? [
+        [-1, -1],
+        [1, -1],
+        [1, 1],
+        [-1, 1],
+      ]
+    : [
+        [-1, 0],
+        [1, 0],
+      ];
+  return corners.map(([x, y]) => outOf(object, { x: (x * width) / 2, y: (y * height) / 2 }));
+}
+
 /**
  * The outline of an object.
  * @param {Fields} object
  * @returns {{points: Point[], closed: boolean}}
  */
 export function outlineOf(object) {
-  const { width, height } = sizeOf(object);
+  const { width } = sizeOf(object);
   if (object.shape === 'polygon' || object.shape === 'stroke') {
     return { points: pointsOf(object).map((point) => outOf(object, point)), closed: object.shape === 'polygon' };
   }
@@ -197,19 +214,7 @@ export function outlineOf(object) {
       closed: true,
     };
   }
-  const [right, up] = [width / 2, height / 2];
-  const corners = isBody(object)
-    ? [
-        [-right, -up],
-        [right, -up],
-        [right, up],
-        [-right, up],
-      ]
-    : [
-        [-right, 0],
-        [right, 0],
-      ];
-  return { points: corners.map(([x, y]) => outOf(object, { x, y })), closed: isBody(object) };
+  return { points: cornersOf(object), closed: isBody(object) };
 }
 
 /** @typedef {{left: number, right: number, bottom: number, top: number}} Bounds */
@@ -285,22 +290,10 @@ export function aligned(objects, to) {
  * @returns {{does: 'size' | 'turn', at: Point}[]}
  */
 export function handlesOf(object, perPixel) {
-  const { width, height } = sizeOf(object);
-  const [right, up] = [width / 2, height / 2];
-  const corners = isBody(object)
-    ? [
-        [-right, -up],
-        [right, -up],
-        [right, up],
-        [-right, up],
-      ]
-    : [
-        [-right, 0],
-        [right, 0],
-      ];
   /** @type {{does: 'size' | 'turn', at: Point}[]} */
-  const handles = corners.map(([x, y]) => ({ does: 'size', at: outOf(object, { x, y }) }));
-  if (isTurned(object)) handles.push({ does: 'turn', at: outOf(object, { x: 0, y: up + ARM * perPixel }) });
+  const handles = cornersOf(object).map((at) => ({ does: 'size', at }));
+  const up = sizeOf(object).height / 2 + ARM * perPixel;
+  if (isTurned(object)) handles.push({ does: 'turn', at: outOf(object, { x: 0, y: up }) });
   return handles;
 }
 

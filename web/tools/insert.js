@@ -6,6 +6,7 @@
  * @typedef {import('./geometry.js').Point} Point
  */
 
+import { element } from '../element/controls/icon-button.js';
 import { isSettings, settingsOf } from '../panel/exchange.js';
 import { materialOptions } from './bar.js';
 import { rounded } from './geometry.js';
@@ -145,26 +146,27 @@ export class Inserts {
  * @returns {() => void} closes the form
  */
 function wordForm(host, across, chosen, add, closed) {
-  const form = document.createElement('form');
-  form.className = 'hearth-text';
-  form.setAttribute('aria-label', 'A word as a solid');
-  const word = field('Word', 'FIRE', MAX_LETTERS);
-  const family = field('Font', 'sans-serif', 100);
-  const list = document.createElement('datalist');
-  list.id = 'hearth-families';
-  list.append(...FAMILIES.map((name) => Object.assign(document.createElement('option'), { value: name })));
-  family.input.setAttribute('list', list.id);
-  const material = document.createElement('select');
-  material.append(...materialOptions(chosen));
-  const burns = Object.assign(document.createElement('input'), { type: 'checkbox', checked: true });
-  const [made, lit] = [document.createElement('label'), document.createElement('label')];
-  made.append('Material', material);
-  lit.append(burns, 'On fire');
-  const alert = document.createElement('p');
-  alert.setAttribute('role', 'alert');
-  const done = Object.assign(document.createElement('button'), { type: 'submit', textContent: 'Place it' });
-  const cancel = Object.assign(document.createElement('button'), { type: 'button', textContent: 'Cancel' });
-  form.append(word.label, family.label, list, made, lit, alert, done, cancel);
+  const text = { spellcheck: 'false', autocomplete: 'off' };
+  const word = element('input', { ...text, value: 'FIRE', maxlength: String(MAX_LETTERS) });
+  const family = element('input', { ...text, value: 'sans-serif', maxlength: '100', list: 'hearth-families' });
+  const families = FAMILIES.map((name) => element('option', { value: name }));
+  const material = element('select', {}, ...materialOptions(chosen));
+  const burns = element('input', { type: 'checkbox', checked: '' });
+  const alert = element('p', { role: 'alert' });
+  const done = element('button', { type: 'submit' }, 'Place it');
+  const cancel = element('button', { type: 'button' }, 'Cancel');
+  const form = element(
+    'form',
+    { class: 'hearth-text', 'aria-label': 'A word as a solid' },
+    element('label', {}, 'Word', word),
+    element('label', {}, 'Font', family),
+    element('datalist', { id: 'hearth-families' }, ...families),
+    element('label', {}, 'Material', material),
+    element('label', {}, burns, 'On fire'),
+    alert,
+    done,
+    cancel,
+  );
   const close = () => {
     form.remove();
     closed();
@@ -180,7 +182,7 @@ function wordForm(host, across, chosen, add, closed) {
     if (done.disabled) return;
     done.disabled = true;
     try {
-      const fields = await textOf(word.input.value, family.input.value, across);
+      const fields = await textOf(word.value, family.value, across);
       if (!form.isConnected) return;
       close();
       add(fields, { material: material.value, burns: burns.checked });
@@ -190,22 +192,9 @@ function wordForm(host, across, chosen, add, closed) {
     done.disabled = false;
   });
   host.append(form);
-  word.input.select();
-  word.input.focus();
+  word.select();
+  word.focus();
   return close;
-}
-
-/** @type {(label: string, value: string, maxLength: number) => {label: HTMLLabelElement, input: HTMLInputElement}} */
-function field(name, value, maxLength) {
-  const label = document.createElement('label');
-  const input = Object.assign(document.createElement('input'), {
-    value,
-    maxLength,
-    spellcheck: false,
-    autocomplete: 'off',
-  });
-  label.append(name, input);
-  return { label, input };
 }
 
 /**

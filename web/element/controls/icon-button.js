@@ -4,10 +4,17 @@
 
 const SVG = 'http://www.w3.org/2000/svg';
 
-/** @type {(name: string, attributes: {[name: string]: string}) => HTMLElement} */
-export function element(name, attributes) {
+/**
+ * An element with attributes and content.
+ * @template {keyof HTMLElementTagNameMap} Name
+ * @param {Name} name
+ * @param {{[attribute: string]: string}} [attributes]
+ * @param {(string | Node)[]} content
+ */
+export function element(name, attributes = {}, ...content) {
   const made = document.createElement(name);
   for (const [attribute, value] of Object.entries(attributes)) made.setAttribute(attribute, value);
+  made.append(...content);
   return made;
 }
 
@@ -16,7 +23,7 @@ export function element(name, attributes) {
  * @param {{[name: string]: string}} attributes
  */
 export function iconButton(icon, attributes) {
-  const button = /** @type {HTMLButtonElement} */ (element('button', { type: 'button', ...attributes }));
+  const button = element('button', { type: 'button', ...attributes });
   const picture = document.createElementNS(SVG, 'svg');
   picture.setAttribute('viewBox', '0 0 24 24');
   picture.setAttribute('aria-hidden', 'true');

@@ -4,7 +4,7 @@
 //! returns whether to request another frame, so no loop runs while no fire has work.
 
 use hearth_bindings::{memory, panic, parts, values};
-use hearth_core::{IgniteError, IgnitionTarget, SprayError, Vec2};
+use hearth_core::{IgniteError, IgnitionTarget, Simulation, SprayError, Vec2};
 use hearth_settings::untrusted::{Untrusted, ValidationError};
 use hearth_settings::{Change, Settings};
 use js_sys::Set;
@@ -197,7 +197,12 @@ fn light(
     } else {
         IgnitionTarget::Place(Vec2::new(place as f32, y as f32), radius as f32)
     };
-    fire.light(lit, at).map_err(|_| {
+    let act = if lit {
+        Simulation::ignite
+    } else {
+        Simulation::extinguish
+    };
+    fire.act(|simulation| act(simulation, at)).map_err(|_| {
         let place = Untrusted::Number(place);
         vec![ValidationError::new("place", &place, IgniteError::ALLOWED)]
     })
@@ -206,7 +211,8 @@ fn light(
 /// Sprays water into a fire.
 fn spray(fire: &mut Fire, [x, y, u, v, grams]: [f64; 5]) -> Result<(), Vec<ValidationError>> {
     let pair = |x: f64, y: f64| Vec2::new(x as f32, y as f32);
-    let done = fire.spray(pair(x, y), pair(u, v), 1e-3 * grams as f32);
+    let mass = 1e-3 * grams as f32;
+    let done = fire.act(|simulation| simulation.spray(pair(x, y), pair(u, v), mass));
     done.map_err(|_| {
         let model = Untrusted::Text("classic".into());
         vec![ValidationError::new("model", &model, SprayError::ALLOWED)]
@@ -327,7 +333,10 @@ impl Engine {
                 let pair = |x: f64, y: f64| [x as f32, y as f32];
                 fire.apply_force(PointerForce::new(pair(x.0, y.0), pair(u.0, v.0)));
             }
-            Command::Sparks { x, y, count } => fire.throw_sparks(x.0 as f32, y.0 as f32, count.0),
+            Command::Sparks { x, y, count } => {
+                let from = Vec2::new(x.0 as f32, y.0 as f32);
+                fire.act(|simulation| simulation.throw_embers(from, count.0));
+            }
             Command::Light {
                 lit,
                 radius,
@@ -341,11 +350,12 @@ impl Engine {
                 spray(fire, [x.0, y.0, u.0, v.0, grams.0])?;
             }
             Command::FreeSolids {} => {
-                events.answer(id, request, &fire.free_solids());
+                events.numbers(id, request, &fire.simulation.free_solid_numbers());
                 return Ok(Answer::Deferred);
             }
             Command::Measure { x, y } => {
-                events.answer(id, request, &fire.probe(x.0 as f32, y.0 as f32));
+                let at = Vec2::new(x.0 as f32, y.0 as f32);
+                events.numbers(id, request, &fire.simulation.measure(at));
                 return Ok(Answer::Deferred);
             }
             Command::View { fit, x, y } => fire.set_fit(fit.0, [x.0 as f32, y.0 as f32]),

@@ -118,6 +118,11 @@ impl Events {
         self.post(&event);
     }
 
+    /// A request for numbers is done.
+    pub fn numbers(&self, fire: u32, request: u32, numbers: &[f32]) {
+        self.answer(fire, request, &Float32Array::from(numbers));
+    }
+
     /// A request for the settings is done.
     pub fn config(&self, fire: u32, request: u32, settings: &Settings) {
         self.answer(fire, request, &values::to_js(&export(settings)));

@@ -7,12 +7,8 @@ use glam::Vec2;
 use hearth_bindings::memory;
 use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
-use hearth_core::{
-    Charred, IgniteError, IgnitionTarget, Instance, Parameters, Simulation, SprayError, burning,
-};
+use hearth_core::{Charred, Instance, Parameters, Simulation, burning};
 use hearth_render::{Camera, Fit, History, Viewport};
-use js_sys::Float32Array;
-use wasm_bindgen::JsValue;
 
 use crate::commands::Start;
 use crate::events::Events;
@@ -237,37 +233,10 @@ impl Fire {
         self.pointer = Some(force);
     }
 
-    /// Throws sparks from a position \[m\].
-    pub fn throw_sparks(&mut self, x: f32, y: f32, count: u32) {
-        self.simulation.throw_embers(Vec2::new(x, y), count);
+    /// Acts on the burning fire, whose picture is out of date then.
+    pub fn act<T>(&mut self, act: impl FnOnce(&mut Simulation) -> T) -> T {
         self.stale = true;
-    }
-
-    /// Lights what is there, or puts it out.
-    pub fn light(&mut self, lit: bool, at: IgnitionTarget) -> Result<(), IgniteError> {
-        self.stale = true;
-        let act = if lit {
-            Simulation::ignite
-        } else {
-            Simulation::extinguish
-        };
-        act(&mut self.simulation, at)
-    }
-
-    /// Sprays a mass of water [kg/m] from a position \[m\].
-    pub fn spray(&mut self, place: Vec2, velocity: Vec2, mass: f32) -> Result<(), SprayError> {
-        self.stale = true;
-        self.simulation.spray(place, velocity, mass)
-    }
-
-    /// [Numbers](Simulation::free_solid_numbers) of the solids that forces move.
-    pub fn free_solids(&self) -> JsValue {
-        Float32Array::from(&self.simulation.free_solid_numbers()[..]).into()
-    }
-
-    /// [Numbers](Simulation::measure) of the fire, of a position \[m\] and of the vertical through it.
-    pub fn probe(&self, x: f32, y: f32) -> JsValue {
-        Float32Array::from(&self.simulation.measure(Vec2::new(x, y))[..]).into()
+        act(&mut self.simulation)
     }
 
     /// Sets how the domain fits the picture.

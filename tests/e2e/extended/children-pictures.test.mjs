@@ -44,7 +44,7 @@ const another = (tab, what, mask) =>
 /** Asserts which places in shares of a mask are opaque: `x y` with a plus sign before it, others with a minus sign. */
 function assertOpaque({ mask }, places) {
   const pixels = decoded(mask);
-  const seen = (places.match(/[+-]\S+ \S+/g) ?? []).map((place) => {
+  const seen = places.split(', ').map((place) => {
     const [x, y] = place.slice(1).split(' ').map(Number);
     return `${pixels.at(x, y) > 7 ? '+' : '-'}${x} ${y}`;
   });

@@ -85,14 +85,14 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   const shownParameters =
     controller.only?.flatMap((id) => PARAMETERS.filter((parameter) => parameter.id === id)) ?? PARAMETERS;
 
-  const pause = addButton('pause', 'Pause', () => (fire.paused ? controller.play() : controller.pause()));
+  const pause = addButton('pause', 'Pause', () => (fire.paused ? fire.play() : fire.pause()));
   const step = addButton('step', 'One step', () => {
-    if (!fire.paused) ignoreRefusal(controller.pause());
-    return controller.step();
+    if (!fire.paused) ignoreRefusal(fire.pause());
+    return fire.step();
   });
-  const reset = addButton('reset', 'Restart', () => controller.reset());
-  const undo = addButton('undo', 'Undo', () => controller.undo());
-  const redo = addButton('redo', 'Redo', () => controller.redo());
+  const reset = addButton('reset', 'Restart', () => fire.reset());
+  const undo = addButton('undo', 'Undo', () => fire.history.undo());
+  const redo = addButton('redo', 'Redo', () => fire.history.redo());
   const picture = addButton('picture', 'Save an image', () => controller.picture());
   const fullscreen = addButton('fullscreen', 'Full screen', () => controller.fullscreen());
   const copies = COPIES.map(({ name, label }) =>

@@ -255,30 +255,6 @@ export class PanelController extends CardCommands {
       });
   }
 
-  play() {
-    return this.#fire.play();
-  }
-
-  pause() {
-    return this.#fire.pause();
-  }
-
-  reset() {
-    return this.#fire.reset();
-  }
-
-  step() {
-    return this.#fire.step(1);
-  }
-
-  undo() {
-    return this.#fire.history.undo();
-  }
-
-  redo() {
-    return this.#fire.history.redo();
-  }
-
   /** Enters or leaves full screen: for the fire, or for a page about it. */
   async fullscreen() {
     const target = this.#page === undefined ? this.#fire : document.documentElement;

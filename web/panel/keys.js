@@ -46,8 +46,8 @@ const PRESSED = 'button, summary, a[href], input[type=checkbox], input[type=radi
 export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
   const actions = new Map(
     Object.entries({
-      ' ': () => (fire.paused ? controller.play() : controller.pause()),
-      r: () => controller.reset(),
+      ' ': () => (fire.paused ? fire.play() : fire.pause()),
+      r: () => fire.reset(),
       f: () => controller.state.fullscreen && controller.fullscreen(),
       s: () => controller.picture(),
       // The code of the button is loaded on request.
@@ -62,8 +62,8 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
     const key = event.key.toLowerCase();
     const command = event.ctrlKey || event.metaKey;
     if (event.altKey || event.isComposing) return undefined;
-    if (command && key === 'z') return () => (event.shiftKey ? controller.redo() : controller.undo());
-    if (command && key === 'y') return () => controller.redo();
+    if (command && key === 'z') return () => (event.shiftKey ? fire.history.redo() : fire.history.undo());
+    if (command && key === 'y') return () => fire.history.redo();
     if (command && key === 'c' && !event.shiftKey) return controller.copyHovered;
     // Tools use some of its keys, and the controls of the panel the arrow keys.
     const used = event.defaultPrevented || (key.startsWith('arrow') && event.composedPath().includes(own[0]));

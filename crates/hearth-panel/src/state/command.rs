@@ -4,7 +4,7 @@ use crate::state::entry::Entry;
 use crate::state::memory::Memory;
 use crate::state::subject::Subject;
 
-/// A command for the panel controller of the page.
+/// A command for the fire or the panel controller of the page.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
     /// Set a parameter or a property of an object.

@@ -1,5 +1,5 @@
 //! The `<hearth-fire>` element, read through its public API, and the panel controller
-//! (`web/panel/controller.js`), which executes commands and can undo them.
+//! (`web/panel/controller.js`): both execute commands.
 //!
 //! The controller's methods return promises; the element's events report changes. A page
 //! may pass another object with the same API, so no class is checked, and a missing
@@ -147,8 +147,13 @@ impl Element {
             Command::Fullscreen => ("fullscreen", vec![]),
             Command::Help => ("help", vec![]),
         };
-        let function: Function = Reflect::get(&self.controller, &method.into())?.dyn_into()?;
-        function.apply(&self.controller, &arguments.into_iter().collect())
+        let receiver = match method {
+            "play" | "pause" | "reset" | "step" => self.fire.clone(),
+            "undo" | "redo" => property(&self.fire, "history"),
+            _ => self.controller.clone(),
+        };
+        let function: Function = Reflect::get(&receiver, &method.into())?.dyn_into()?;
+        function.apply(&receiver, &arguments.into_iter().collect())
     }
 }
 

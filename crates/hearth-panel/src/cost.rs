@@ -36,20 +36,20 @@ pub fn costly_from(subject: Subject) -> Option<f64> {
 /// follows from the fire, and the text has the share that sleeps.
 pub fn particles(fire: &Fire) -> String {
     let now = fire.stats.particles;
-    if fire.parameters.has_open_edges() {
+    if fire.parameters().has_open_edges() {
         let text = format!("{} particles", count_text(now));
         return match fire.stats.asleep {
             share if share < MIN_ASLEEP_SHARE => text,
             share => format!("{text} ({} % asleep)", significant(100.0 * share, 2)),
         };
     }
-    let requested = f64::from(fire.parameters.capacity());
+    let requested = f64::from(fire.parameters().capacity());
     let quality = &*fire.stats.quality;
     if now >= NEARLY_ALL * requested || now == 0.0 {
         return format!("{} particles", count_text(now));
     }
     let of = format!("{} of {}", count_text(now), count_text(requested));
-    match (fire.parameters.model(), quality) {
+    match (fire.parameters().model(), quality) {
         (Model::Combustion, "low" | "medium" | "high") => format!("{of} (quality {quality})"),
         _ => format!("{of} particles"),
     }
@@ -58,7 +58,7 @@ pub fn particles(fire: &Fire) -> String {
 /// The real-time factor, if the machine is too slow for the fire.
 pub fn speed(fire: &Fire) -> Option<String> {
     let stats = &fire.stats;
-    let requested = f64::from(fire.parameters.time_scale);
+    let requested = f64::from(fire.parameters().time_scale);
     if !stats.slowed || stats.time_scale <= 0.0 || requested <= 0.0 {
         return stats.slowed.then(|| "slower than real time".to_owned());
     }
@@ -71,7 +71,7 @@ pub fn speed(fire: &Fire) -> Option<String> {
 /// A note on a value, if there is one.
 pub fn note(fire: &Fire, subject: Subject, value: f64) -> Option<String> {
     if subject.id == "max_particles"
-        && fire.parameters.model() == Model::Classic
+        && fire.parameters().model() == Model::Classic
         && fire.stats.particles > 0.0
         && fire.stats.particles < NEARLY_ALL * value
     {
@@ -81,7 +81,7 @@ pub fn note(fire: &Fire, subject: Subject, value: f64) -> Option<String> {
         ));
     }
     let costly = match subject.id {
-        "spacing" => fire.parameters.domain_particles() >= COSTLY_IN_DOMAIN,
+        "spacing" => fire.parameters().domain_particles() >= COSTLY_IN_DOMAIN,
         _ => costly_from(subject).is_some_and(|from| value >= from),
     };
     match (costly, speed(fire)) {

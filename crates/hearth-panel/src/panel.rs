@@ -119,7 +119,7 @@ impl Panel {
         let marked = self.state.reveal.marked;
         self.state.reveal = Default::default();
         self.state.reveal.marked = marked;
-        self.state.anchor.model = self.state.fire.parameters.model();
+        self.state.anchor.model = self.state.fire.parameters().model();
         self.state.anchor.tops = std::mem::take(&mut self.output.tops);
         self.state.anchor.chosen = None;
         for action in std::mem::take(&mut self.output.actions) {

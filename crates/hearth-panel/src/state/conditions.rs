@@ -36,13 +36,13 @@ impl Fire {
     /// object, or a parameter.
     fn chosen(&self, subject: Subject, id: &str) -> Option<AnyValue<'_>> {
         let Some(owner) = subject.object else {
-            return self.parameters.get(id);
+            return self.parameters().get(id);
         };
         let object = self.object(owner.id)?;
         let mut own = object.properties();
         match own.find(|(_, param, _)| param.id == id) {
             Some((.., value)) => Some(value),
-            None => self.parameters.get(id),
+            None => self.parameters().get(id),
         }
     }
 

@@ -31,14 +31,10 @@ pub const HISTORY_LENGTH: usize = 120;
 /// The panel's copy of the fire.
 #[derive(Debug, Default)]
 pub struct Fire {
-    /// The checked values.
-    pub parameters: Parameters,
-    /// The values of the scene that the fire started from, which are the panel's defaults.
-    pub scene: Parameters,
-    /// The fire's objects. The values of the first source are parameters.
+    /// The checked values and objects.
     pub objects: Scene,
-    /// The objects of the scene.
-    pub scene_objects: Scene,
+    /// The scene that the fire started from: the panel's defaults.
+    pub scene: Scene,
     /// Whether the simulation is paused.
     pub paused: bool,
     /// The requested quality.
@@ -56,11 +52,16 @@ pub struct Fire {
 }
 
 impl Fire {
+    /// The present parameters.
+    pub fn parameters(&self) -> &Parameters {
+        self.objects.settings()
+    }
+
     /// The present value.
     pub fn value(&self, subject: impl Into<Subject>) -> AnyValue<'_> {
         let subject = subject.into();
         match subject.object {
-            None => subject.param.get(&self.parameters),
+            None => subject.param.get(self.parameters()),
             Some(_) => {
                 value_in(&self.objects, subject).unwrap_or_else(|| self.domain_of(subject).default)
             }
@@ -72,15 +73,15 @@ impl Fire {
     pub fn default_of(&self, subject: impl Into<Subject>) -> AnyValue<'_> {
         let subject = subject.into();
         let param = subject.param;
-        let model = self.parameters.model();
+        let model = self.parameters().model();
         if subject.object.is_some() {
-            return value_in(&self.scene_objects, subject)
+            return value_in(&self.scene, subject)
                 .unwrap_or_else(|| self.domain_of(subject).default);
         }
-        if self.scene.model() == model || param.id == MODEL {
-            return param.get(&self.scene);
+        if self.scene.settings().model() == model || param.id == MODEL {
+            return param.get(self.scene.settings());
         }
-        let mut scene = self.scene.clone();
+        let mut scene = self.scene.settings().clone();
         // The name of a model is always accepted.
         let _ = scene.set(MODEL, Input::Text(model.name()));
         param.get(&scene)
@@ -101,15 +102,17 @@ impl Fire {
             let _ = scene.set(id, input);
         }
         match objects {
-            Some(objects) => update(&mut self.scene_objects, &scene, objects),
-            None => self.scene_objects = Scene::new(scene.clone()),
+            Some(objects) => {
+                self.scene.set_settings(scene);
+                update(&mut self.scene, objects);
+            }
+            None => self.scene = Scene::new(scene),
         }
-        self.scene = scene;
     }
 
     /// Whether the scene has the value: it lacks the properties of an added object.
     pub fn is_of_scene(&self, subject: Subject) -> bool {
-        subject.object.is_none() || value_in(&self.scene_objects, subject).is_some()
+        subject.object.is_none() || value_in(&self.scene, subject).is_some()
     }
 
     /// The range in the present model.
@@ -136,7 +139,7 @@ impl Fire {
             return (min, max);
         }
         let size = ["domain_width", "domain_height"].map(|id| {
-            let value = self.parameters.get(id);
+            let value = self.parameters().get(id);
             value.and_then(|x| x.as_number()).unwrap_or_default()
         });
         let size = size[0].max(size[1]);
@@ -145,14 +148,14 @@ impl Fire {
     }
 
     fn domain_of(&self, subject: Subject) -> &'static Domain {
-        subject.param.any_domain(self.parameters.model())
+        subject.param.any_domain(self.parameters().model())
     }
 
     /// The parameters of the present model and of its edges, without the model itself.
     pub fn used(&self) -> impl Iterator<Item = &'static Param> + '_ {
         PARAMETERS.iter().filter(|param| {
-            let mut unmet = param.unmet_conditions(&self.parameters);
-            let used = param.domain(self.parameters.model()).is_some();
+            let mut unmet = param.unmet_conditions(self.parameters());
+            let used = param.domain(self.parameters().model()).is_some();
             used && param.id != MODEL && unmet.all(|(id, _)| *id != EDGES)
         })
     }
@@ -163,7 +166,7 @@ impl Fire {
     /// Returns the reason why the table refuses the value.
     pub fn check(&self, subject: Subject, input: Input<'_>) -> Result<(), ParamError> {
         match subject.object {
-            None => self.parameters.clone().set(subject.id, input),
+            None => self.parameters().clone().set(subject.id, input),
             Some(owner) => change(&mut self.objects.clone(), owner, input),
         }
     }
@@ -175,14 +178,17 @@ impl Fire {
     pub fn set(&mut self, subject: impl Into<Subject>, input: Input<'_>) -> Result<(), ParamError> {
         let subject = subject.into();
         match subject.object {
-            None => {
-                self.parameters.set(subject.id, input)?;
-                // They are the properties of the first source.
-                self.objects.set_settings(self.parameters.clone());
-            }
+            None => self.set_parameter(subject.id, input)?,
             Some(owner) => change(&mut self.objects, owner, input)?,
         }
         self.refusals.remove(subject.id);
+        Ok(())
+    }
+
+    fn set_parameter(&mut self, id: &str, input: Input<'_>) -> Result<(), ParamError> {
+        let mut parameters = self.parameters().clone();
+        parameters.set(id, input)?;
+        self.objects.set_settings(parameters);
         Ok(())
     }
 
@@ -194,10 +200,10 @@ impl Fire {
         if self.pending.contains_key(param.id) {
             return;
         }
-        let before = param.get(&self.parameters);
+        let before = param.get(self.parameters());
         // A refused value comes from another version of the fire: the panel keeps the last
         // valid one.
-        if self.parameters.set(param.id, input).is_ok() && param.get(&self.parameters) != before {
+        if self.set_parameter(param.id, input).is_ok() && param.get(self.parameters()) != before {
             self.refusals.remove(param.id);
         }
     }
@@ -226,7 +232,7 @@ impl Fire {
     /// Takes the objects that the fire reports.
     pub fn receive_objects(&mut self, objects: &[Fields]) {
         if !self.pending.contains_key(OBJECTS) {
-            update(&mut self.objects, &self.parameters, objects);
+            update(&mut self.objects, objects);
         }
     }
 
@@ -241,7 +247,7 @@ impl Fire {
 
     /// Whether any value of the present model differs from the scene.
     pub fn is_changed(&self) -> bool {
-        self.used().any(|param| self.differs(param)) || differ(&self.objects, &self.scene_objects)
+        self.used().any(|param| self.differs(param)) || differ(&self.objects, &self.scene)
     }
 
     /// Whether a value differs from the scene.
@@ -278,8 +284,8 @@ mod tests {
 
     fn classic() -> Fire {
         Fire {
-            parameters: Parameters::new(Model::Classic),
-            scene: Parameters::new(Model::Classic),
+            objects: Scene::new(Parameters::new(Model::Classic)),
+            scene: Scene::new(Parameters::new(Model::Classic)),
             ..Fire::default()
         }
     }
@@ -304,7 +310,7 @@ mod tests {
         fire.receive("viscosity", Input::Number(0.02));
         assert!(fire.is_changed());
         fire.receive(MODEL, Input::Text("combustion"));
-        assert_eq!(fire.parameters.wind, 2.0);
+        assert_eq!(fire.parameters().wind, 2.0);
         assert!(fire.used().all(|param| param.id != "viscosity"));
         assert!(fire.is_changed());
     }
@@ -337,24 +343,24 @@ mod tests {
         fire.sent(viscosity.into());
         fire.sent(viscosity.into());
         fire.receive("viscosity", Input::Number(0.01));
-        assert_eq!(fire.parameters.viscosity, 0.08);
+        assert_eq!(fire.parameters().viscosity, 0.08);
         assert!(!fire.answered(viscosity.into()));
         assert!(fire.answered(viscosity.into()));
         fire.receive("viscosity", Input::Number(0.01));
-        assert_eq!(fire.parameters.viscosity, 0.01);
+        assert_eq!(fire.parameters().viscosity, 0.01);
     }
 
     #[test]
     fn a_refused_value_changes_nothing_and_has_a_reason() {
         let mut fire = classic();
         let viscosity = Param::find("viscosity").expect("the table has viscosity");
-        let before = fire.parameters.clone();
+        let before = fire.parameters().clone();
         let refused = fire
             .set(viscosity, Input::Text("7"))
             .expect_err("7 is out of range");
         let text = refused.to_string();
         assert!(text.contains("viscosity") && text.contains('7') && text.contains("0.1"));
-        assert_eq!(fire.parameters, before);
+        assert_eq!(fire.parameters(), &before);
     }
 
     #[test]

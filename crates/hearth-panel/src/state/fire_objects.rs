@@ -21,7 +21,7 @@ impl Fire {
     /// The properties of an object that have rows: of the first source its name alone, because its
     /// other properties are parameters.
     pub fn properties(&self, object: Object<'_>) -> impl Iterator<Item = Subject> + use<> {
-        let (id, kind, model) = (object.id, object.kind, self.parameters.model());
+        let (id, kind, model) = (object.id, object.kind, self.parameters().model());
         let first = object.is_first_source();
         let all = kind.properties();
         all.filter(move |property| has_row(*property, model) && (!first || property.is_common()))

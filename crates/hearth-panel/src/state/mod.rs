@@ -142,7 +142,7 @@ impl State {
     /// or scrolls to [`SHARE`], [`TOOLS`], [`QUALITY`], [`OBJECTS`] or [`SEARCH`], which takes the
     /// focus. Any other id removes the mark. What [`SHARE`] has unfolded folds again with the next id.
     pub fn reveal(&mut self, id: &str) {
-        let model = self.fire.parameters.model();
+        let model = self.fire.parameters().model();
         let param = Param::find(id).filter(|param| param.domain(model).is_some());
         self.reveal.marked = param.map(|param| param.id);
         if id == SHARE {
@@ -214,7 +214,7 @@ impl State {
     /// add a line to other rows: its own row stays.
     pub fn anchor(&self) -> Option<(&'static str, f32)> {
         let mut tops = self.anchor.tops.iter().copied();
-        if self.fire.parameters.model() == self.anchor.model {
+        if self.fire.parameters().model() == self.anchor.model {
             return tops.find(|&(id, _)| Some(id) == self.anchor.chosen);
         }
         tops.find(|&(id, _)| self.fire.used().any(|param| param.id == id))

@@ -1,6 +1,6 @@
 //! Scenes of objects, and their names.
 
-use hearth_core::params::{AnyValue, Input, Model, Parameters, Property};
+use hearth_core::params::{AnyValue, Input, Model, Property};
 use hearth_core::scene::{Object, Scene};
 
 use crate::right_to_left::is_from_right;
@@ -13,25 +13,25 @@ pub const OBJECTS: &str = "Objects";
 /// The name and the value of each field of an object.
 pub type Fields = Vec<(String, Entry)>;
 
-/// Gives a scene these settings and objects. An object that is refused comes from another version of
+/// Gives a scene these objects and leaves its parameters. An object that is refused comes from another version of
 /// the fire and is missing. Of objects that the scene has, only what differs is set, because the
 /// distance from an outline takes milliseconds to sample.
-pub fn update(scene: &mut Scene, settings: &Parameters, objects: &[Fields]) {
+pub fn update(scene: &mut Scene, objects: &[Fields]) {
     let wanted: Vec<_> = objects.iter().map(identity).collect();
     let is_wanted = |object: &Object<'_>| objects.iter().any(|fields| describes(fields, *object));
     let kept = scene.objects().filter(is_wanted);
     let mut kept: Vec<_> = kept.map(|object| (object.id, object.kind.name)).collect();
     // Objects of a scene are in the order in which they were added.
-    if settings.model() != scene.settings().model() || !wanted.starts_with(&kept) {
+    if !wanted.starts_with(&kept) {
         kept.clear();
     }
+    let settings = scene.settings().clone();
     let all: Vec<u32> = scene.objects().map(|object| object.id).collect();
     for id in all {
         if !kept.iter().any(|(known, _)| *known == id) {
             let _ = scene.remove(id);
         }
     }
-    scene.set_settings(settings.clone());
     for (index, (fields, (id, _))) in objects.iter().zip(wanted).enumerate() {
         let object = match index < kept.len() {
             true => scene.objects().find(|object| object.id == id),
@@ -48,6 +48,8 @@ pub fn update(scene: &mut Scene, settings: &Parameters, objects: &[Fields]) {
             let _ = scene.remove(id);
         }
     }
+    // Parameters are the properties of the first source, not the other way round.
+    scene.set_settings(settings);
 }
 
 /// The id and the kind of an object.

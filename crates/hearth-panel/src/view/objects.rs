@@ -92,7 +92,7 @@ pub fn results(state: &State, out: &mut Output, ui: &mut Ui) -> bool {
     let query = &*state.search.text;
     let mut any = false;
     for &kind in KINDS {
-        let found = search::properties(query, kind, state.fire.parameters.model());
+        let found = search::properties(query, kind, state.fire.parameters().model());
         let named = |object: &Object<'_>| search::names(query, &name_of(*object));
         let of_kind = |object: &Object<'_>| object.kind.name == kind.name;
         let all = || state.fire.objects.objects().filter(of_kind);

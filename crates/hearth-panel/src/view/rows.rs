@@ -106,7 +106,7 @@ fn results(state: &State, out: &mut Output, ui: &mut Ui) {
 
 /// The parameters that the page selects, as far as the model has them.
 fn selected(state: &State, out: &mut Output, ui: &mut Ui, only: &[&'static Param]) {
-    let model = state.fire.parameters.model();
+    let model = state.fire.parameters().model();
     ui.add_space(6.0);
     for param in only {
         if param.domain(model).is_some() {

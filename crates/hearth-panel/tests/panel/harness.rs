@@ -164,7 +164,7 @@ impl Harness {
     }
 
     pub fn value(&self, id: &str) -> Value {
-        let value = self.panel.state.fire.parameters.get(id);
+        let value = self.panel.state.fire.parameters().get(id);
         value.unwrap_or_else(|| panic!("there is no {id}"))
     }
 }

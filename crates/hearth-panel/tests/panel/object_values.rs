@@ -1,6 +1,6 @@
 //! Values of objects: the ranges of their sliders, requests that are pending, and reports of the fire.
 
-use hearth_core::params::{Input, Model, Parameters, Value};
+use hearth_core::params::{Input, Model, Param, Parameters, Value};
 use hearth_core::scene::{Object, Scene};
 use hearth_panel::state::fire::{Entry, Fire};
 use hearth_panel::state::{Fields, Subject};
@@ -42,6 +42,12 @@ fn an_older_list_does_not_move_a_dragged_slider() {
     assert!(fire.answered(coordinate));
     fire.receive_objects(&old);
     assert_eq!(fire.value(coordinate), Value::Number(0.0));
+    // The properties of the first source are parameters, which have requests of their own.
+    let width = Param::find("source_width").expect("the table has it");
+    assert!(fire.set(width, Entry::Number(0.3).input()).is_ok());
+    fire.sent(width.into());
+    fire.receive_objects(&old);
+    assert_eq!(fire.value(width), Value::Number(0.3));
 }
 
 /// The fields of all objects of a scene, as a fire reports them.
@@ -78,7 +84,7 @@ fn each_report_of_objects_gives_the_scene_that_it_describes() {
         let mut reported = Scene::new(Parameters::new(model));
         let mut report_after = |what: &str, act: &mut dyn FnMut(&mut Scene)| {
             act(&mut reported);
-            fire.parameters = reported.settings().clone();
+            fire.objects.set_settings(reported.settings().clone());
             fire.receive_objects(&report(&reported));
             assert_eq!(fire.objects, reported, "{what}");
         };

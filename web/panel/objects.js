@@ -233,15 +233,23 @@ export function sizeOf(fields) {
   };
 }
 
-/** Width and height of the box of an object before it is turned. @param {{[name: string]: any}} fields */
-export function boxOf({ shape, points = '', width, height }) {
-  if (shape !== 'polygon' && shape !== 'stroke') return { width, height };
-  /** @type {number[]} */
+/**
+ * The points of a polygon or a stroke, relative to its position.
+ * @param {{[name: string]: any}} fields
+ * @returns {{x: number, y: number}[]}
+ */
+export function pointsOf({ points = '' }) {
   const all = (String(points).match(/[-+.\de]+/g) ?? []).map(Number);
-  const reach = (/** @type {number} */ axis) =>
-    2 * Math.max(0, ...all.filter((_, at) => at % 2 === axis).map(Math.abs));
+  return Array.from({ length: all.length >> 1 }, (_, at) => ({ x: all[2 * at], y: all[2 * at + 1] }));
+}
+
+/** Width and height of the box of an object before it is turned. @param {{[name: string]: any}} fields */
+export function boxOf({ shape, points, width, height }) {
+  if (shape !== 'polygon' && shape !== 'stroke') return { width, height };
+  const all = pointsOf({ points });
+  const reach = (/** @type {'x' | 'y'} */ axis) => 2 * Math.max(0, ...all.map((point) => Math.abs(point[axis])));
   const line = shape === 'stroke' ? height : 0;
-  return { width: reach(0) + line, height: reach(1) + line };
+  return { width: reach('x') + line, height: reach('y') + line };
 }
 
 /** The distance of a point from an object. @type {(object: Fields, x: number, y: number) => number} */

@@ -7,7 +7,7 @@
  * @typedef {Fields & Point} Placed  Those of an object with a position.
  */
 
-import { boxOf, isBody } from '../panel/objects.js';
+import { boxOf, isBody, pointsOf } from '../panel/objects.js';
 
 /** The smallest side of a drawn solid [m], and the thickness of a line. */
 const SMALLEST = 0.02;
@@ -144,12 +144,6 @@ function fromSegment(point, a, b) {
   const along = length ? ((point.x - a.x) * (b.x - a.x) + (point.y - a.y) * (b.y - a.y)) / length : 0;
   const share = length ? Math.min(1, Math.max(0, along / length)) : 0;
   return apart(point, { x: a.x + share * (b.x - a.x), y: a.y + share * (b.y - a.y) });
-}
-
-/** The points of a polygon or a stroke, relative to its position. @param {Fields} object @returns {Point[]} */
-function pointsOf({ points = '' }) {
-  const all = (String(points).match(/[-+.\de]+/g) ?? []).map(Number);
-  return Array.from({ length: all.length >> 1 }, (_, at) => ({ x: all[2 * at], y: all[2 * at + 1] }));
 }
 
 /** Whether an object is turned; a circle is not. @param {Fields} object */

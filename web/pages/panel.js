@@ -4,7 +4,7 @@
  */
 
 import { recall, remember } from './memory.js';
-import { shortcutsOff } from '../panel/keys.js';
+import { isTaken, shortcutsOff } from '../panel/keys.js';
 
 /** The screens on which the panel stands beside the fire and opens by itself. */
 const WIDE = '(width >= 720px) and (height >= 480px)';
@@ -90,7 +90,7 @@ export class PagePanel {
   /** @param {KeyboardEvent} event */
   #key(event) {
     const { key, ctrlKey, metaKey, altKey, shiftKey, repeat } = event;
-    if (ctrlKey || metaKey || altKey || repeat || event.defaultPrevented || isTyping(event)) return;
+    if (ctrlKey || metaKey || altKey || repeat || event.defaultPrevented || isTaken(event)) return;
     const [target, ...around] = event.composedPath();
     const near =
       [document.body, this.#root, this.#toggle].some((element) => element === target) ||
@@ -159,15 +159,4 @@ export class PagePanel {
       this.#host.replaceChildren(message);
     }
   }
-}
-
-/**
- * Whether a key types text.
- * @param {KeyboardEvent} event
- */
-function isTyping(event) {
-  const target = event.composedPath()[0];
-  if (!(target instanceof HTMLElement)) return false;
-  if (target instanceof HTMLInputElement) return !['range', 'checkbox', 'button'].includes(target.type);
-  return target.isContentEditable || ['TEXTAREA', 'SELECT'].includes(target.tagName);
 }

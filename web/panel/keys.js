@@ -121,7 +121,7 @@ export function shortcutsOff(...elements) {
  * Whether the focused element handles a key itself.
  * @param {KeyboardEvent} event
  */
-function isTaken(event) {
+export function isTaken(event) {
   const focused = event.composedPath()[0];
   if (!(focused instanceof HTMLElement)) return false;
   if (focused instanceof HTMLInputElement && !TEXTLESS.includes(focused.type)) return true;

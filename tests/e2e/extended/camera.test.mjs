@@ -117,23 +117,20 @@ test('zoom and pan show a part of the picture, and change nothing in the fire', 
   );
 });
 
+/** Waits until a wheel with Ctrl reaches the fire, whose code for pointers is loaded on request. */
+const listened = (tab) =>
+  tab.until('the pointer is listened to', () => {
+    const how = { deltaY: -1, ctrlKey: true, cancelable: true, bubbles: true, clientX: 90, clientY: 60 };
+    const event = new WheelEvent('wheel', how);
+    document.querySelector('hearth-fire').dispatchEvent(event);
+    return event.defaultPrevented;
+  });
+
 test('a wheel with Ctrl enlarges what is under the pointer, a double click shows all again', async () => {
   const tab = await browser.show(`<style>body { height: 3000px; margin: 0 }</style><hearth-fire paused interactive
     style="width: 300px; height: 200px"></hearth-fire>`);
   await tab.ready();
-  await tab.until('the pointer is listened to', () => {
-    const event = new WheelEvent('wheel', {
-      deltaY: -1,
-      ctrlKey: true,
-      cancelable: true,
-      bubbles: true,
-      clientX: 90,
-      clientY: 60,
-    });
-    const fire = document.querySelector('hearth-fire');
-    fire.dispatchEvent(event);
-    return event.defaultPrevented;
-  });
+  await listened(tab);
   const at = () => tab.fire((fire) => fire.toMetres(90, 60));
   const before = await at();
   const wheel = (deltaY, ctrlKey) =>
@@ -161,18 +158,7 @@ test('a wheel with Ctrl enlarges what is under the pointer, a double click shows
 test('two fingers enlarge and move the picture', async () => {
   const tab = await browser.show(`<hearth-fire paused interactive style="width: 300px; height: 200px"></hearth-fire>`);
   await tab.ready();
-  await tab.until('the pointer is listened to', () => {
-    const event = new WheelEvent('wheel', {
-      deltaY: -1,
-      ctrlKey: true,
-      cancelable: true,
-      bubbles: true,
-      clientX: 90,
-      clientY: 60,
-    });
-    document.querySelector('hearth-fire').dispatchEvent(event);
-    return event.defaultPrevented;
-  });
+  await listened(tab);
   const [zoom, held] = await tab.fire((fire) => {
     const { left, top } = fire.getBoundingClientRect();
     const touch = (type, pointerId, x, y) =>

@@ -41,35 +41,26 @@ pub(super) fn defaults() -> String {
     format!("{HEADER}{defaults}\nexport {{ OWN_ATTRIBUTES }} from './attributes.js';\n")
 }
 
-/// The module of the whole table, with what a person reads about each preset.
-pub(super) fn module(scenes: &[Scene]) -> String {
-    let texts = scenes
-        .iter()
-        .map(|scene| json!(scene.description).to_string());
-    let texts = constant("What a preset looks like.", "TEXTS", LIST, texts).replace("export ", "");
-    let exports = "\
-import { PARAMETERS, PRESETS as TABLE } from './generated/table.js';
-
-export { QUANTITIES } from './generated/quantities.js';
-export { PARAMETERS };
-";
-    let presets = "
-/** Named sets of values: the defaults, with these changed. */
-export const PRESETS = TABLE.map((preset, at) => ({ ...preset, description: TEXTS[at] }));
-";
-    [HEADER, "\n", exports, &texts, presets].concat()
+/// The module of all tables for pages and packages.
+pub(super) fn module() -> String {
+    HEADER.to_owned()
+        + "\n\
+           export { QUANTITIES } from './generated/quantities.js';\n\
+           export { PARAMETERS, PRESETS } from './generated/table.js';\n"
 }
 
-/// The module of the table without these texts, which are a kilobyte of the tools.
+/// The module of the parameters and the presets.
 pub(super) fn table(scenes: &[Scene]) -> String {
     let all = PARAMETERS.iter().map(|param| derived(entry(param)));
     let all = all.map(|entry| entry.to_string());
     let entries = constant("The entries.", "ENTRIES", LIST, all).replace("export ", "");
     let doc = "Named sets of values: the defaults, with these changed. \
-               @type {Omit<import('../parameters.js').Preset, 'description'>[]}";
+               @type {import('../parameters.js').Preset[]}";
     let presets = scenes.iter().map(|scene| {
         let values: Map<_, _> = scene.values.iter().cloned().collect();
-        json!({ "name": scene.name, "label": scene.label, "values": values }).to_string()
+        let (name, label, description) = (&scene.name, &scene.label, &scene.description);
+        json!({ "name": name, "label": label, "description": description, "values": values })
+            .to_string()
     });
     let presets = constant(doc, "PRESETS", LIST, presets);
     [HEADER, &entries, DERIVE, &presets].concat()

@@ -48,7 +48,7 @@ fn generate(checkout: &Path) -> Result<Vec<Generated>> {
             gallery::picture(checkout)?,
         ),
         ("web/generated/defaults.js", javascript::defaults()),
-        ("web/parameters.js", javascript::module(&scenes)),
+        ("web/parameters.js", javascript::module()),
         ("web/generated/table.js", javascript::table(&scenes)),
         ("web/generated/quantities.js", javascript::quantities()),
         ("web/generated/prewarmed.js", javascript::prewarmed()),

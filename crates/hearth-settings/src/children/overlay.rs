@@ -54,7 +54,17 @@ pub fn laid(
     refused: &mut Vec<Refused>,
 ) -> Laid {
     let mut scene = lay_over(&own, &mut children, burning, refused);
-    arrange(&mut scene, order);
+    let mut order = order.to_vec();
+    // A source of the page that a child hid returns to its place.
+    let mut place = 0;
+    for id in ids(&own) {
+        let known = order.iter().position(|known| *known == id);
+        place = known.unwrap_or_else(|| {
+            order.insert(place, id);
+            place
+        }) + 1;
+    }
+    arrange(&mut scene, &order);
     scene.set_settings(scene.settings().clone());
     if children.is_empty() {
         return (scene, None);
@@ -177,17 +187,25 @@ impl Overlay for Children {
         let first = first_source(self.list.iter());
         let saved = whole.map(|whole| whole.field(CHILDREN).list().iter().map(Child::read));
         let saved: Option<Vec<_>> = saved.map(Iterator::collect);
+        let first_before = saved.as_ref().and_then(|saved| first_source(saved.iter()));
         let mut children = Vec::new();
         for child in &self.list {
             let mut child = child.clone();
             let mut changes = Vec::new();
             match &saved {
                 Some(saved) => {
-                    if let Some(saved) = find(saved, child.number) {
+                    let saved = find(saved, child.number);
+                    let saved = saved.filter(|saved| saved.kind == child.kind);
+                    // Only the first source has the object of the page, and another one may be the first by now.
+                    if child.is(first) != child.is(first_before) || saved.is_none() {
+                        child.object = if child.is(first) { 0 } else { child.number };
+                    } else if let Some(saved) = saved {
+                        child.object = saved.object;
+                    }
+                    if let Some(saved) = saved {
                         let names = child.called.iter().chain(&saved.called);
                         changes = names.map(|(name, _)| name.clone()).collect();
                         child.called.clone_from(&saved.called);
-                        child.object = saved.object;
                         if child.state != State::Hidden {
                             child.state = match saved.state {
                                 State::Removed => State::Removed,

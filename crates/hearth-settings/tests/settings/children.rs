@@ -414,3 +414,32 @@ fn a_child_for_which_there_is_no_room_gets_its_object_when_there_is() {
         Some(1065)
     );
 }
+
+#[test]
+fn a_page_source_that_a_child_hid_returns_to_its_place() {
+    let other = sent([("kind", text("source")), ("x", number(0.4))]);
+    let page = after(&Settings::default(), Change::AddObject(&other));
+    let gone = page.with_children(&hidden(&page, &[SOURCE]), &mut Vec::new());
+    assert_eq!(objects(&gone, &["x"]), ["2 source 0.4"]);
+    assert_eq!(laid(&gone, &[]).scene(), page.scene());
+}
+
+#[test]
+fn whole_settings_of_other_children_keep_each_object_once() {
+    let page = Settings::default();
+    let second = || Child(1002, "source", &[("x", "0.3")], &[]);
+    let whole_of_both = whole(&laid(&page, &[SOURCE, second()]));
+    let cases = [
+        // The first source has left: the second one has the source of the page.
+        (second(), vec!["1 source 0.3"]),
+        // Another child has the number of a source.
+        (
+            Child(1001, "solid", &[("x", "0.1")], &[]),
+            vec!["1 source 0", "1001 solid 0.1"],
+        ),
+    ];
+    for (child, wanted) in cases {
+        let now = file(&laid(&page, &[child]), &whole_of_both);
+        assert_eq!(objects(&now, &["x"]), wanted);
+    }
+}

@@ -234,3 +234,53 @@ fn children_that_come_and_leave_change_nothing_else() {
         assert_eq!(whole(&none(&laid)), whole(&bare), "{seed}");
     }
 }
+
+#[test]
+fn whole_settings_return_the_page_under_the_children_of_now() {
+    for seed in 0..FEWER {
+        let random = &mut Random::new(seed);
+        let mut before = Settings::default();
+        for _ in 0..=below(random, LONGEST) {
+            before = changed(random, &before);
+        }
+        let mut after = before.clone();
+        for _ in 0..=below(random, LONGEST) {
+            after = changed(random, &after);
+        }
+        let file = whole(&before);
+        let restored = after.after_file(&file);
+        let restored = restored.unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
+        let now = whole(&restored);
+        for field in ["values", "classic", "combustion", "objects"] {
+            assert_eq!(now.field(field), file.field(field), "{seed}");
+        }
+        let first = |whole: &Untrusted| {
+            let children = whole.field("children").list().iter();
+            let sources = children.filter(|child| child.field("kind").text() == "source");
+            sources
+                .min_by_key(|child| child.field("id").number() as u32)
+                .cloned()
+        };
+        // A source that is the first one by now has the object of the page; other sources have their own.
+        let Some(source) = first(&now).filter(|source| {
+            first(&file).is_none_or(|first| first.field("id") != source.field("id"))
+        }) else {
+            continue;
+        };
+        let sources = |list: &Untrusted| {
+            let sources = list.list().iter();
+            sources
+                .filter(|source| source.field("kind").text() == "source")
+                .filter(|source| ["", "live"].contains(&source.field("state").text()))
+                .count()
+        };
+        let own = sources(now.field("objects"));
+        let is_shared = own > 0 && source.field("state").text() != "removed";
+        let objects = restored.scene().objects();
+        assert_eq!(
+            objects.filter(|object| object.source().is_some()).count(),
+            own + sources(now.field("children")) - usize::from(is_shared),
+            "{seed}: {now:?}"
+        );
+    }
+}

@@ -109,8 +109,11 @@ impl Settings {
         let list = list.map(Child::read).collect();
         let own = settings.scene().clone();
         let nothing = Scene::new(settings.parameters().clone());
-        let children = Children { own: nothing, list };
-        let laid = children.over(own, &children.own, Some(config));
+        let children = Children {
+            own: own.clone(),
+            list,
+        };
+        let laid = children.over(own, &nothing, Some(config));
         Ok(settings.burning(laid))
     }
 }

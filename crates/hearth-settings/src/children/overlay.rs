@@ -171,7 +171,9 @@ impl Overlay for Children {
                 }
             }
         }
-        if now == before && is_same {
+        // A child for which there was no room may have an object now.
+        let is_waiting = |child: &Child| child.state == State::Live && child.find(&scene).is_none();
+        if now == before && is_same && !children.iter().any(is_waiting) {
             scene.keep_source_of(&own);
             let list = children;
             return (scene, Some(Arc::new(Children { own, list })));
@@ -196,12 +198,20 @@ impl Overlay for Children {
                 Some(saved) => {
                     let saved = find(saved, child.number);
                     let saved = saved.filter(|saved| saved.kind == child.kind);
-                    // Only the first source has the object of the page, and another one may be the first by now.
-                    if child.is(first) != child.is(first_before) || saved.is_none() {
-                        child.object = if child.is(first) { 0 } else { child.number };
-                    } else if let Some(saved) = saved {
-                        child.object = saved.object;
-                    }
+                    // Another source may be the first one by now, and the page may have another source.
+                    let is_of = |own| child.source_of(own, first).is_some();
+                    let is_gone = is_of(&self.own) && !is_of(&own) && has_source(&own);
+                    let is_its = |saved: &&Child| {
+                        child.is(first) == child.is(first_before)
+                            && !(is_gone
+                                && saved.object == child.object
+                                && saved.state == State::Live)
+                    };
+                    child.object = match saved.filter(is_its) {
+                        Some(saved) => saved.object,
+                        None if child.is(first) => 0,
+                        None => child.number,
+                    };
                     if let Some(saved) = saved {
                         let names = child.called.iter().chain(&saved.called);
                         changes = names.map(|(name, _)| name.clone()).collect();

@@ -408,6 +408,11 @@ fn a_child_for_which_there_is_no_room_gets_its_object_when_there_is() {
         errors[0].message.contains("must be at most 64 solids"),
         "{errors:?}"
     );
+    let room = after(&full, Change::RemoveObject(1002));
+    assert_eq!(
+        room.scene().objects().last().map(|object| object.id),
+        Some(1065)
+    );
     let room = laid(&full, &of(1002..1066));
     assert_eq!(
         room.scene().objects().last().map(|object| object.id),
@@ -442,4 +447,25 @@ fn whole_settings_of_other_children_keep_each_object_once() {
         let now = file(&laid(&page, &[child]), &whole_of_both);
         assert_eq!(objects(&now, &["x"]), wanted);
     }
+    // The source of the page has another id by now; undo leaves a child that has come.
+    let other = laid(
+        &imported(&object([(
+            "objects",
+            Untrusted::List(vec![object([
+                ("kind", text("source")),
+                ("id", number(5.0)),
+            ])]),
+        )])),
+        &[SOURCE],
+    );
+    let Untrusted::Object(mut undone) = whole(&page) else {
+        panic!("settings are no object");
+    };
+    for (name, value) in &mut undone {
+        if name == "children" {
+            *value = whole(&other).field("children").clone();
+        }
+    }
+    let now = file(&other, &Untrusted::Object(undone));
+    assert_eq!(objects(&now, &["x"]), ["1 source 0.2"]);
 }

@@ -269,12 +269,31 @@ describe('a step', () => {
     );
   });
 
+  test('that goes on while it is undone leaves no other step', async () => {
+    const fire = new Fire();
+    await drag(fire, 'first', [6, 7]);
+    const { call } = fire;
+    fire.call = (name, settings) => {
+      const answer = call.call(fire, name, settings);
+      // The fire answers this between the two calls of undo.
+      if (name !== 'restore') drag(fire, 'first', [8]);
+      return answer;
+    };
+    await fire.history.undo();
+    assert.deepEqual([fire.settings, fire.history.canUndo, fire.history.canRedo], [FIRST, false, true]);
+  });
+
   test('that the fire now rejects is dropped, and the rejection is reported', async () => {
     const fire = new Fire();
     await drag(fire, 'first', [6]);
     const { call } = fire;
     fire.call = async (name, settings) =>
-      name === 'restore' ? Promise.reject(new RangeError('no more')) : call.call(fire, name, settings);
+      name === 'restore' ? Promise.reject(error) : call.call(fire, name, settings);
+    // A fire that stops may take the step back when it is followed by another.
+    let error = new Error('stopped');
+    await assert.rejects(fire.history.undo(), /stopped/);
+    assert.deepEqual([fire.history.canUndo, fire.history.canRedo], [true, false]);
+    error = new RangeError('no more');
     await assert.rejects(fire.history.undo(), /no more/);
     assert.deepEqual([fire.history.canUndo, fire.history.canRedo], [false, false]);
   });

@@ -211,6 +211,22 @@ test('setting a value ends its transition, and the others continue', async () =>
   assert.equal(await tab.fire((fire) => fire.exposure), 2);
 });
 
+test('undo ends the transitions of the values that it changes, and the others continue', async () => {
+  const tab = await open();
+  await begin(tab, 'page', { exposure: 1 }, { easing: 'linear' });
+  await tab.fire((fire) => {
+    const { ended } = /** @type {any} */ (window);
+    fire.history.step(() => fire.to({ wind: 1 }, { easing: 'linear' })).then((whole) => (ended.step = whole));
+  });
+  await at(tab, 0.5, { wind: 0.5, exposure: 0.5 });
+  await tab.fire((fire) => fire.history.undo());
+  await at(tab, 0.75, { wind: 0, exposure: 0.75 });
+  assert.equal(await end(tab, 'step'), false);
+  await at(tab, 1, { wind: 0, exposure: 1 });
+  assert.equal(await end(tab, 'page'), true);
+  assert.deepEqual(await tab.fire(({ history }) => [history.canUndo, history.canRedo]), [false, true]);
+});
+
 test('values arrive at once while the fire is out of sight', async () => {
   const tab = await open();
   await begin(tab, 'gone', { wind: 1 }, { easing: 'linear' });

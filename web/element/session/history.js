@@ -27,6 +27,8 @@ export class FireHistory {
   /** The key of the running step. @type {string | undefined} */
   #key;
   #steps = 0;
+  /** The key of the step that is undone or redone now. @type {string | undefined} */
+  moving;
   /** The last undo or redo. @type {Promise<boolean>} */
   #moved = Promise.resolve(false);
 
@@ -96,6 +98,8 @@ export class FireHistory {
    * @type {(key: string, before: Whole, after: Whole) => void}
    */
   record(key, before, after) {
+    // A change that was on its way when its step was undone.
+    if (key === this.moving) return;
     const last = this.#done.at(-1);
     if (last?.key === key && !this.canRedo) {
       const span = last.spans[last.spans.length - 1];

@@ -151,7 +151,7 @@ export class FireSession {
     } else if (name === 'objects') {
       this.#setObjects(value);
     } else if (name === 'preset') {
-      if (begun && !this.#reflecting) this.call('preset', value ?? 'default', 'preset');
+      if (begun && !this.#reflecting) this.call('preset', value ?? 'default', this.history.source('preset'));
     } else if (name === 'quality') {
       this.call('quality', value ?? 'auto');
     } else if (name === 'paused') {

@@ -12,6 +12,7 @@
  * @typedef {Asked[] & {transitions?: Transitions, end?: () => void}} Calls
  *
  * @typedef {import('./session.js').FireSession} FireSession
+ * @typedef {import('./state.js').Whole} Whole
  *
  * @typedef {object} Transition one call of `to`
  * @property {Values} to the final values
@@ -72,8 +73,8 @@ class Transitions {
       this.#all.set(answer, { to: given, ids: new Set(Object.keys(given ?? {})), held: [], whole: true, end() {} });
       return 0;
     }
-    if (/^to\b/.test(source) || !['set', 'preset', 'import'].includes(method)) return 0;
-    const named = method === 'set' && Object.keys(given);
+    if (/^to\b/.test(source) || !['set', 'preset', 'import', 'restore'].includes(method)) return 0;
+    const named = method === 'set' ? Object.keys(given) : method === 'restore' && this.#restored(given);
     // Another model has other values.
     const all = !named || named.includes('model');
     for (const transition of this.#all.values()) {
@@ -89,6 +90,17 @@ class Transitions {
       }
     }
     return 0;
+  }
+
+  /** The values that whole settings change. @param {Whole} settings */
+  #restored(settings) {
+    const now = this.#session.state.settings;
+    /** @type {(whole: Whole) => Values[]} */
+    const parts = (whole) => [whole.values, whole.classic, whole.combustion].map((part) => Object(part));
+    const before = parts(now);
+    return parts(settings).flatMap((values, at) =>
+      Object.keys({ ...values, ...before[at] }).filter((id) => values[id] !== before[at][id]),
+    );
   }
 
   /**

@@ -18,10 +18,12 @@ const areFields = (all) => all.every((value) => typeof value === 'object' && val
  */
 export async function move(session, type, from, to, report) {
   // Steps that are not answered yet come first.
-  await session.call('check', {});
+  await session.call('export');
   const step = from.pop();
   if (!step) return false;
   const { key, spans } = step;
+  const { history } = session;
+  history.moving = key;
   const now = session.state.settings;
   const back = type === 'undo';
   const ways = back ? [...spans].reverse() : spans.map(([before, after]) => [after, before]);
@@ -30,8 +32,12 @@ export async function move(session, type, from, to, report) {
     await session.call('restore', settings, 'property');
     const there = session.state.settings;
     to.push({ key, spans: [back ? [there, now] : [now, there]] });
+  } catch (error) {
+    // The fire would refuse a refused step again, so that step is dropped. Another fire follows a stopped one.
+    if (!(error instanceof RangeError)) from.push(step);
+    throw error;
   } finally {
-    // The fire would refuse a refused step again, so the step is dropped.
+    history.moving = undefined;
     report(key);
   }
   return true;

@@ -41,6 +41,9 @@ test('random steps are undone exactly, and changes of the page stay', async () =
       () => fire.removeObject(anyId()),
       () => fire.importConfig({ preset: 'candle', values: { wind: 0.2 } }),
       () => fire.set({ objects: [...fire.objects].reverse() }),
+      () => {
+        fire.preset = ['candle', 'campfire', 'bonfire-in-wind'][random(3)];
+      },
     ];
     const act = () => Promise.resolve(acts[random(acts.length)]()).catch(() => {});
     const settings = async () => JSON.stringify(await fire.exportConfig());

@@ -105,8 +105,12 @@ impl Settings {
     /// All validation errors.
     pub fn with_children_of_file(config: &Untrusted) -> Result<Settings, Vec<ValidationError>> {
         let settings = Settings::of_file(config)?;
-        let list = config.field(CHILDREN).list().iter();
-        let list = list.map(Child::read).collect();
+        let mut list: Vec<Child> = Vec::new();
+        for child in config.field(CHILDREN).list().iter().map(Child::read) {
+            if find(&list, child.number).is_none() {
+                list.push(child);
+            }
+        }
         let own = settings.scene().clone();
         let nothing = Scene::new(settings.parameters().clone());
         let children = Children {

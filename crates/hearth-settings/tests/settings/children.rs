@@ -427,6 +427,11 @@ fn a_page_source_that_a_child_hid_returns_to_its_place() {
     let gone = page.with_children(&hidden(&page, &[SOURCE]), &mut Vec::new());
     assert_eq!(objects(&gone, &["x"]), ["2 source 0.4"]);
     assert_eq!(laid(&gone, &[]).scene(), page.scene());
+    // A file that has a child twice has it once.
+    let list = whole(&gone).field("children").list().to_vec();
+    let list = [list.clone(), list].concat();
+    let read = Settings::with_children_of_file(&with_list(&gone, &list));
+    assert_eq!(read, Ok(gone));
 }
 
 #[test]
@@ -458,14 +463,19 @@ fn whole_settings_of_other_children_keep_each_object_once() {
         )])),
         &[SOURCE],
     );
-    let Untrusted::Object(mut undone) = whole(&page) else {
-        panic!("settings are no object");
-    };
-    for (name, value) in &mut undone {
-        if name == "children" {
-            *value = whole(&other).field("children").clone();
-        }
-    }
-    let now = file(&other, &Untrusted::Object(undone));
-    assert_eq!(objects(&now, &["x"]), ["1 source 0.2"]);
+    let undone = with_list(&page, whole(&other).field("children").list());
+    assert_eq!(objects(&file(&other, &undone), &["x"]), ["1 source 0.2"]);
+}
+
+/// Whole settings with another list of children.
+fn with_list(settings: &Settings, list: &[Untrusted]) -> Untrusted {
+    let whole = whole(settings);
+    let fields = whole.fields().iter().map(|(name, value)| {
+        let value = match name.as_str() {
+            "children" => Untrusted::List(list.to_vec()),
+            _ => value.clone(),
+        };
+        (name.clone(), value)
+    });
+    Untrusted::Object(fields.collect())
 }

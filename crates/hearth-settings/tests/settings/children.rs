@@ -5,11 +5,11 @@ use hearth_settings::untrusted::Untrusted;
 use hearth_settings::{Change, Settings, export, whole};
 
 /// A child of the list: its number, its kind, what it states and what it states anew.
-struct Child(
-    u32,
-    &'static str,
-    &'static [(&'static str, &'static str)],
-    &'static [&'static str],
+pub struct Child(
+    pub u32,
+    pub &'static str,
+    pub &'static [(&'static str, &'static str)],
+    pub &'static [&'static str],
 );
 
 /// The list as the element sends it: a new child states everything anew.
@@ -36,7 +36,7 @@ fn list(settings: &Settings, children: &[Child]) -> Vec<Untrusted> {
 }
 
 /// The list with children that have no object now.
-fn hidden(settings: &Settings, children: &[Child]) -> Vec<Untrusted> {
+pub fn hidden(settings: &Settings, children: &[Child]) -> Vec<Untrusted> {
     let mut all = list(settings, children);
     for child in &mut all {
         if let Untrusted::Object(fields) = child {
@@ -47,7 +47,7 @@ fn hidden(settings: &Settings, children: &[Child]) -> Vec<Untrusted> {
 }
 
 /// The settings with these children, none of whose values is refused.
-fn laid(settings: &Settings, children: &[Child]) -> Settings {
+pub fn laid(settings: &Settings, children: &[Child]) -> Settings {
     let mut errors = Vec::new();
     let laid = settings.with_children(&list(settings, children), &mut errors);
     assert_eq!(errors, []);
@@ -55,7 +55,7 @@ fn laid(settings: &Settings, children: &[Child]) -> Settings {
 }
 
 /// Each object as its id, its kind and these properties.
-fn objects(settings: &Settings, names: &[&str]) -> Vec<String> {
+pub fn objects(settings: &Settings, names: &[&str]) -> Vec<String> {
     let all = settings.scene().objects().map(|object| {
         let mut words = vec![object.id.to_string(), object.kind.name.to_owned()];
         for name in names {
@@ -72,7 +72,7 @@ fn preset(settings: &Settings, name: &str) -> Settings {
     after(settings, Change::Preset(name))
 }
 
-fn file(settings: &Settings, config: &Untrusted) -> Settings {
+pub fn file(settings: &Settings, config: &Untrusted) -> Settings {
     match settings.after_file(config) {
         Ok(after) => after,
         Err(errors) => panic!("{config:?} is refused: {errors:?}"),
@@ -83,7 +83,7 @@ fn change(settings: &Settings, id: u32, values: &Sent) -> Settings {
     after(settings, Change::ChangeObject(id, values))
 }
 
-const SOURCE: Child = Child(1001, "source", &[("x", "0.2"), ("power", "80")], &[]);
+pub const SOURCE: Child = Child(1001, "source", &[("x", "0.2"), ("power", "80")], &[]);
 const SOLID: Child = Child(1002, "solid", &[("x", "0.3")], &[]);
 
 #[test]
@@ -418,64 +418,4 @@ fn a_child_for_which_there_is_no_room_gets_its_object_when_there_is() {
         room.scene().objects().last().map(|object| object.id),
         Some(1065)
     );
-}
-
-#[test]
-fn a_page_source_that_a_child_hid_returns_to_its_place() {
-    let other = sent([("kind", text("source")), ("x", number(0.4))]);
-    let page = after(&Settings::default(), Change::AddObject(&other));
-    let gone = page.with_children(&hidden(&page, &[SOURCE]), &mut Vec::new());
-    assert_eq!(objects(&gone, &["x"]), ["2 source 0.4"]);
-    assert_eq!(laid(&gone, &[]).scene(), page.scene());
-    // A file that has a child twice has it once.
-    let list = whole(&gone).field("children").list().to_vec();
-    let list = [list.clone(), list].concat();
-    let read = Settings::with_children_of_file(&with_list(&gone, &list));
-    assert_eq!(read, Ok(gone));
-}
-
-#[test]
-fn whole_settings_of_other_children_keep_each_object_once() {
-    let page = Settings::default();
-    let second = || Child(1002, "source", &[("x", "0.3")], &[]);
-    let whole_of_both = whole(&laid(&page, &[SOURCE, second()]));
-    let cases = [
-        // The first source has left: the second one has the source of the page.
-        (second(), vec!["1 source 0.3"]),
-        // Another child has the number of a source.
-        (
-            Child(1001, "solid", &[("x", "0.1")], &[]),
-            vec!["1 source 0", "1001 solid 0.1"],
-        ),
-    ];
-    for (child, wanted) in cases {
-        let now = file(&laid(&page, &[child]), &whole_of_both);
-        assert_eq!(objects(&now, &["x"]), wanted);
-    }
-    // The source of the page has another id by now; undo leaves a child that has come.
-    let other = laid(
-        &imported(&object([(
-            "objects",
-            Untrusted::List(vec![object([
-                ("kind", text("source")),
-                ("id", number(5.0)),
-            ])]),
-        )])),
-        &[SOURCE],
-    );
-    let undone = with_list(&page, whole(&other).field("children").list());
-    assert_eq!(objects(&file(&other, &undone), &["x"]), ["1 source 0.2"]);
-}
-
-/// Whole settings with another list of children.
-fn with_list(settings: &Settings, list: &[Untrusted]) -> Untrusted {
-    let whole = whole(settings);
-    let fields = whole.fields().iter().map(|(name, value)| {
-        let value = match name.as_str() {
-            "children" => Untrusted::List(list.to_vec()),
-            _ => value.clone(),
-        };
-        (name.clone(), value)
-    });
-    Untrusted::Object(fields.collect())
 }

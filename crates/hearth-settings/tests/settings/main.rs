@@ -4,6 +4,7 @@ mod changes;
 mod children;
 mod config;
 mod harness;
+mod other_children;
 mod resolution;
 mod sequences;
 mod values;

@@ -5,6 +5,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { assertBurns, events, recording } from '../assertions.mjs';
+import { settled } from '../children.mjs';
 import { IframeFixture, call, inIframe, received } from '../iframe-fixture.mjs';
 
 /** @type {IframeFixture} */
@@ -86,6 +87,26 @@ test('a file that arrives late is applied, and the values of the page still over
   await tab.until('it is applied', () => /** @type {any} */ (document.querySelector('hearth-fire')).bloom === 0.3);
   assert.deepEqual(await tab.fire((fire) => [fire.wind, fire.exposure]), [0.5, 1.5]);
   assert.deepEqual(await changes(tab, 'bloom'), [[0.3, 'src']]);
+});
+
+test('a file that arrives late has its objects beside those of children', async () => {
+  const child = '<hearth-solid x="0.1"></hearth-solid>';
+  const tab = await browser.open(
+    recording(`<hearth-fire ${SMALL} src="late.json" source-x="0.3">${child}</hearth-fire>`),
+    {
+      files: { 'late.json': settings({ bloom: 0.3 }, { objects: [{ kind: 'source' }, { kind: 'solid', y: 0.7 }] }) },
+      before: holdFile,
+    },
+  );
+  await tab.ready();
+  await settled(tab);
+  await tab.evaluate(() => /** @type {any} */ (window).arrive());
+  await tab.until('it is applied', () => /** @type {any} */ (document.querySelector('hearth-fire')).bloom === 0.3);
+  assert.deepEqual(await tab.fire((fire) => fire.objects.map(({ kind, x, y }) => [kind, x, y].join(' '))), [
+    'source 0.3 0.25',
+    'solid 0 0.7',
+    'solid 0.1 0.5',
+  ]);
 });
 
 for (const [how, act] of /** @type {[string, (fire: any) => unknown][]} */ ([

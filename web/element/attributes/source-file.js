@@ -67,7 +67,13 @@ export class SourceFile {
     const late = early && session.begun;
     if (late && config) {
       // The values that the page has set override those of the file, as in a fire that began with it.
-      const own = await session.call('export');
+      let own = await session.call('export');
+      const { settings, params } = session.state;
+      const { children = [], values, objects, [params.model]: ofModel } = /** @type {any} */ (settings);
+      if (children.length > 0) {
+        // The objects of children are not those of the page.
+        own = { values: { ...values, ...ofModel }, ...(session.fire.hasAttribute('objects') && { objects }) };
+      }
       config = { ...config, ...own, values: { ...config.values, ...own.values }, preset: config.preset };
     }
     if (download !== this.#download) return;

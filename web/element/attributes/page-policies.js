@@ -176,11 +176,13 @@ export class PagePolicies {
 
   /** Applies `zoom` and `pan`. */
   #applyZoom() {
-    const { zoom, pan } = this.#fire;
+    const { pan } = this.#fire;
+    const text = this.#fire.getAttribute('zoom') ?? '1';
+    const zoom = text.trim() ? Number(text) : NaN;
     const position = panning(pan || '0.5 0.5');
     const { maxZoom } = this.#view;
     if (!(zoom >= 1 && zoom <= maxZoom)) {
-      this.#reports.refuse('zoom', this.#fire.getAttribute('zoom') ?? '', `a number from 1 to ${maxZoom}`);
+      this.#reports.refuse('zoom', text, `a number from 1 to ${maxZoom}`);
     } else if (!position) {
       this.#reports.refuse('pan', pan, 'two numbers from 0 to 1');
     } else {

@@ -189,6 +189,9 @@ test('a child has the id of its object, which the engine decides', () => {
   assert.equal(source.objectId, 1);
   page.report([{ id: 1, kind: 'solid' }], { children: [{ id: 1002, object: 1 }] });
   assert.equal(source.objectId, null);
+  // A call has removed it, and the page has a source with that id.
+  page.report([{ id: 1, kind: 'source' }], { children: [{ id: 1002, object: 1, state: 'removed' }] });
+  assert.equal(source.objectId, null);
   page.elements = [];
   page.children.update();
   assert.equal(source.objectId, null);

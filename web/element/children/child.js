@@ -94,15 +94,22 @@ export class Child {
     return `#${this.of.slice(0, MAX_SHOWN)}`;
   }
 
+  /** What the engine knows of it. @returns {{object: number, state: string} | undefined} */
+  get #known() {
+    const { children = [] } = this.#owner.session.state.settings;
+    return /** @type {any[]} */ (children).find(({ id }) => id === this.number);
+  }
+
   /** The id of its object, if there is any. @returns {number} */
   get id() {
-    const { children = [] } = this.#owner.session.state.settings;
-    return /** @type {any[]} */ (children).find(({ id }) => id === this.number)?.object || this.number;
+    return this.#known?.object || this.number;
   }
 
   /** Its object by the last report of the engine. @returns {Values | undefined} */
   get object() {
     const { id, kind } = this;
+    // Another object may have the id of one that a call has removed.
+    if (this.#known?.state === 'removed') return undefined;
     return this.#owner.session.state.objects.find((object) => object.id === id && object.kind === kind);
   }
 

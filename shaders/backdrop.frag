@@ -32,6 +32,8 @@ const float FLOOR_LIGHT = 0.2; // height in the picture of the light that reache
 const float FLOOR_GAIN = 2.2; // light on the ground, which faces the flame, relative to the wall
 // Distance before and behind the fire at which the ground gets half of it, as it is seen, in heights of the domain.
 const float FLOOR_DEPTH = 0.14;
+// On a page: the distance beside the fire, in heights of the domain.
+const float PAGE_REACH = 0.26;
 // On a page: share of the ground's own colours besides a mean one; share of the adapted hue; displayed light of which
 // a half is drawn, since dim light reddens a white page; and where it ends at the edges of the picture.
 const float OWN = 0.4;
@@ -61,7 +63,9 @@ void main() {
     vec3 root = texture(irradiance, vec2(uv.x, mix(uv.y, FLOOR_LIGHT, behind.a))).rgb;
     vec2 from = (uv - foot) * size;
     float depth = from.y / FLOOR_DEPTH;
-    float pool = mix(1.0, FLOOR_GAIN / (1.0 + (1.0 + page) * depth * depth), behind.a);
+    float aside = from.x / PAGE_REACH;
+    float far = (1.0 + page) * depth * depth + page * aside * aside * aside * aside;
+    float pool = mix(1.0, FLOOR_GAIN / (1.0 + far), behind.a);
     float across = from.x / (PLUME_WIDTH + PLUME_GROWTH * max(from.y, 0.0));
     float stain = soot * (1.0 - behind.a) * smoothstep(PLUME_BEGIN, PLUME_END, from.y) * exp(-across * across);
     vec3 albedo = behind.rgb * behind.rgb * (1.0 - stain);

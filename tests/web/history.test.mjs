@@ -5,6 +5,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { FireHistory } from '../../web/element/session/history.js';
+import { merged } from './merged.mjs';
 
 /** Values that both models share, those of each, and objects. */
 const FIRST = {
@@ -32,8 +33,8 @@ class Fire {
   }
 
   /** Changes a copy of its settings in its turn, all of it or nothing. */
-  change(act) {
-    const [, key] = this.history.source('property').split(/:(.*)/s);
+  change(act, source = this.history.source('property')) {
+    const [, key] = source.split(/:(.*)/s);
     const answer = this.#answers.then(async () => {
       await new Promise((resolve) => {
         setImmediate(resolve);
@@ -49,8 +50,11 @@ class Fire {
     return answer;
   }
 
-  call(name, settings) {
-    return this.change((all) => name === 'restore' && Object.assign(all, structuredClone(settings)));
+  call(name, to, from, source) {
+    return this.change((all) => {
+      const restored = name === 'restore' && to.reduce((last, there, at) => merged(there, from[at], last), { ...all });
+      Object.assign(all, structuredClone(restored));
+    }, source);
   }
 
   /** Sets a value of a part of the settings; without a value, removes it. */
@@ -273,8 +277,8 @@ describe('a step', () => {
     const fire = new Fire();
     await drag(fire, 'first', [6, 7]);
     const { call } = fire;
-    fire.call = (name, settings) => {
-      const answer = call.call(fire, name, settings);
+    fire.call = (name, ...rest) => {
+      const answer = call.call(fire, name, ...rest);
       // The fire answers this between the two calls of undo.
       if (name !== 'restore') drag(fire, 'first', [8]);
       return answer;
@@ -283,12 +287,22 @@ describe('a step', () => {
     assert.deepEqual([fire.settings, fire.history.canUndo, fire.history.canRedo], [FIRST, false, true]);
   });
 
+  test('that follows an undo at once stays', async () => {
+    const fire = new Fire();
+    await fire.history.step(() => fire.set('values', 'wind', 1));
+    const undone = fire.history.undo();
+    const second = fire.history.step(() => fire.set('values', 'width', 2));
+    assert.deepEqual([await undone, await second], [true, undefined]);
+    assert.deepEqual(fire.settings.values, { width: 2 });
+    await fire.history.undo();
+    assert.deepEqual([fire.settings, fire.history.canUndo], [FIRST, false]);
+  });
+
   test('that the fire now rejects is dropped, and the rejection is reported', async () => {
     const fire = new Fire();
     await drag(fire, 'first', [6]);
     const { call } = fire;
-    fire.call = async (name, settings) =>
-      name === 'restore' ? Promise.reject(error) : call.call(fire, name, settings);
+    fire.call = async (name, ...rest) => (name === 'restore' ? Promise.reject(error) : call.call(fire, name, ...rest));
     // A fire that stops may take the step back when it is followed by another.
     let error = new Error('stopped');
     await assert.rejects(fire.history.undo(), /stopped/);

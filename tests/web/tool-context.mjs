@@ -2,6 +2,7 @@
  * What the gestures of tools act on in tests without a browser: a fire that answers in order and records each call,
  * with the history, the selection and the edits that the toolbar uses.
  */
+import { merged } from './merged.mjs';
 import { FireHistory } from '../../web/element/session/history.js';
 import { Editing } from '../../web/panel/editing.js';
 import { entriesOf } from '../../web/panel/objects.js';
@@ -53,8 +54,8 @@ class Fire extends EventTarget {
   }
 
   /** Answers later, as a worker does. */
-  #ask(act) {
-    const [, key] = this.history.source('property').split(/:(.*)/s);
+  #ask(act, source = this.history.source('property')) {
+    const [, key] = source.split(/:(.*)/s);
     const answer = this.#answers
       .then(
         () =>
@@ -101,10 +102,12 @@ class Fire extends EventTarget {
   }
 
   /** What the history calls. */
-  call(name, settings) {
+  call(name, to, from, source) {
     return this.#ask(() => {
-      if (name === 'restore') this.#objects = structuredClone(settings.objects);
-    });
+      if (name !== 'restore') return;
+      const { objects } = to.reduce((last, there, at) => merged(there, from[at], last), { objects: this.objects });
+      this.#objects = structuredClone(objects);
+    }, source);
   }
 
   /** Until it has answered all. */

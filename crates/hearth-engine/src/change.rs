@@ -41,8 +41,9 @@ pub fn by_command<'a>(
         Command::Children { children } => {
             return Some((Ok(settings.with_children(children.list(), errors)), CHILD));
         }
-        Command::Import { config, source } | Command::Restore { config, source } => {
-            return Some((settings.after_file(config), source));
+        Command::Import { config, source } => return Some((settings.after_file(config), source)),
+        Command::Restore { to, from, source } => {
+            return Some((settings.after_steps(to.list(), from.list()), source));
         }
         Command::Set { values, source } => match values.iter().any(|(id, _)| id == OBJECTS) {
             true if source == ATTRIBUTE => (Change::State(values), source),

@@ -152,8 +152,8 @@ commands! { 'a
     "children" Children { children: &'a Untrusted }
     /// Replaces all settings by those of a preset.
     "preset" Preset { name: &'a str, source: &'a str }
-    /// Applies settings that the fire had; unless they are of another preset, it burns on.
-    "restore" Restore { config: &'a Untrusted, source: &'a str }
+    /// Undoes or redoes [steps](hearth_settings::Settings::after_steps); unless they lead to another preset, it burns on.
+    "restore" Restore { to: &'a Untrusted, from: &'a Untrusted, source: &'a str }
     /// Replaces all settings by a [settings file](hearth_settings::file).
     "import" Import { config: &'a Untrusted, source: &'a str }
     /// Answers with a settings file.

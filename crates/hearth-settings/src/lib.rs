@@ -18,6 +18,7 @@ mod apply;
 mod children;
 mod export;
 pub mod file;
+mod history;
 mod settings;
 pub mod untrusted;
 

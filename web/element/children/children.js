@@ -127,7 +127,8 @@ export class Children {
     if (!sent) return undefined;
     return errors.flatMap((error) => {
       const [, index, property] = /^children\[(\d+)\]\.(.*)$/.exec(error.id) ?? [];
-      return property ? (sent[Number(index)][0].refusal(property, error) ?? []) : error;
+      const child = sent[Number(index)]?.[0];
+      return property && child ? (child.refusal(property, error) ?? []) : error;
     });
   }
 

@@ -8,14 +8,28 @@
  * @typedef {import('../types.js').HearthHistoryDetail} HearthHistoryDetail
  * @typedef {import('./state.js').Whole} Whole
  *
- * @typedef {{key: string, spans: [before: Whole, after: Whole][]}} Step  Between two spans, the page has changed
- *   settings.
+ * @typedef {[before: Whole, after: Whole]} Span
+ * @typedef {{key: string, spans: Span[]}} Step  Between two spans, the page has changed settings.
  */
 
 import { quiet } from './requests.js';
 
-/** The maximum number of steps. */
+/** The key of the changes of undo and redo. */
+const MOVE = ' move';
+
+/** The maximum number of steps, and that of spans in a call. */
 const MAX_STEPS = 200;
+const MAX_SPANS = 100;
+
+/** @type {(span: Span) => Span} */
+const reversed = ([before, after]) => [after, before];
+
+/** The parts of settings that a span changes; parts that it does not change are shared. @type {(span: Span) => Span} */
+const changes = ([before, after]) => {
+  const names = Object.keys(after).filter((name) => after[name] !== before[name]);
+  const parts = [before, after].map((whole) => Object.fromEntries(names.map((name) => [name, whole[name]])));
+  return /** @type {Span} */ (parts);
+};
 
 /** The steps of one element. */
 export class FireHistory {
@@ -27,8 +41,11 @@ export class FireHistory {
   /** The key of the running step. @type {string | undefined} */
   #key;
   #steps = 0;
-  /** The key of the step that is undone or redone now. @type {string | undefined} */
-  moving;
+  /**
+   * The step that is undone or redone now, what this has changed, and the step's own late changes.
+   * @type {{key: string, spans: Span[], late: Span[]} | undefined}
+   */
+  #moving;
   /** The last undo or redo. @type {Promise<boolean>} */
   #moved = Promise.resolve(false);
 
@@ -98,8 +115,11 @@ export class FireHistory {
    * @type {(key: string, before: Whole, after: Whole) => void}
    */
   record(key, before, after) {
-    // A change that was on its way when its step was undone.
-    if (key === this.moving) return;
+    if (key === MOVE || key === this.#moving?.key) {
+      // A change of the step may be on its way when the step is undone.
+      this.#moving?.[key === MOVE ? 'spans' : 'late'].push([before, after]);
+      return;
+    }
     const last = this.#done.at(-1);
     if (last?.key === key && !this.canRedo) {
       const span = last.spans[last.spans.length - 1];
@@ -119,10 +139,43 @@ export class FireHistory {
 
   /** @type {(type: 'undo' | 'redo', from: Step[], to: Step[]) => Promise<boolean>} */
   #move(type, from, to) {
-    const report = (/** @type {string} */ key) => this.#report({ type, key });
-    const move = () => import('./undo.js').then((code) => code.move(this.#session, type, from, to, report));
+    // Steps that are not answered yet come first, and later ones do not.
+    const asked = this.#session.call('export');
+    const move = () => asked.then(() => this.#restore(type, from, to));
     this.#moved = quiet(this.#moved.then(move, move));
     return this.#moved;
+  }
+
+  /** @type {(type: 'undo' | 'redo', from: Step[], to: Step[]) => Promise<boolean>} */
+  async #restore(type, from, to) {
+    const step = from.pop();
+    if (!step) return false;
+    const { key } = step;
+    const back = type === 'undo';
+    const moving = { key, /** @type {Span[]} */ spans: [], /** @type {Span[]} */ late: [] };
+    this.#moving = moving;
+    try {
+      let { spans } = step;
+      do {
+        spans = [...spans, ...moving.late.splice(0)];
+        const ways = (back ? spans.map(reversed).reverse() : spans).map(changes);
+        const calls = [];
+        for (let at = 0; at < ways.length; at += MAX_SPANS) {
+          const [here, there] = [0, 1].map((side) => ways.slice(at, at + MAX_SPANS).map((way) => way[side]));
+          calls.push(this.#session.call('restore', there, here, `property:${MOVE}`));
+        }
+        await Promise.all(calls);
+      } while (back && moving.late.length > 0);
+      to.push({ key, spans: back ? moving.spans.map(reversed).reverse() : [...moving.spans, ...moving.late] });
+    } catch (error) {
+      // The fire would refuse a refused step again, so that step is dropped. Another fire follows a stopped one.
+      if (!(error instanceof RangeError)) from.push(step);
+      throw error;
+    } finally {
+      this.#moving = undefined;
+      this.#report({ type, key });
+    }
+    return true;
   }
 
   /** @param {HearthHistoryDetail} detail */

@@ -67,14 +67,14 @@ class Transitions {
    * @param {Asked} asked
    * @returns {number} the number of calls that wait, as the `push` of a list returns it
    */
-  record([[method, given, source], answer]) {
+  record([[method, given, ...rest], answer]) {
     if (method === 'check') {
       // The answer replaces colours by those of the engine.
       this.#all.set(answer, { to: given, ids: new Set(Object.keys(given ?? {})), held: [], whole: true, end() {} });
       return 0;
     }
-    if (/^to\b/.test(source) || !['set', 'preset', 'import', 'restore'].includes(method)) return 0;
-    const named = method === 'set' ? Object.keys(given) : method === 'restore' && this.#restored(given);
+    if (/^to\b/.test(rest[0]) || !['set', 'preset', 'import', 'restore'].includes(method)) return 0;
+    const named = method === 'set' ? Object.keys(given) : method === 'restore' && this.#restored(given, rest[0]);
     // Another model has other values.
     const all = !named || named.includes('model');
     for (const transition of this.#all.values()) {
@@ -92,13 +92,12 @@ class Transitions {
     return 0;
   }
 
-  /** The values that whole settings change. @param {Whole} settings */
-  #restored(settings) {
-    const now = this.#session.state.settings;
-    /** @type {(whole: Whole) => Values[]} */
-    const parts = (whole) => [whole.values, whole.classic, whole.combustion].map((part) => Object(part));
-    const before = parts(now);
-    return parts(settings).flatMap((values, at) =>
+  /** The values that steps change. @type {(to: Whole[], from: Whole[]) => string[]} */
+  #restored(to, from) {
+    /** @type {(all: Whole[]) => Values[]} */
+    const parts = (all) => all.flatMap((whole) => [whole.values, whole.classic, whole.combustion].map(Object));
+    const before = parts(from);
+    return parts(to).flatMap((values, at) =>
       Object.keys({ ...values, ...before[at] }).filter((id) => values[id] !== before[at][id]),
     );
   }

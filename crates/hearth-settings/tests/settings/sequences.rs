@@ -284,3 +284,54 @@ fn whole_settings_return_the_page_under_the_children_of_now() {
         );
     }
 }
+
+#[test]
+fn undo_of_all_steps_restores_the_page_and_keeps_what_children_state() {
+    let page = |settings: &Settings| {
+        let whole = whole(settings);
+        ["preset", "values", "classic", "combustion", "objects"]
+            .map(|part| whole.field(part).clone())
+    };
+    let stated = |settings: &Settings| {
+        let whole = whole(settings);
+        let list = whole.field("children").list().iter();
+        let stated = list.map(|child| (child.field("id").clone(), child.field("values").clone()));
+        stated.collect::<Vec<_>>()
+    };
+    for seed in 0..FEWER {
+        let random = &mut Random::new(seed);
+        let mut settings = Settings::default();
+        for _ in 0..below(random, LONGEST) {
+            settings = changed(random, &settings);
+        }
+        let first = page(&settings);
+        let mut steps = Vec::new();
+        for _ in 0..=below(random, LONGEST) {
+            let before = whole(&settings);
+            settings = called(random, &settings);
+            steps.push((before, whole(&settings)));
+            // The page states other children between two steps.
+            if below(random, 3) == 0 {
+                let list = children(random, true);
+                settings = settings.with_children(&list, &mut Vec::new());
+            }
+        }
+        let last = (page(&settings), stated(&settings));
+        let (mut undone, mut redone) = (settings.clone(), Vec::new());
+        for (before, after) in steps.iter().rev() {
+            let next =
+                undone.after_steps(std::slice::from_ref(before), std::slice::from_ref(after));
+            let next = next.unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
+            redone.push((whole(&next), whole(&undone)));
+            undone = next;
+        }
+        assert_eq!(page(&undone), first, "{seed}");
+        assert_eq!(stated(&undone), last.1, "{seed}");
+        for (before, after) in redone.iter().rev() {
+            let next =
+                undone.after_steps(std::slice::from_ref(after), std::slice::from_ref(before));
+            undone = next.unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
+        }
+        assert_eq!((page(&undone), stated(&undone)), last, "{seed}");
+    }
+}

@@ -1,47 +1,12 @@
-/**
- * Undo and redo. This code is loaded by the first of them.
- *
- * @typedef {import('./history.js').Step} Step
- * @typedef {{[name: string]: any}} Fields
- */
+/** Undo and redo as the engine merges them, for fires of tests that have none. */
+
+/** @typedef {{[name: string]: any}} Fields */
 
 /** @type {(first: unknown, second: unknown) => boolean} */
 const same = (first, second) => JSON.stringify(first) === JSON.stringify(second);
 
 /** @param {unknown[]} all */
 const areFields = (all) => all.every((value) => typeof value === 'object' && value && !Array.isArray(value));
-
-/**
- * Undoes or redoes the last step of `from`.
- * @type {(session: import('./session.js').FireSession, type: 'undo' | 'redo', from: Step[], to: Step[],
- *   report: (key: string) => void) => Promise<boolean>}
- */
-export async function move(session, type, from, to, report) {
-  // Steps that are not answered yet come first.
-  await session.call('export');
-  const step = from.pop();
-  if (!step) return false;
-  const { key, spans } = step;
-  const { history } = session;
-  history.moving = key;
-  const now = session.state.settings;
-  const back = type === 'undo';
-  const ways = back ? [...spans].reverse() : spans.map(([before, after]) => [after, before]);
-  try {
-    const settings = ways.reduce((last, [there, here]) => merged(there, here, last), now);
-    await session.call('restore', settings, 'property');
-    const there = session.state.settings;
-    to.push({ key, spans: [back ? [there, now] : [now, there]] });
-  } catch (error) {
-    // The fire would refuse a refused step again, so that step is dropped. Another fire follows a stopped one.
-    if (!(error instanceof RangeError)) from.push(step);
-    throw error;
-  } finally {
-    history.moving = undefined;
-    report(key);
-  }
-  return true;
-}
 
 /**
  * What a step leads to from present settings: `to`, with what has changed since the step led to `from`.

@@ -1,12 +1,14 @@
 /**
- * Measures the latency of tools: the time from an interaction to the next paint while 10,000 particles burn, and the
- * time from the end of a brush stroke until its solid is in the fire and until the page gets the event.
+ * Measures the latency of tools: the time from an interaction to the next paint while 10,000 particles burn, the
+ * time from the end of a brush stroke until its solid is in the fire and until the page gets the event, and the time
+ * from a move of a slider of the panel to the end of the engine's next frame with its value.
  *
  * `node benches/browser/latency.mjs` measures the built site.
  */
 import { setTimeout as sleep } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { Browser } from '../../tests/e2e/driver.mjs';
+import { Panel, along } from '../../tests/e2e/panel.mjs';
 import { openTools } from '../../tests/e2e/tools.mjs';
 
 /** The window. */
@@ -15,9 +17,10 @@ const SIZE = { width: 1280, height: 800, pixels: Infinity };
 /** A fire of about 10,000 particles. */
 const MANY = 'scene=default&spacing=0.0115&max_particles=10000';
 
-/** Interactions and strokes, the time for the fire to burn up, and the time between two of them [ms]. */
+/** Interactions, strokes and moves of a slider, the time for the fire to burn up, and the time between two of them [ms]. */
 const INTERACTIONS = 60;
 const STROKES = 30;
+const MOVES = 30;
 const BURN_UP = 6000;
 const PAUSE = 400;
 
@@ -60,6 +63,34 @@ function watchEngine() {
     if (Array.isArray(data) && JSON.stringify(data).includes('"stroke"'))
       added.push(performance.timeOrigin + performance.now());
   });
+}
+
+/** Runs in the page: notes when the pointer moves. */
+function watchMoves() {
+  /** @type {number[]} */
+  const moved = [];
+  Object.assign(window, { moved });
+  addEventListener('pointermove', ({ timeStamp }) => moved.push(performance.timeOrigin + timeStamp), true);
+}
+
+/** Runs in the engine's worker: notes the end of the first frame after each value of `fuel_power`. */
+function watchFrames() {
+  const scope = /** @type {any} */ (self);
+  /** @type {number[]} */
+  const framed = [];
+  Object.assign(scope, { framed });
+  let waiting = 0;
+  addEventListener('message', ({ data }) => {
+    if (Array.isArray(data) && JSON.stringify(data).includes('"fuel_power"')) waiting += 1;
+  });
+  const next = scope.requestAnimationFrame;
+  scope.requestAnimationFrame = (/** @type {FrameRequestCallback} */ act) =>
+    next((/** @type {number} */ time) => {
+      const due = waiting;
+      act(time);
+      for (let value = 0; value < due; value += 1) framed.push(performance.timeOrigin + performance.now());
+      waiting -= due;
+    });
 }
 
 /** Median, 98th percentile and maximum. @param {number[]} times */
@@ -121,6 +152,34 @@ export async function strokes(browser) {
   return { inFire: since(added), onPage: since(reported) };
 }
 
+/**
+ * Drags a slider of the panel of the usual fire: the times until a frame of the engine with each value ends.
+ * @param {Browser} browser
+ */
+export async function slides(browser) {
+  const tab = await browser.open('index.html?scene=default', SIZE);
+  await tab.ready();
+  const panel = await new Panel(tab).mounted();
+  const slider = await panel.reveal('fuel_power');
+  const [worker] = tab.page.workers();
+  if (!worker) throw new Error('the engine is in no worker');
+  await tab.mouse('move', along(slider, 0.2));
+  await tab.mouse('down', along(slider, 0.2));
+  await tab.mouse('move', along(slider, 0.22));
+  await sleep(BURN_UP);
+  await worker.evaluate(watchFrames);
+  await tab.evaluate(watchMoves);
+  for (let turn = 0; turn < MOVES; turn += 1) {
+    await tab.mouse('move', along(slider, 0.25 + 0.02 * turn));
+    await pause(turn);
+  }
+  await tab.mouse('up', along(slider, 0.25 + 0.02 * MOVES));
+  const framed = await worker.evaluate(() => /** @type {any} */ (self).framed.slice());
+  const moved = await tab.evaluate(() => /** @type {any} */ (window).moved.slice());
+  if (framed.length < MOVES || moved.length < MOVES) throw new Error(`${framed.length} values of ${moved.length} moves`);
+  return summary(framed.slice(0, MOVES).map((time, turn) => time - moved[turn]));
+}
+
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const browser = await Browser.launch();
   const text = (/** @type {ReturnType<typeof summary>} */ { median, p98, most }) =>
@@ -131,6 +190,8 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
     const { inFire, onPage } = await strokes(browser);
     console.log(`release of the brush to its solid in the fire (${inFire.count}): ${text(inFire)}`);
     console.log(`release of the brush to the event on the page (${onPage.count}): ${text(onPage)}`);
+    const slid = await slides(browser);
+    console.log(`move of a slider to the end of a frame with its value (${slid.count}): ${text(slid)}`);
   } finally {
     await browser.close();
   }

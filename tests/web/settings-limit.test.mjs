@@ -1,4 +1,4 @@
-/** Every way in for settings takes as many as every other: 400 KB. */
+/** Every way in for settings takes as many as every other: 400 KB, to the depth of their nesting. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { settings } from '../../web/element/attributes/settings.js';
@@ -36,6 +36,11 @@ for (const [way, take] of /** @type {[string, (text: string) => unknown][]} */ (
     await assert.rejects(async () => take(json(LIMIT + 1)), /400/);
   });
 }
+
+test('settings hold what a source has for the other model', () => {
+  const file = { hearth: 2, values: {}, objects: [{ kind: 'source' }, { kind: 'source', classic: { rate: 1300 } }] };
+  assert.deepEqual(settings(file), file);
+});
 
 test('what is copied as JSON is taken, or is refused', async () => {
   const config = (/** @type {number} */ length) => /** @type {any} */ ({ hearth: 2, label: 'x'.repeat(length) });

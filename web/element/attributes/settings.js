@@ -9,8 +9,8 @@ import { cut, postable } from '../session/requests.js';
 /** The maximum length of JSON text in characters, and of a file in bytes: the same in `share/fragment.js`. */
 const MAX_LENGTH = 400_000;
 
-/** The nesting of settings and of values: `{objects: [{property: value}]}`. */
-export const DEPTH = 3;
+/** The nesting of settings and of values: `{objects: [{classic: {property: value}}]}`. */
+export const DEPTH = 4;
 
 /**
  * Settings as plain data.

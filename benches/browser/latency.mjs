@@ -176,7 +176,8 @@ export async function slides(browser) {
   await tab.mouse('up', along(slider, 0.25 + 0.02 * MOVES));
   const framed = await worker.evaluate(() => /** @type {any} */ (self).framed.slice());
   const moved = await tab.evaluate(() => /** @type {any} */ (window).moved.slice());
-  if (framed.length < MOVES || moved.length < MOVES) throw new Error(`${framed.length} values of ${moved.length} moves`);
+  if (framed.length < MOVES || moved.length < MOVES)
+    throw new Error(`${framed.length} values of ${moved.length} moves`);
   return summary(framed.slice(0, MOVES).map((time, turn) => time - moved[turn]));
 }
 

@@ -48,13 +48,19 @@ export async function installActors() {
   /** What was done. @type {string[]} */
   const log = [];
 
-  let state = 1;
-  const sow = (/** @type {number} */ seed) => {
-    state = seed * 7919 + 17;
+  const numbers = (/** @type {number} */ seed) => {
+    let state = seed * 7919 + 17;
+    return () => {
+      state = (state * 16807) % 2147483647;
+      return state / 2147483647;
+    };
   };
-  const random = (/** @type {number} */ below) => {
-    state = (state * 16807) % 2147483647;
-    return Math.floor((state / 2147483647) * below);
+  let next = numbers(1);
+  const random = (/** @type {number} */ below) => Math.floor(next() * below);
+  /** The actions of a sequence follow from its seed, as do the values of the panel's randomise. @param {number} seed */
+  const sow = (seed) => {
+    next = numbers(seed);
+    Math.random = numbers(seed);
   };
   const pick = (/** @type {any} */ list) => [...list][random(list.length)];
   const between = (/** @type {number} */ from, /** @type {number} */ to) =>
@@ -160,7 +166,11 @@ export async function installActors() {
     log.push(`tools: ${tool} from ${x}, ${y} to ${u}, ${v}`);
     const overlay = find('.hearth-overlay');
     point(overlay, 'pointerdown', [x, y]);
-    for (const at of [[(x + u) / 2, v], [u, v]]) point(overlay, 'pointermove', at);
+    for (const at of [
+      [(x + u) / 2, v],
+      [u, v],
+    ])
+      point(overlay, 'pointermove', at);
     point(overlay, 'pointerup', [u, v]);
   };
   /** Calls a method of the fire, of its history or of a child. @type {(of: any, ...call: any[]) => any} */
@@ -188,6 +198,16 @@ export async function installActors() {
     await restored;
   };
 
+  /** A framework moves the fire in several tasks. */
+  const reinsert = async () => {
+    log.push('the page removes the fire and inserts it again');
+    const next = fire.nextSibling;
+    fire.remove();
+    await frames();
+    next.before(fire);
+    await fire.ready;
+  };
+
   /** The ids of the objects that the page has added. @type {number[]} */
   const added = [];
   const add = () => call(fire, 'addObject', { kind: pick(['solid', 'source']), x: between(-0.4, 0.4) });
@@ -199,8 +219,8 @@ export async function installActors() {
       () => ({ particles: 300 + random(1500) }),
       () => ({ fuel_power: null, spacing: null }),
       () => ({ model: pick(['classic', 'combustion']) }),
-      () => ({ [pick(OWN)]: random(10) / 10 }),
-      () => ({ [pick(OWN)]: random(10) / 10 }),
+      () => ({ [pick(OWN)]: random(7) / 10 }),
+      () => ({ [pick(OWN)]: random(7) / 10 }),
       () => ({ objects: [...fire.objects].reverse() }),
     ].map((values) => () => call(fire, 'set', values())),
     () => call(fire, 'changeObject', pick(fire.objects)?.id ?? 1, { y: between(0, 0.9) }),
@@ -230,7 +250,7 @@ export async function installActors() {
       return Promise.all(acts.map((act) => fire.history.step(act)));
     }),
     panel: [
-      ...Array(6).fill(() => turn(pick(controls('parameter').filter((of) => !OF_PAGE.includes(of.dataset.parameter))))),
+      ...Array(4).fill(() => turn(pick(controls('parameter').filter((of) => !OF_PAGE.includes(of.dataset.parameter))))),
       ...Array(2).fill(atObject(() => controls('property').length > 0 && turn(pick(controls('property'))))),
       () => slide(pick(['wind', 'source_width', 'source_x']), random(10) / 10, random(10) / 10),
       () => {
@@ -242,8 +262,8 @@ export async function installActors() {
         click(`[data-scene="${pick(SCENES)}"]`);
         click('[data-card="close"]');
       },
-      () => click(`${ACTION}="compare:${editing.letter === 'A' ? 'B' : 'A'}"]`),
-      ...clicks(ACTION, ['add:solid', 'add:source', 'randomise', 'reset-all']),
+      ...Array(3).fill(() => click(`${ACTION}="compare:${editing.letter === 'A' ? 'B' : 'A'}"]`)),
+      ...clicks(ACTION, ['add:solid', 'add:source', 'randomise', 'reset-all', 'reset-all', 'reset-all']),
       ...clicks(ACTION, ['duplicate', 'delete', 'to:front', 'to:back']).map(atObject),
     ],
     tools: [
@@ -256,7 +276,7 @@ export async function installActors() {
       ...clicks(TOOL, [name]),
       () => call(fire.history, name),
     ]),
-    restart: [restart],
+    restart: [restart, restart, reinsert],
   };
 
   // The first child and the first undo load code.

@@ -187,3 +187,36 @@ test('engine, element and panel have one value, and undo leads back exactly', as
     [],
   );
 });
+
+/** Runs in the worker of the engine: once sparks are thrown, the next undo or redo stops it. */
+function stopAtUndo() {
+  let isArmed = false;
+  addEventListener('message', (event) => {
+    isArmed ||= event.data[2] === 'sparks';
+    if (!isArmed || event.data[2] !== 'restore') return;
+    event.stopImmediatePropagation();
+    postMessage({ type: 'stopped', why: 'a test stops it' });
+    globalThis.close();
+  });
+}
+
+test('an undo and a redo that an engine does not survive can be repeated', async () => {
+  const tab = await browser.open('<hearth-fire paused></hearth-fire>', { beforeWorker: stopAtUndo });
+  await tab.ready();
+  const seen = await tab.fire(async (fire) => {
+    await fire.history.step(() => fire.set('wind', 0.5));
+    const seen = [];
+    for (const way of ['undo', 'redo']) {
+      const restored = new Promise((resolve) => fire.addEventListener('restored', resolve, { once: true }));
+      await fire.sparks(0, 1);
+      const refused = await fire.history[way]().catch(({ kind }) => kind);
+      if (refused === 'stopped') await restored;
+      seen.push([refused, await fire.history[way](), fire.params.wind]);
+    }
+    return seen;
+  });
+  assert.deepEqual(seen, [
+    ['stopped', true, 0],
+    ['stopped', true, 0.5],
+  ]);
+});

@@ -84,6 +84,8 @@ class Toolbar {
   #status = element('p', { class: 'hearth-status', role: 'status' });
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #statusEnds;
+  /** Whether the state of the fire is about to be shown. */
+  #isStale = false;
   /** Ends what the speaker button follows. */
   #unbind;
 
@@ -201,7 +203,7 @@ class Toolbar {
     on(keys, 'keydown', (event) => this.#key(event));
     this.#inserts.listen([this.#fire, this.#host], signal);
     this.#editing.watch(() => this.#update(), signal);
-    for (const name of ['objects-change', 'params-change', 'ready']) on(this.#fire, name, () => this.#update());
+    for (const name of ['objects-change', 'params-change', 'ready']) on(this.#fire, name, () => this.#updateSoon());
     this.#follow(signal);
     const sizes = new ResizeObserver(() => this.#update());
     sizes.observe(this.#fire);
@@ -248,6 +250,16 @@ class Toolbar {
   #update() {
     this.#outline();
     this.#bar.show(objectsOf(this.#fire), this.#editing.all, this.#fire.history);
+  }
+
+  /** Shows the state of the fire once for all events of one answer: a scene changes many values. */
+  #updateSoon() {
+    if (this.#isStale) return;
+    this.#isStale = true;
+    queueMicrotask(() => {
+      this.#isStale = false;
+      this.#update();
+    });
   }
 
   /** Shows the outlines and the handles of the selected objects. */

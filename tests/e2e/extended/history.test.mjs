@@ -58,7 +58,6 @@ async function sequence(seed) {
       options.map(({ value }) => Number(value)),
       ids,
     );
-    check('the list of the panel', await listed(), ids);
     for (const [name, can] of Object.entries({ undo: fire.history.canUndo, redo: fire.history.canRedo })) {
       for (const button of document.querySelectorAll(`#host [data-action="${name}"], #tools [data-tool="${name}"]`))
         check(`the button ${name}`, button.getAttribute('aria-disabled') !== 'true', can);
@@ -74,7 +73,8 @@ async function sequence(seed) {
         String(control.type === 'checkbox' ? control.checked : control.value),
         String(value),
       );
-    // The panel's copy in wasm shows a value for each row under a pointer. The model has no row.
+    // The panel's copy in wasm shows its objects, and a value for each row under a pointer. The model has no row.
+    if (random(2) === 0) return check('the list of the panel', await listed(), ids);
     const [, ...others] = rows;
     const changed = others.filter(({ id, value }) => value !== before[id.split(':').pop()]);
     const { id, value, control } = pick(changed.length > 0 ? changed : others);
@@ -139,12 +139,12 @@ async function sequence(seed) {
     'history',
   ];
   for (let count = 4 + random(3); count > 0 && failures.length === 0; count -= 1) {
-    const actor = random(25) === 0 ? 'restart' : pick(actors);
+    const actor = random(40) === 0 ? 'restart' : pick(actors);
     const [facts, settings] = [stated(), whole()];
     const values = { ...fire.params, ...editing.selected };
     press();
     const act = Promise.resolve(pick(actions[actor])());
-    if (actor !== 'restart' && random(25) === 0) {
+    if (actor !== 'restart' && random(40) === 0) {
       await frames(random(5));
       await restart();
     }
@@ -168,7 +168,6 @@ async function sequence(seed) {
   await checkEqual({});
   await all('redo');
   check('the settings after redo of all', fire.history.settings, JSON.parse(last));
-  await all('undo');
   return { seed, log: [...log], failures };
 }
 

@@ -66,7 +66,11 @@ export async function installActors() {
   const between = (/** @type {number} */ from, /** @type {number} */ to) =>
     Number((from + ((to - from) * random(1000)) / 1000).toPrecision(3));
   const frames = async (count = 1) => {
-    for (; count > 0; count -= 1) await new Promise(requestAnimationFrame);
+    for (; count > 0; count -= 1) {
+      const next = new Promise(requestAnimationFrame);
+      scope.clock.next();
+      await next;
+    }
   };
 
   const point = (/** @type {any} */ target, /** @type {string} */ what, /** @type {number[]} */ [x, y]) => {
@@ -193,9 +197,10 @@ export async function installActors() {
     scope.clock.cost = 61_000;
     performance.now();
     scope.clock.cost = 0;
-    const restored = new Promise((resolve) => fire.addEventListener('restored', resolve, { once: true }));
+    let isRestored = false;
+    fire.addEventListener('restored', () => (isRestored = true), { once: true });
     fire.sparks(0, 1).catch(() => {});
-    await restored;
+    while (!isRestored) await frames();
   };
 
   /** A framework moves the fire in several tasks. */
@@ -279,6 +284,8 @@ export async function installActors() {
     restart: [restart, restart, reinsert],
   };
 
+  // From here on a frame, and with it a picture of the panel, waits until an actor or a check needs it.
+  scope.clock.runs = false;
   // The first child and the first undo load code.
   const first = /** @type {any} */ (fire.appendChild(newChild('hearth-solid')));
   while (!first.objectId) await frames();

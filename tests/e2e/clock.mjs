@@ -16,17 +16,17 @@ export const onPageThread = (body) => `${body}<script type="module">
  * Runs in the page before its scripts: frames follow each other without a pause, and the
  * time comes from their number. `window.clock.cost` is how much time passes whenever a
  * script reads the clock [ms]: work that reads it takes so long. `window.clock.work` is the time
- * that passed within frames.
+ * that passed within frames. Without `window.clock.runs`, a frame waits for `window.clock.next()`.
  */
 export function simulateClock() {
   const FRAME = 1000 / 60;
   let [now, last] = [0, 0];
   /** @type {Map<number, FrameRequestCallback>} */
   let waiting = new Map();
-  const clock = { cost: 0, frames: 0, work: 0 };
+  const { port1, port2 } = new MessageChannel();
+  const clock = { cost: 0, frames: 0, work: 0, runs: true, next: () => port2.postMessage(undefined) };
   /** @type {any} */ (window).clock = clock;
   performance.now = () => (now += clock.cost);
-  const { port1, port2 } = new MessageChannel();
   port1.onmessage = () => {
     const due = waiting;
     waiting = new Map();
@@ -40,7 +40,7 @@ export function simulateClock() {
   window.requestAnimationFrame = (act) => {
     last += 1;
     waiting.set(last, act);
-    if (waiting.size === 1) port2.postMessage(undefined);
+    if (waiting.size === 1 && clock.runs) clock.next();
     return last;
   };
   window.cancelAnimationFrame = (request) => void waiting.delete(request);

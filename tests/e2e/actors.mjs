@@ -231,6 +231,7 @@ export async function installActors() {
     () => call(fire, 'changeObject', pick(fire.objects)?.id ?? 1, { y: between(0, 0.9) }),
     () => call(fire, 'removeObject', pick(fire.objects)?.id ?? 1),
     () => call(fire, 'importConfig', { preset: 'candle', values: { wind: 0.2 } }),
+    () => call(fire, 'setAttribute', 'preset', pick(SCENES)),
   ];
   /** The actions of each actor. @type {{[actor: string]: (() => unknown)[]}} */
   const actions = {
@@ -239,7 +240,6 @@ export async function installActors() {
       async () => added.push(await add()),
       () => call(fire, 'setAttribute', 'wind', String(between(-1, 1))),
       () => call(fire, 'removeAttribute', 'wind'),
-      () => call(fire, 'setAttribute', 'preset', pick(SCENES)),
     ],
     children: [
       () => call(fire, 'append', newChild()),

@@ -62,7 +62,7 @@ pub enum Change<'a> {
 }
 
 /// Settings: the parameters of both models, the objects, the preset that they started from, which
-/// parameter states the resolution, and the [children](crate::children) of the element.
+/// parameter states the resolution, and the children of the element.
 #[derive(Clone, Debug)]
 pub struct Settings {
     preset: &'static str,

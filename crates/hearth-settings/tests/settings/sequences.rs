@@ -140,14 +140,20 @@ fn called(random: &mut Random, settings: &Settings) -> Settings {
     settings.after(&change).unwrap_or_else(|_| settings.clone())
 }
 
+/// The numbers of a seed, and the settings after up to so many random changes.
+fn random_settings(seed: u32) -> (Random, Settings) {
+    let mut random = Random::new(seed);
+    let mut settings = Settings::default();
+    for _ in 0..=below(&mut random, LONGEST) {
+        settings = changed(&mut random, &settings);
+    }
+    (random, settings)
+}
+
 #[test]
 fn a_file_restores_the_settings_after_any_sequence_of_changes() {
     for seed in 0..SEQUENCES {
-        let random = &mut Random::new(seed);
-        let mut settings = Settings::default();
-        for _ in 0..=below(random, LONGEST) {
-            settings = changed(random, &settings);
-        }
+        let (_, settings) = random_settings(seed);
         let file = whole(&settings);
         let read = Settings::with_children_of_file(&file);
         let read = read.unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
@@ -180,11 +186,7 @@ fn same_children(settings: &Settings) -> Vec<Untrusted> {
 #[test]
 fn what_burns_follows_from_the_page_and_the_children_alone() {
     for seed in 0..FEWER {
-        let random = &mut Random::new(seed);
-        let mut settings = Settings::default();
-        for _ in 0..=below(random, LONGEST) {
-            settings = changed(random, &settings);
-        }
+        let (_, settings) = random_settings(seed);
         let again = settings.with_children(&same_children(&settings), &mut Vec::new());
         assert!(again == settings, "{seed}: {:?}", whole(&settings));
     }
@@ -193,11 +195,8 @@ fn what_burns_follows_from_the_page_and_the_children_alone() {
 #[test]
 fn whole_settings_undo_what_calls_have_set_since() {
     for seed in 0..FEWER {
-        let random = &mut Random::new(seed);
-        let mut before = Settings::default();
-        for _ in 0..=below(random, LONGEST) {
-            before = changed(random, &before);
-        }
+        let (mut random, before) = random_settings(seed);
+        let random = &mut random;
         let mut after = before.clone();
         for _ in 0..=below(random, LONGEST) {
             after = called(random, &after);
@@ -212,11 +211,8 @@ fn whole_settings_undo_what_calls_have_set_since() {
 fn children_that_come_and_leave_change_nothing_else() {
     let none = |settings: &Settings| settings.with_children(&[], &mut Vec::new());
     for seed in 0..FEWER {
-        let random = &mut Random::new(seed);
-        let mut settings = Settings::default();
-        for _ in 0..=below(random, LONGEST) {
-            settings = changed(random, &settings);
-        }
+        let (mut random, settings) = random_settings(seed);
+        let random = &mut random;
         let bare = none(&settings);
         // Without a source, the settings keep the values of the last one for the next one. An object with the number
         // of a child is that of the child.
@@ -238,11 +234,8 @@ fn children_that_come_and_leave_change_nothing_else() {
 #[test]
 fn whole_settings_return_the_page_under_the_children_of_now() {
     for seed in 0..FEWER {
-        let random = &mut Random::new(seed);
-        let mut before = Settings::default();
-        for _ in 0..=below(random, LONGEST) {
-            before = changed(random, &before);
-        }
+        let (mut random, before) = random_settings(seed);
+        let random = &mut random;
         let mut after = before.clone();
         for _ in 0..=below(random, LONGEST) {
             after = changed(random, &after);
@@ -299,11 +292,8 @@ fn undo_of_all_steps_restores_the_page_and_keeps_what_children_state() {
         stated.collect::<Vec<_>>()
     };
     for seed in 0..FEWER {
-        let random = &mut Random::new(seed);
-        let mut settings = Settings::default();
-        for _ in 0..below(random, LONGEST) {
-            settings = changed(random, &settings);
-        }
+        let (mut random, mut settings) = random_settings(seed);
+        let random = &mut random;
         let first = page(&settings);
         let mut steps = Vec::new();
         for _ in 0..=below(random, LONGEST) {

@@ -13,7 +13,7 @@ pub struct Child(
 );
 
 /// The list as the element sends it: a new child states everything anew.
-fn list(settings: &Settings, children: &[Child]) -> Vec<Untrusted> {
+pub fn list(settings: &Settings, children: &[Child]) -> Vec<Untrusted> {
     let known = whole(settings);
     let all = children.iter().map(|Child(id, kind, values, changed)| {
         let mut known = known.field("children").list().iter();
@@ -388,34 +388,5 @@ fn what_is_refused_is_named_and_left_out() {
     assert_eq!(
         objects(&changed, &["material", "width"])[0],
         "1001 solid iron 0.2"
-    );
-}
-
-#[test]
-fn a_child_for_which_there_is_no_room_gets_its_object_when_there_is() {
-    let of = |numbers: std::ops::Range<u32>| -> Vec<Child> {
-        numbers
-            .map(|number| Child(number, "solid", &[], &[]))
-            .collect()
-    };
-    let mut errors = Vec::new();
-    let full = Settings::default()
-        .with_children(&list(&Settings::default(), &of(1001..1066)), &mut errors);
-    assert_eq!(full.scene().objects().len(), 65);
-    assert_eq!(errors.len(), 1);
-    assert_eq!(errors[0].id, "children[64].objects");
-    assert!(
-        errors[0].message.contains("must be at most 64 solids"),
-        "{errors:?}"
-    );
-    let room = after(&full, Change::RemoveObject(1002));
-    assert_eq!(
-        room.scene().objects().last().map(|object| object.id),
-        Some(1065)
-    );
-    let room = laid(&full, &of(1002..1066));
-    assert_eq!(
-        room.scene().objects().last().map(|object| object.id),
-        Some(1065)
     );
 }

@@ -1,6 +1,6 @@
-//! Whole settings and pages whose children have changed meanwhile.
+//! Whole settings and pages whose children have changed meanwhile, and children without room.
 
-use crate::children::{Child, SOURCE, file, hidden, laid, objects};
+use crate::children::{Child, SOURCE, file, hidden, laid, list, objects};
 use crate::harness::{after, imported, number, object, sent, text};
 use hearth_settings::untrusted::Untrusted;
 use hearth_settings::{Change, Settings, whole};
@@ -63,4 +63,33 @@ fn with_list(settings: &Settings, list: &[Untrusted]) -> Untrusted {
         (name.clone(), value)
     });
     Untrusted::Object(fields.collect())
+}
+
+#[test]
+fn a_child_for_which_there_is_no_room_gets_its_object_when_there_is() {
+    let of = |numbers: std::ops::Range<u32>| -> Vec<Child> {
+        numbers
+            .map(|number| Child(number, "solid", &[], &[]))
+            .collect()
+    };
+    let mut errors = Vec::new();
+    let full = Settings::default()
+        .with_children(&list(&Settings::default(), &of(1001..1066)), &mut errors);
+    assert_eq!(full.scene().objects().len(), 65);
+    assert_eq!(errors.len(), 1);
+    assert_eq!(errors[0].id, "children[64].objects");
+    assert!(
+        errors[0].message.contains("must be at most 64 solids"),
+        "{errors:?}"
+    );
+    let room = after(&full, Change::RemoveObject(1002));
+    assert_eq!(
+        room.scene().objects().last().map(|object| object.id),
+        Some(1065)
+    );
+    let room = laid(&full, &of(1002..1066));
+    assert_eq!(
+        room.scene().objects().last().map(|object| object.id),
+        Some(1065)
+    );
 }

@@ -94,6 +94,24 @@ test('a context that is lost again during its restoration is restored in the end
   await assertComesBack(tab);
 });
 
+test('while the context is lost, `toBlob` rejects with the reason; then it works again', async () => {
+  const tab = await browser.show(recording(FIRE));
+  await tab.burnt(0.2);
+  await tab.fire((fire) => {
+    fire.lost = new Promise((resolve) => fire.addEventListener('error', resolve, { once: true }));
+    fire.back = new Promise((resolve) => fire.addEventListener('restored', resolve, { once: true }));
+  });
+  await tab.loseContext(2000);
+  const [message, size] = await tab.fire(async (fire) => {
+    await fire.lost;
+    const message = await fire.toBlob().then(String, (error) => error.message);
+    await fire.back;
+    return [message, (await fire.toBlob()).size];
+  });
+  assert.match(message, /graphics context is lost/);
+  assert.ok(size > 100, `${size} bytes`);
+});
+
 test('an unused engine ends, even if its fire never started', async () => {
   const tab = await browser.show('<p>Nothing yet</p>');
   const living = await tab.evaluate(async () => {

@@ -11,7 +11,8 @@ test('a report has version, link, settings and the last errors', () => {
     stats = null;
     quality = 'auto';
   }
-  Object.assign(globalThis, { screen: { width: 1, height: 1 }, devicePixelRatio: 1 });
+  const scope = { screen: { width: 1, height: 1 }, devicePixelRatio: 1, navigator: { hardwareConcurrency: 2 } };
+  for (const [name, value] of Object.entries(scope)) Object.defineProperty(globalThis, name, { value });
   const fire = new Fire();
   const report = new Report(/** @type {any} */ (fire));
   const fail = (/** @type {number} */ at) =>

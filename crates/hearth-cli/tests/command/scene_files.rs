@@ -133,41 +133,6 @@ fn hostile_files_are_refused_with_the_reason_and_its_place() {
 }
 
 #[test]
-fn random_bytes_never_panic() {
-    let folder = Folder::new("random");
-    let pieces = [
-        "{",
-        "}",
-        "[",
-        "]",
-        ":",
-        ",",
-        "\"values\"",
-        "\"objects\"",
-        "\"kind\"",
-        "\"source\"",
-        "1",
-        "-1e308",
-        "\"",
-        "\\u",
-        "null",
-        "true",
-        "\u{0}",
-        "é",
-        "\"preset\"",
-        "\"candle\"",
-    ];
-    let mut random = hearth_core::random::Random::new(5);
-    for _ in 0..60 {
-        let length = (random.unit() * 30.0) as usize;
-        let scene: String = (0..length)
-            .map(|_| pieces[(random.unit() * pieces.len() as f32) as usize % pieces.len()])
-            .collect();
-        fed(&folder, scene).refuses(&["standard input"]);
-    }
-}
-
-#[test]
 fn a_scene_file_that_cannot_be_read_is_named() {
     let folder = Folder::new("unreadable");
     std::fs::create_dir(folder.0.join("folder.json")).expect("a folder");

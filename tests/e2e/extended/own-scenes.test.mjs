@@ -1,6 +1,6 @@
 /**
- * The scenes that a visitor saves: they outlive the visit, and a failure shows a message. Files of settings are
- * opened where they are dropped.
+ * The scenes that a visitor saves, whose list `tests/web/own-scenes.test.mjs` tests. Files of settings are opened where
+ * they are dropped.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -23,10 +23,6 @@ async function openCard(query = 'scene=candle&paused', options = {}) {
   return { tab, panel };
 }
 
-const names = (tab) =>
-  tab.evaluate(() =>
-    [...document.querySelectorAll('.hearth-own input')].map((input) => /** @type {HTMLInputElement} */ (input).value),
-  );
 const named = (tab, list) =>
   tab.until(
     `the scenes ${list}`,
@@ -35,12 +31,6 @@ const named = (tab, list) =>
         .map((input) => /** @type {HTMLInputElement} */ (input).value)
         .join() === wanted,
     list.join(),
-  );
-const alerted = (tab, pattern) =>
-  tab.until(
-    `${pattern}`,
-    (source) => new RegExp(source).test(document.querySelector('.hearth-own + [role=alert]')?.textContent ?? ''),
-    pattern.source,
   );
 const press = (tab, label) => tab.page.click(`[aria-label="${label}"]`);
 const rename = (tab, from, to) =>
@@ -71,26 +61,6 @@ test('a saved fire is in the list with its picture, and is shown again after oth
   await press(tab, 'Show Draughty');
   await tab.until('the saved one', () => /** @type {any} */ (document.querySelector('hearth-fire')).params.wind > 0.6);
   assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), config);
-  assert.deepEqual(tab.problems, []);
-});
-
-test('storage that is full or forbidden is reported, and the list stays', async () => {
-  const { tab } = await openCard();
-  await tab.page.click('[data-card="save"]');
-  await named(tab, ['Candle']);
-  for (const [name, pattern] of [
-    ['QuotaExceededError', /storage of this site is full/],
-    ['SecurityError', /does not let the page store anything/],
-  ]) {
-    await tab.evaluate((error) => {
-      Storage.prototype.setItem = () => {
-        throw new DOMException('', error);
-      };
-    }, name);
-    await tab.page.click('[data-card="save"]');
-    await alerted(tab, pattern);
-    assert.deepEqual(await names(tab), ['Candle']);
-  }
   assert.deepEqual(tab.problems, []);
 });
 

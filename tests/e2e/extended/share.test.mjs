@@ -88,20 +88,6 @@ describe('the panel', () => {
     assert.deepEqual(other.problems, []);
   });
 
-  test('copies HTML of an iframe that burns where it is pasted', async () => {
-    const { tab, panel, params } = await openPage();
-    const code = await copied(tab, panel, 'iframe');
-    const other = await browser.show(code);
-    const inFrame = async (act) => {
-      const frame = await (await other.page.waitForSelector('iframe')).contentFrame();
-      await frame.waitForSelector('hearth-fire');
-      return frame.$eval('hearth-fire', act);
-    };
-    await inFrame((fire) => /** @type {any} */ (fire).ready.then(() => undefined));
-    assert.deepEqual(await inFrame((fire) => /** @type {any} */ (fire).params), params);
-    assert.deepEqual(other.problems, []);
-  });
-
   test('copies settings as JSON, imports them, and undoes the import', async () => {
     const { tab, panel, config, params } = await openPage();
     const json = await copied(tab, panel, 'json');

@@ -122,4 +122,3 @@ test('zero steps change nothing', async () => {
     assert.ok(Math.abs(sim.time - time - sim.stepLength) < 1e-9);
   }
 });
-

@@ -248,15 +248,3 @@ fn a_classic_fire_on_a_solid_moves_with_it() {
     burn_on(&mut fire, 2.0);
     assert!((middle(&fire) - 0.2).abs() < 0.1, "{}", middle(&fire));
 }
-
-#[test]
-fn the_same_seed_gives_the_same_bits() {
-    for settings in [combustion(&[]), with_numbers(&[])] {
-        let scene = on_solid(settings, "box", &[("y", 0.4), ("angle", 10.0)]);
-        let mut fires = [Simulation::new(scene.clone()), Simulation::new(scene)];
-        for fire in &mut fires {
-            burn_on(fire, 0.5);
-        }
-        assert_eq!(fires[0].particles(), fires[1].particles());
-    }
-}

@@ -164,13 +164,6 @@ const DRAWINGS = [
     LEFT,
   ],
   [
-    'the style of an ancestor',
-    '.above { fill: none; stroke: red; stroke-width: 8 }',
-    '<div class="above">',
-    '<path d="M50 12 88 84H12Z"/>',
-    STROKED,
-  ],
-  [
     'a text in a font of the page',
     `${OWN_FONT} #it text { font: 40px "Own", monospace }`,
     '',

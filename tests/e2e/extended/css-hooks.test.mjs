@@ -60,19 +60,6 @@ test(':state(burning) holds while the fire plays and its picture is shown', asyn
   assert.deepEqual(other.problems, []);
 });
 
-test(':state(burning) does not hold for a paused fire or without an engine', async () => {
-  const still = await browser.show(FIRE.replace('<hearth-fire', '<hearth-fire paused'));
-  await still.fire((fire) => fire.toBlob());
-  assert.equal(await still.fire((fire) => fire.matches(':state(burning)')), false);
-  const none = await browser.open(FIRE, {
-    before: () => {
-      delete (/** @type {any} */ (window).WebAssembly);
-    },
-  });
-  await none.fire((fire) => fire.ready.catch(() => {}));
-  assert.equal(await none.fire((fire) => fire.matches(':state(burning)')), false);
-});
-
 test('a fire has its state in a browser whose states begin with two hyphens', async () => {
   const before = () => {
     const { prototype } = CustomStateSet;

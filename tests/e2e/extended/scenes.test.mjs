@@ -25,10 +25,6 @@ const PHONE = { width: 360, height: 640, ratio: 3, touch: true, pixels: 30_000 }
 /** The name of the scene that has the focus. */
 const focused = (panel) => panel.in((root) => root.activeElement?.dataset.scene);
 
-/** The names of the scenes that are marked. */
-const marked = (panel) =>
-  panel.in((root) => [...root.querySelectorAll('[data-scene][aria-current="true"]')].map((tile) => tile.dataset.scene));
-
 const heading = (panel) => panel.in((root, button) => root.querySelector(button).textContent, actionOf('scenes'));
 
 /** Waits until the fire started from that scene. */
@@ -109,25 +105,6 @@ describe('the scenes', () => {
     const back = await panel.in((root) => root.activeElement?.dataset.action);
     assert.equal(back, 'scenes', 'the focus is where it was');
     assert.equal(await heading(panel), `Scene: ${PRESETS[1].label}`);
-  });
-
-  test('are one labelled group, and a rejected scene shows why', async () => {
-    const { tab, panel } = await openPage();
-    await panel.openScenes();
-    const { role, name } = await panel.in((root) => {
-      const list = root.querySelector('[data-scene]').parentElement;
-      return { role: list.role, name: list.ariaLabel };
-    });
-    assert.deepEqual([role, name], ['toolbar', 'Scenes']);
-    await tab.fire((fire) => {
-      fire.importConfig = () => Promise.reject(new Error('no such fire'));
-    });
-    await tab.page.click(`[data-scene="${PRESETS[1].name}"]`);
-    await panel.until(
-      'the status shows the error',
-      (root) => root.querySelector('.hearth-controls [role=status]').textContent === 'no such fire',
-    );
-    assert.deepEqual(await marked(panel), ['default']);
   });
 
   test('nothing moves when a picture loads, and a missing picture leaves its description', async () => {

@@ -96,14 +96,6 @@ fn undefined_states_nothing_and_null_restores() {
 }
 
 #[test]
-fn a_change_with_a_refused_value_changes_nothing() {
-    let bad = sent([number(3000), ("bloom", Untrusted::Number(99.0))]);
-    for values in [bad, sent([number(0)])] {
-        assert!(Settings::default().after(&Change::Set(&values)).is_err());
-    }
-}
-
-#[test]
 fn each_model_has_its_own_number() {
     let cap = ("max_particles", Untrusted::Number(500.0));
     let classic = with(&Settings::default(), [model("classic"), cap]);

@@ -53,10 +53,10 @@ const LOST = 'the iframe is not on a page';
 /**
  * Connects to the fire in an iframe, which may still be loading.
  * @param {HTMLIFrameElement} iframe
- * @returns {import('./embed-client.js').FrameFire}
+ * @returns {FrameFire}
  */
 export function connectFire(iframe) {
-  return /** @type {any} */ (new FrameFire(iframe));
+  return new FrameFire(iframe);
 }
 
 /** @typedef {{listener: unknown, capture: boolean, wrapped: EventListenerOrEventListenerObject | null}} Listener */

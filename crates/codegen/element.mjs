@@ -1,9 +1,10 @@
 /**
  * Derives what tools and users read about `<hearth-fire>` from the JSDoc of its class:
- * `web/hearth-fire.d.ts`, `web/react.d.ts`, `web/custom-elements.json`, the names of its own
- * attributes, the reference of its methods in `docs/element.md`, and what an iframe offers to its page:
- * `web/generated/iframe-methods.js`, `web/embed-client.d.ts`, and lists in `web/embed-client.js` and
- * `docs/iframe.md`. Prints the path of each file that was behind and is written.
+ * `web/hearth-fire.d.ts`, the names of its own attributes, the reference of its methods in
+ * `docs/element.md`, and what an iframe offers to its page: `web/generated/iframe-methods.js`, and lists in
+ * `web/embed-client.js` and `docs/iframe.md`. Prints the path of each file that was behind and is written.
+ * `node element.mjs FOLDER` writes there what the package alone has: `react.d.ts`, `embed-client.d.ts` and
+ * `custom-elements.json`.
  *
  * The class states its methods, accessors, events (`@fires`), slots, parts, custom properties and
  * states; `HearthReflected` in `web/element/types.d.ts` states the properties that only live in
@@ -106,22 +107,26 @@ try {
   const element = await describe(declared, exported);
   const own = element.properties.flatMap(({ attribute }) => attribute ?? []);
   const { OPTIONS } = await load('pages/url-parameters.js');
-  await refresh('web/hearth-fire.d.ts', elementTypes(element));
-  await refresh('web/react.d.ts', reactTypes(element));
-  await refresh('web/custom-elements.json', manifest(element));
-  await refresh(
-    'web/generated/attributes.js',
-    [
-      '// Generated from the class in web/hearth-fire.js by `cargo xtask codegen`; edit its JSDoc instead.\n',
-      '/** The attributes that are no parameters. */',
-      `export const OWN_ATTRIBUTES = [${own.map((name) => `"${name}"`).join(', ')}];\n`,
-    ].join('\n'),
-  );
-  await refresh('web/generated/iframe-methods.js', iframeMethods(element));
-  await refresh('web/embed-client.d.ts', clientTypes(element, OPTIONS));
-  await refreshPart('web/embed-client.js', ['// methods: begin', '// methods: end'], clientList(element));
-  await refreshPart('docs/element.md', marks('methods'), `\n${reference(element)}\n`);
-  await refreshPart('docs/iframe.md', marks('methods'), `\n${iframeReference(element)}\n`);
+  const [folder] = process.argv.slice(2);
+  if (folder) {
+    await writeFile(path.join(folder, 'react.d.ts'), reactTypes(element));
+    await writeFile(path.join(folder, 'embed-client.d.ts'), clientTypes(element, OPTIONS));
+    await writeFile(path.join(folder, 'custom-elements.json'), manifest(element));
+  } else {
+    await refresh('web/hearth-fire.d.ts', elementTypes(element));
+    await refresh(
+      'web/generated/attributes.js',
+      [
+        '// Generated from the class in web/hearth-fire.js by `cargo xtask codegen`; edit its JSDoc instead.\n',
+        '/** The attributes that are no parameters. */',
+        `export const OWN_ATTRIBUTES = [${own.map((name) => `"${name}"`).join(', ')}];\n`,
+      ].join('\n'),
+    );
+    await refresh('web/generated/iframe-methods.js', iframeMethods(element));
+    await refreshPart('web/embed-client.js', ['// methods: begin', '// methods: end'], clientList(element));
+    await refreshPart('docs/element.md', marks('methods'), `\n${reference(element)}\n`);
+    await refreshPart('docs/iframe.md', marks('methods'), `\n${iframeReference(element)}\n`);
+  }
 } finally {
   api.close();
 }

@@ -58,7 +58,7 @@ export function clientList(element) {
   return `\n${list('const METHODS', 'The methods of the fire; each returns a promise.', names)}`;
 }
 
-/** `web/embed-client.d.ts`. @param {Element} element @param {string[]} options */
+/** `embed-client.d.ts` of the package. @param {Element} element @param {string[]} options */
 export function clientTypes(element, options) {
   const events = element.events
     .map((event) => `${comment(event.doc, '  ')}  ${quoted(event.name)}: CustomEvent<${event.type}>;\n`)

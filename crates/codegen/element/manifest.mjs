@@ -1,6 +1,6 @@
 /**
- * `web/custom-elements.json`: the element for editors, catalogues and the generators of wrappers,
- * in the format that these share, the Custom Elements Manifest.
+ * `custom-elements.json` of the package: the element for editors, catalogues and the generators of
+ * wrappers, in the format that these share, the Custom Elements Manifest.
  *
  * @typedef {import('../element.mjs').Element} Element
  */

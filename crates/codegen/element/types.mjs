@@ -1,5 +1,5 @@
 /**
- * `web/hearth-fire.d.ts`: the element's class for TypeScript; `web/react.d.ts`: the element in JSX.
+ * `web/hearth-fire.d.ts`: the element's class for TypeScript; `react.d.ts` of the package: the element in JSX.
  *
  * @typedef {import('../element.mjs').Element} Element
  */

@@ -2,14 +2,15 @@
  * Makes the npm package of the built site: `node build.mjs SITE OUT VERSION`.
  *
  * `SITE` is the site's folder of scripts, with its wasm; the package contains what
- * its entry points reach there, and no more. `cargo xtask package` runs this.
+ * its entry points reach there, all types, and no more. `cargo xtask package` runs this.
  */
-import { copyFile, mkdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { execFileSync } from 'node:child_process';
+import { copyFile, mkdir, readFile, readdir, rm, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { pictures, reached, typesReached } from './graph.mjs';
+import { pictures, reached } from './graph.mjs';
 import { inlined } from './inline.mjs';
-import { DOCS, beginningsOf, packageJson, typesOf } from './manifest.mjs';
+import { DOCS, beginningsOf, packageJson } from './manifest.mjs';
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
 const ROOT = path.resolve(HERE, '../../..');
@@ -21,8 +22,6 @@ const CARRIED = {
   // The panel draws its text with this font, whose licence must accompany it.
   'crates/hearth-panel/font/LICENCE.txt': 'LICENSE-FONT',
   'crates/xtask/packaging/README.npm.md': 'README.md',
-  'web/THIRD-PARTY.txt': 'THIRD-PARTY.txt',
-  'web/hearth-fire.cdx.json': 'hearth-fire.cdx.json',
 };
 
 const [site, out, version] = process.argv.slice(2);
@@ -31,13 +30,14 @@ if (!version) throw new Error('usage: node build.mjs SITE OUT VERSION');
 const source = JSON.parse(await readFile(path.join(site, 'package.json'), 'utf8'));
 const built = packageJson(source, version);
 const code = await reached(site, beginningsOf(source));
-const types = await typesReached(site, typesOf(source));
+const types = (await readdir(site, { recursive: true })).filter((file) => /\.d\.c?ts$/.test(file));
 
 await rm(out, { recursive: true, force: true });
 const shown = await pictures(site);
-for (const file of [...code, ...types, ...shown, source.customElements]) {
+for (const file of [...code, ...types, ...shown, 'THIRD-PARTY.txt', 'hearth-fire.cdx.json']) {
   await put(path.join(site, file), file);
 }
+execFileSync(process.execPath, [path.join(ROOT, 'crates/codegen/element.mjs'), out], { stdio: 'inherit' });
 for (const [from, to] of Object.entries(CARRIED)) {
   await put(path.join(ROOT, from), to);
 }

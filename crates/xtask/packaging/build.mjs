@@ -2,15 +2,15 @@
  * Makes the npm package of the built site: `node build.mjs SITE OUT VERSION`.
  *
  * `SITE` is the site's folder of scripts, with its wasm; the package contains what
- * its entry points reach there, all types, and no more. `cargo xtask package` runs this.
+ * its entry points reach there, and no more. The compiler declares the types of `tsconfig.json`. `cargo xtask package` runs this.
  */
 import { execFileSync } from 'node:child_process';
-import { copyFile, mkdir, readFile, readdir, rm, writeFile } from 'node:fs/promises';
+import { appendFile, copyFile, mkdir, readFile, readdir, rm, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { pictures, reached } from './graph.mjs';
+import { pictures, reached, typesReached } from './graph.mjs';
 import { inlined } from './inline.mjs';
-import { DOCS, beginningsOf, packageJson } from './manifest.mjs';
+import { DOCS, beginningsOf, packageJson, typesOf } from './manifest.mjs';
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
 const ROOT = path.resolve(HERE, '../../..');
@@ -30,14 +30,13 @@ if (!version) throw new Error('usage: node build.mjs SITE OUT VERSION');
 const source = JSON.parse(await readFile(path.join(site, 'package.json'), 'utf8'));
 const built = packageJson(source, version);
 const code = await reached(site, beginningsOf(source));
-const types = (await readdir(site, { recursive: true })).filter((file) => /\.d\.c?ts$/.test(file));
 
 await rm(out, { recursive: true, force: true });
 const shown = await pictures(site);
-for (const file of [...code, ...types, ...shown, 'THIRD-PARTY.txt', 'hearth-fire.cdx.json']) {
+for (const file of [...code, ...(await declarations(site)), ...shown, 'THIRD-PARTY.txt', 'hearth-fire.cdx.json']) {
   await put(path.join(site, file), file);
 }
-execFileSync(process.execPath, [path.join(ROOT, 'crates/codegen/element.mjs'), out], { stdio: 'inherit' });
+await declare();
 for (const [from, to] of Object.entries(CARRIED)) {
   await put(path.join(ROOT, from), to);
 }
@@ -56,6 +55,26 @@ await writeFile(
 await mkdir(path.join(out, 'inline'));
 const inline = { main: '../hearth-fire.inline.js', types: '../hearth-fire.d.ts', type: 'module', sideEffects: true };
 await writeFile(path.join(out, 'inline/package.json'), `${JSON.stringify(inline, null, 2)}\n`);
+
+/** Writes the types that follow from scripts, and removes what no entry point reaches. */
+async function declare() {
+  const run = (/** @type {string[]} */ ...program) => execFileSync(process.execPath, program, { stdio: 'inherit' });
+  const compiler = path.join(HERE, '../scripts/node_modules/typescript/bin/tsc');
+  run(compiler, '--project', HERE, '--outDir', out);
+  await appendFile(
+    path.join(out, 'hearth-fire.d.ts'),
+    "export type * from './element/types.js';\nexport type * from './parameters.js';\n",
+  );
+  run(path.join(ROOT, 'crates/codegen/element.mjs'), out);
+  const needed = await typesReached(out, typesOf(source));
+  for (const file of await declarations(out)) if (!needed.includes(file)) await rm(path.join(out, file));
+}
+
+/** The files of types below a folder. @param {string} folder */
+async function declarations(folder) {
+  const files = await readdir(folder, { recursive: true });
+  return files.map((file) => file.replaceAll('\\', '/')).filter((file) => /\.d\.c?ts$/.test(file));
+}
 
 /** @type {(from: string, to: string) => Promise<void>} */
 async function put(from, to) {

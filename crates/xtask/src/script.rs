@@ -47,7 +47,8 @@ pub(crate) fn check_types() -> Result<()> {
 pub(crate) fn generated_files() -> Result<Vec<String>> {
     tools()?;
     let mut written = codegen::refresh(&paths::root())?;
-    let element = cmd!(Shell::new()?, "node crates/codegen/element.mjs").read()?;
+    let sh = Shell::new()?;
+    let element = cmd!(sh, "node crates/codegen/element.mjs").read()?;
     written.extend(element.lines().map(str::to_owned));
     Ok(written)
 }

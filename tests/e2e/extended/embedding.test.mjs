@@ -111,7 +111,7 @@ test('the methods are those of the element, each in an example', () => {
 test('the events are those that the element sends, each in an example', () => {
   const files = ['element/session/session.js', 'element/session/reports.js', 'sound/player.js'];
   const source = files.map((file) => read(`web/${file}`)).join('');
-  const types = read('web/hearth-fire.d.ts');
+  const types = read('web/element/types.d.ts');
   const sent = [...source.matchAll(/\.emit\(([^;]*?)[,)]/g)].flatMap(([, what]) =>
     [...what.matchAll(/'([a-z-]+)'/g)].map(([, name]) => name),
   );
@@ -130,13 +130,6 @@ test('the parts and the slot are those of the element, each in an example', () =
   for (const name of parts) assert.ok(CODE.includes(`::part(${name})`), name);
   assert.deepEqual(has.slots, ['poster']);
   assert.ok(CODE.includes('slot="poster"'));
-});
-
-test('the types are those of the element', () => {
-  const types = read('web/hearth-fire.d.ts');
-  const parameters = PARAMETERS.map(({ id }) => camel(id));
-  const own = [...has.methods, ...has.properties].filter((name) => !parameters.includes(name));
-  for (const name of own) assert.ok(new RegExp(`\\b${name}[(:<]`).test(types), name);
 });
 
 /** How many examples run beside each other, in iframes of one page. */

@@ -60,14 +60,14 @@ const cells = (tab, id) =>
 async function copied(tab, what) {
   await tab.page.click(`[data-copies="${what}"]`);
   await tab.until('the words about the copy', () => document.getElementById('copied')?.textContent);
-  return tab.on('#copy', (field) => field.value);
+  return tab.page.$eval('#copy', (field) => field.value);
 }
 
 /** The numbers of a row by column. @param {string[]} names @param {string[]} row */
 const byName = (names, row) => Object.fromEntries(names.map((name, at) => [name, row[at]]));
 
 describe('a measurement of few particles', () => {
-  /** @type {import('../driver/puppeteer.mjs').PuppeteerTab} */
+  /** @type {import('../driver/tab.mjs').Tab} */
   let tab;
   before(async () => {
     tab = await browser.open(`bench.html${FEW}`, PHONE);
@@ -150,13 +150,17 @@ test('a link chooses rows, and so do the boxes', async () => {
   assert.deepEqual(await checked(), ['500', '1000', 'classic']);
   await tab.page.click('#counts input[value="500"]');
   assert.equal(await tab.evaluate(() => location.search), '?n=1000&models=classic&sizes=');
-  assert.equal(await tab.on('[data-copies="csv"]', (button) => button.disabled), true, 'nothing is measured yet');
+  assert.equal(
+    await tab.page.$eval('[data-copies="csv"]', (button) => button.disabled),
+    true,
+    'nothing is measured yet',
+  );
   assert.deepEqual(await violations(tab), []);
 });
 
 test('a measurement can be cancelled by its button, which the fire does not cover, and the table fits the window', async () => {
   const tab = await browser.open('bench.html?n=300&models=classic&sizes=', { width: 1280, height: 800 });
-  await tab.on('#stage', (stage) => {
+  await tab.page.$eval('#stage', (stage) => {
     new MutationObserver(() => {
       stage.querySelector('hearth-fire')?.addEventListener('stats', () => {
         window.scrollTo(0, 600);
@@ -167,7 +171,10 @@ test('a measurement can be cancelled by its button, which the fire does not cove
   });
   await tab.page.click('#measure');
   await statusBegins(tab, 'Cancelled');
-  assert.ok(await tab.on('.scroll', ({ scrollWidth, clientWidth }) => scrollWidth === clientWidth), 'no column is cut');
+  assert.ok(
+    await tab.page.$eval('.scroll', ({ scrollWidth, clientWidth }) => scrollWidth === clientWidth),
+    'no column is cut',
+  );
   assert.equal(await tab.evaluate(() => document.querySelectorAll('hearth-fire, iframe').length), 0);
   assert.equal((await cells(tab, 'speeds')).length, 1, 'a part of a row is not shown');
   assert.deepEqual(tab.problems, []);
@@ -175,7 +182,7 @@ test('a measurement can be cancelled by its button, which the fire does not cove
 
 test('a row during which the tab was hidden is measured again', async () => {
   const tab = await browser.open('bench.html?n=300&models=classic&sizes=', { width: 900, height: 700 });
-  await tab.on('#status', (status) => {
+  await tab.page.$eval('#status', (status) => {
     let hidden = false;
     Object.defineProperty(document, 'hidden', { get: () => hidden });
     const hide = (/** @type {boolean} */ value) => {

@@ -27,7 +27,7 @@ const figureAt = (id, at) => `[aria-labelledby="${id}"] .fires > figure:nth-chil
  * @returns {Promise<{[name: string]: number}>}
  */
 async function numbers(tab, id, at) {
-  await tab.on(figureAt(id, at), (figure) => figure.scrollIntoView({ block: 'center' }));
+  await tab.page.$eval(figureAt(id, at), (figure) => figure.scrollIntoView({ block: 'center' }));
   return tab.until(
     `the numbers of ${id}, ${at}`,
     (figure) => {
@@ -51,7 +51,7 @@ async function all(tab, id, count) {
 test('figure 1 has lighter colours at higher temperatures', async () => {
   const tab = await browser.open('figures.html?n=300,600', { ...PHONE, draws: true });
   await tab.ready();
-  await tab.on('#colours', (figure) => figure.scrollIntoView());
+  await tab.page.$eval('#colours', (figure) => figure.scrollIntoView());
   await tab.until('the slider of temperatures', () => document.querySelector('#kelvin:enabled'));
   const colours = await tab.evaluate(() =>
     [...document.querySelectorAll('#scale li')].map((entry) => entry.textContent ?? ''),
@@ -69,13 +69,13 @@ test('figure 1 has lighter colours at higher temperatures', async () => {
     `${sums}`,
   );
   await tab.page.focus('#kelvin');
-  await tab.press('Home');
+  await tab.page.keyboard.press('Home');
   await tab.until('the coolest fire', () => document.querySelector('hearth-fire')?.maximumTemperature === 1000);
-  assert.match(await tab.on('#kelvin', (slider) => slider.ariaValueText), /^1000 K, #/);
+  assert.match(await tab.page.$eval('#kelvin', (slider) => slider.ariaValueText), /^1000 K, #/);
 });
 
 describe('the figures on a phone', () => {
-  /** @type {import('../driver/puppeteer.mjs').PuppeteerTab} */
+  /** @type {import('../driver/tab.mjs').Tab} */
   let tab;
   before(async () => {
     tab = await browser.open('figures.html?n=300,600', PHONE);
@@ -91,7 +91,7 @@ describe('the figures on a phone', () => {
 
   test('figure 2 names every stage and pass that its fires report, each with its time', async () => {
     for (const at of [0, 1]) {
-      await tab.on(figureAt('figure-2', at), (figure) => figure.scrollIntoView());
+      await tab.page.$eval(figureAt('figure-2', at), (figure) => figure.scrollIntoView());
       const { names, rows } = await tab.until(
         'the loop',
         (figure) => {
@@ -149,9 +149,9 @@ describe('the figures on a phone', () => {
   test('a slider moves the middle fire and its numbers by keys', async () => {
     const figure = figureAt('buoyancy', 1);
     await tab.page.focus(`${figure} input`);
-    await tab.press('End');
+    await tab.page.keyboard.press('End');
     assert.deepEqual(
-      await tab.on(figure, (element) => [
+      await tab.page.$eval(figure, (element) => [
         element.querySelector('hearth-fire').getAttribute('buoyancy'),
         element.querySelector('hearth-fire').alt,
         element.querySelector('input').ariaValueText,
@@ -163,7 +163,7 @@ describe('the figures on a phone', () => {
 
   test('figure 8 burns one fire at a time and shows its pictures a second', async () => {
     for (const [at, count] of [300, 600].entries()) {
-      await tab.on(`${figureAt('figure-8', at)} button`, (button) => button.click());
+      await tab.page.$eval(`${figureAt('figure-8', at)} button`, (button) => button.click());
       const shown = await numbers(tab, 'figure-8', at);
       // On a busy machine it begins with less than one in two seconds.
       await tab.until(
@@ -174,7 +174,7 @@ describe('the figures on a phone', () => {
       assert.ok(Math.abs(shown.particles - count) <= 0.05 * count, `${shown.particles}`);
       assert.equal(await tab.evaluate(() => document.querySelectorAll('#counts hearth-fire').length), 1);
     }
-    await tab.on(`${figureAt('figure-8', 1)} figcaption button`, (button) => button.click());
+    await tab.page.$eval(`${figureAt('figure-8', 1)} figcaption button`, (button) => button.click());
     assert.equal(await tab.evaluate(() => document.querySelectorAll('#counts hearth-fire').length), 0);
     assert.equal(await tab.evaluate(() => document.activeElement?.textContent), 'Burn 600 particles');
   });

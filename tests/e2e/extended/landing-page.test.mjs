@@ -269,12 +269,12 @@ test('links and scenes fade without input, and return with it', async () => {
   const tab = await browser.open('index.html?paused', PHONE);
   await tab.ready();
   await strip(tab);
-  const opacity = () => tab.on('#scenes', (strip) => Number(getComputedStyle(strip).opacity));
+  const opacity = () => tab.page.$eval('#scenes', (strip) => Number(getComputedStyle(strip).opacity));
   await tab.until(
     'they step back',
     () => getComputedStyle(/** @type {Element} */ (document.getElementById('scenes'))).opacity === '0',
   );
-  assert.equal(await tab.on('#scenes', (scenes) => getComputedStyle(scenes).pointerEvents), 'none');
+  assert.equal(await tab.page.$eval('#scenes', (scenes) => getComputedStyle(scenes).pointerEvents), 'none');
   await tab.page.focus(`[data-starts="${LANDING}"]`);
   await tab.until(
     'they come back',

@@ -59,7 +59,7 @@ test('a saved fire is in the list with its picture, and is shown again after oth
   const config = await tab.fire((fire) => fire.exportConfig());
   await tab.page.click('[data-card="save"]');
   await named(tab, ['Candle']);
-  assert.match(await tab.on('.hearth-own img', (image) => image.src), /^data:image\/jpeg/);
+  assert.match(await tab.page.$eval('.hearth-own img', (image) => image.src), /^data:image\/jpeg/);
   await tab.page.click('[data-card="save"]');
   await named(tab, ['Candle', 'Candle 2']);
   await rename(tab, 'Candle 2', 'Candle');
@@ -93,7 +93,7 @@ test('a list of the visit before is there, and a damaged one is reported', async
     assert.deepEqual(await names(tab), expected);
     if (expected.length === 0) await alerted(tab, /list of your scenes is damaged/);
     if (expected.length > 0) {
-      assert.equal(await tab.on('.hearth-own img', (image) => image.hidden), true);
+      assert.equal(await tab.page.$eval('.hearth-own img', (image) => image.hidden), true);
       await press(tab, 'Show Mine');
       await tab.until('the scene', () => /** @type {any} */ (document.querySelector('hearth-fire')).preset === 'torch');
       assert.equal(await tab.evaluate(() => document.activeElement?.getAttribute('aria-label')), 'Show Mine');
@@ -216,7 +216,7 @@ test('a saved scene is named at once, and no letter of its name is a shortcut', 
   await named(tab, ['Fish']);
   await tab.until('the row', () => document.activeElement?.getAttribute('aria-label') === 'Show Fish');
   assert.ok(
-    await tab.on('[aria-label="Delete Fish"]', (button) => {
+    await tab.page.$eval('[aria-label="Delete Fish"]', (button) => {
       const [inner, outer] = [button, /** @type {Element} */ (button.closest('section'))].map((node) =>
         node.getBoundingClientRect(),
       );

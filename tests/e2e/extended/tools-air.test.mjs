@@ -34,7 +34,7 @@ async function glowsAfter(tab, acts) {
 
 async function glowAt(tab) {
   // The toolbar glows too. Without visibility, it would lose the focus.
-  const shows = (how) => tab.on('.hearth-tools', (host, opacity) => (host.style.opacity = opacity), how);
+  const shows = (how) => tab.page.$eval('.hearth-tools', (host, opacity) => (host.style.opacity = opacity), how);
   await shows('0');
   const picture = await tab.firePicture();
   await shows('');
@@ -64,7 +64,7 @@ test('a drag blows flames its way, and keys blow and throw sparks from the cross
     'a drag',
   );
   await tab.page.focus('.hearth-overlay');
-  const cross = () => tab.on('.hearth-overlay .cross', (path) => path.getBoundingClientRect().y);
+  const cross = () => tab.page.$eval('.hearth-overlay .cross', (path) => path.getBoundingClientRect().y);
   await tab.key('Enter');
   const middle = await cross();
   for (let down = 0; down < 4; down += 1) await chord(tab, 'Shift', 'ArrowDown');

@@ -73,7 +73,7 @@ test('a press lights wood and keys spray water, which puts it out; a solid that 
   const calls = await sprayed(tab, () => drag(tab, [0.25, 0.8], [0.35, 0.8]));
   assert.ok(calls.length > 0 && calls.every(([, y, , v]) => close(y, 0.8, 0.05) && v < 0), JSON.stringify(calls));
   assert.equal(await putOut(tab, 0.3, 0.8), 'out');
-  await tab.on('.hearth-overlay', (layer) => layer.focus());
+  await tab.page.$eval('.hearth-overlay', (layer) => layer.focus());
   const byKeys = await sprayed(tab, async () => {
     await tab.key('Enter');
     await tab.until('several sprays', () => window.sprayed.length > 2);

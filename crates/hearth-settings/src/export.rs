@@ -45,7 +45,8 @@ fn differences(
         let differs = if StatedResolution::is_part(param.id) {
             settings.states(param.id)
         } else {
-            value != param.get(before)
+            // A fire may have a seed of its own where none is stated.
+            value != param.get(before) || (of_model_alone.is_some() && param.id == "seed")
         };
         let is_part = of_model_alone.is_none_or(|alone| alone == domain.model.is_some());
         if differs && !of_source && is_part {

@@ -49,10 +49,11 @@ fn every_command_is_parsed() {
         ),
         (
             "import",
-            vec![config.clone(), text(source)],
+            vec![config.clone(), text(source), Untrusted::Flag(true)],
             Command::Import {
                 config: &config,
                 source,
+                keeps_seed: Some(true),
             },
         ),
         ("export", vec![], Command::Export {}),

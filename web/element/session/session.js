@@ -212,18 +212,19 @@ export class FireSession {
     const canvas = (this.#returns && view.canvas) || view.newCanvas();
     if (!view.shows) view.show('loading');
     if (this.#warmth()) view.fade();
+    const present = () => {
+      // A canvas that is taken away has no area, so that no frame comes.
+      if (view.damaged && fire.isConnected) this.mend();
+      else this.#present(connection);
+    };
     const connection = new EngineConnection(fire, canvas, this.#requests, {
       message: (message) => this.#receive(message, connection),
       frame: (frame) => {
         view.draw(frame);
-        if (view.damaged) this.mend();
-        else this.#present(connection);
+        // An engine on the page's own thread is still in its frame, and listeners are the page's code.
+        queueMicrotask(present);
       },
-      visible: () => {
-        // A canvas that is taken away has no area, so that no frame comes.
-        if (view.damaged && fire.isConnected) this.mend();
-        else this.#present(connection);
-      },
+      visible: present,
       start: () => this.#begin(connection, still),
       motion: (reduced) => this.playback.follow(reduced),
     });

@@ -357,7 +357,7 @@ const FIRESIDE: &str = "fireside";
 /// The fingerprint of a scene that burns on from where it is kept; 0 where it does not.
 fn kept(name: &str, particles: Option<u32>) -> u64 {
     let bytes = include_bytes!("../../web/prewarmed/fireside.fire");
-    let mut scene = Preset::find(name).map_or_else(Scene::default, Preset::scene);
+    let mut scene = Preset::find(name).map(Preset::scene).unwrap_or_default();
     if let Some(number) = particles {
         let mut settings = scene.settings().clone();
         settings.set_domain_particles(number);

@@ -29,7 +29,7 @@ const SOOT: f32 = 0.02;
 const BLUE: f32 = 0.3;
 
 fn scene(name: &str) -> Parameters {
-    Preset::find(name).map_or_else(|| panic!("there is no scene {name}"), Preset::parameters)
+    Preset::find(name).map_or_else(|error| panic!("{error}"), Preset::parameters)
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::ops::Deref;
 
-use super::check::nearest_id;
+use super::check::nearest;
 use super::choices::Model;
 use super::entry::Condition;
 use super::table::{PARAMETERS, Param, Values};
@@ -66,9 +66,21 @@ impl Parameters {
     /// Sets the parameter `id`, or returns an error and changes nothing. A parameter that the
     /// present model does not use is set in the other model.
     ///
+    /// ```
+    /// # use hearth_core as hearth_fire;
+    /// let mut parameters = hearth_fire::Parameters::default();
+    /// parameters.set("fuel_power", 200.0)?;
+    /// parameters.set("palette", "copper")?;
+    /// # Ok::<(), hearth_fire::params::ParamError>(())
+    /// ```
+    ///
     /// # Errors
     /// An unknown id, a value of the wrong kind or one outside the range.
-    pub fn set(&mut self, id: &str, input: Input<'_>) -> Result<(), ParamError> {
+    pub fn set<'a>(&mut self, id: &str, value: impl Into<Input<'a>>) -> Result<(), ParamError> {
+        self.set_input(id, value.into())
+    }
+
+    fn set_input(&mut self, id: &str, input: Input<'_>) -> Result<(), ParamError> {
         let param = Param::find(id).ok_or_else(|| unknown(id, input))?;
         let value = param.check(self.model, input)?;
         self.write(param, value);
@@ -164,7 +176,7 @@ fn unknown(id: &str, input: Input<'_>) -> ParamError {
         id: format!("{start}{dots}"),
         value: format!("{input}"),
         kind: ParamErrorKind::UnknownId {
-            nearest: nearest_id(id),
+            nearest: nearest(id, &mut PARAMETERS.iter().map(|param| param.id)),
         },
     }
 }

@@ -110,7 +110,10 @@ fn errors_name_the_invalid_field() {
             object(vec![("hearth", Untrusted::Number(3.0))]),
             "hearth = 3",
         ),
-        (object(vec![("preset", text("sead"))]), "seed"),
+        (
+            object(vec![("preset", text("sead"))]),
+            "did you mean \"seed\"?",
+        ),
         (
             object(vec![("preset", Untrusted::Number(1.0))]),
             "preset = 1",

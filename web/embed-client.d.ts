@@ -86,7 +86,7 @@ export interface FrameFire extends EventTarget {
   /** Returns the value of one parameter. */
   get<Id extends ParameterId>(id: Id): Promise<HearthParameters[Id]>;
   /** Sets one parameter. Rejects with a {@link HearthRangeError}. */
-  set<Id extends ParameterId>(id: Id, value: HearthParameters[Id] | null | undefined): Promise<void>;
+  set<Id extends ParameterId>(id: Id, value: HearthParameters[Id] | null): Promise<void>;
   /** Sets all of these parameters or none. Rejects with a {@link HearthRangeError}. */
   set(values: HearthValues): Promise<void>;
   /** Adds an object and resolves to its id. Rejects with a {@link HearthRangeError}. */
@@ -107,6 +107,8 @@ export interface FrameFire extends EventTarget {
   reset(): Promise<void>;
   /** Computes simulation steps, also while paused, then draws a frame. `stats` has the length of a step. */
   step(steps?: number): Promise<void>;
+  /** Computes this time of fire, at most 1000 seconds, also while paused, then draws a frame. The last two steps are shorter where that is needed: a paused fire is then older by exactly that time. One that plays burns on from there by its clock. A fire that loads or warms up does so first. */
+  advance(seconds: number): Promise<void>;
   /** Resolves to the settings of the fire: the preset, unless it is the default one, and the values that differ from it. As JSON they can be stored, sent, and loaded by `importConfig` or `src`. */
   exportConfig(): Promise<HearthConfig>;
   /** Applies settings, as an object or as JSON: all of them or none. Rejects with a {@link HearthRangeError}. */

@@ -29,6 +29,7 @@ const METHODS = [
   'pause',
   'reset',
   'step',
+  'advance',
   'exportConfig',
   'importConfig',
   'toBlob',

@@ -10,9 +10,10 @@ const FIELDS = ['{}', 'an object without a prototype', 'a throwing iterator'];
 /** @type {[name: string, named: RegExp, call: (sim: any, value: any) => unknown, taken: string[]][]} */
 const ARGUMENTS = [
   ['step(steps)', /steps/, (sim, value) => sim.step(value), ['undefined', '-0']],
+  ['advance(seconds)', /seconds/, (sim, value) => sim.advance(value), ['-0', '1.5']],
   ['get(id)', /id|there is no parameter/, (sim, value) => sim.get(value), []],
   ['set(ids)', /values|there is no parameter/, (sim, value) => sim.set(value, 1), FIELDS],
-  ["set('wind', value)", /wind/, (sim, value) => sim.set('wind', value), ['undefined', 'null', '-0', '-1', '1.5']],
+  ["set('wind', value)", /wind/, (sim, value) => sim.set('wind', value), ['null', '-0', '-1', '1.5']],
   ['objects', /objects/, (sim, value) => (sim.objects = value), ['undefined', 'null', '[]']],
   ['addObject(object)', /object|kind|there is no/, (sim, value) => sim.addObject(value), []],
   ['changeObject(id)', /id/, (sim, value) => sim.changeObject(value, { x: 0 }), []],
@@ -56,7 +57,6 @@ const OPTIONS = [
   ['seed', ['undefined', 'null', '-0']],
   ['params', ['undefined', ...FIELDS]],
   ['objects', ['undefined', 'null', '[]']],
-  ['wasmParts', ['undefined', ...FIELDS]],
 ];
 
 for (const [name, taken] of OPTIONS) {

@@ -3,6 +3,7 @@
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { inspect } from 'node:util';
 import { ARRAYS, PARAMETERS, createSimulation, everything, fires } from './library.mjs';
 
 /** What only the gas of the combustion model has. */
@@ -58,9 +59,33 @@ test('a fire is hot, burns and emits embers; the classic one has neither power n
   assert.ok(embers.temperatures.every((kelvin) => kelvin > 250 && kelvin < 2000));
   assert.ok(embers.sizes.every((size) => size > 0 && size <= Math.fround(combustion.get('ember_size'))));
   classic.step(200);
-  assert.equal(classic.power, undefined);
+  assert.equal(classic.power, 0);
   assert.equal(classic.embers().count, 0);
   assert.deepEqual(Object.keys(classic.particles()), ['positions', 'velocities', 'temperatures', 'ages', 'lifetimes']);
+});
+
+test('frames stand at exactly the time that is asked for', async () => {
+  for (const sim of await fires()) {
+    for (let frame = 1; frame <= 12; frame += 1) {
+      const before = sim.time;
+      sim.advance(1 / 30);
+      assert.equal(sim.time, before + 1 / 30);
+      assert.ok(Math.abs(sim.time - frame / 30) < 1e-14);
+    }
+    const { time } = sim;
+    sim.advance(0);
+    assert.equal(sim.time, time);
+    sim.free();
+  }
+});
+
+test('a console prints the state of a simulation, not how it is made', async () => {
+  const [sim] = await fires();
+  sim.advance(0.1);
+  assert.equal(String(sim), '[object Simulation]');
+  assert.match(inspect(sim), /^Simulation \(combustion, 0\.100 s, \d+ particles, \d+ kW\/m\)$/);
+  sim.free();
+  assert.equal(inspect(sim), 'Simulation (this simulation was freed)');
 });
 
 test('particles stay in the order of birth', async () => {

@@ -27,7 +27,7 @@ const FIELDS = ['{}', 'an object without a prototype', 'a date', 'a throwing ite
  * @type {[call: string, named: RegExp, taken: string[]][]}
  */
 const ARGUMENTS = [
-  ["fire.set('wind', value)", /wind/, [...FEW, 'null']],
+  ["fire.set('wind', value)", /wind/, ['-0', '-1', '1.5', 'null']],
   ['fire.set({ wind: value })', /wind/, [...FEW, 'null']],
   ['fire.set(value, 1)', /values|there is no parameter/, FIELDS],
   ['fire.addObject(value)', /object/, []],
@@ -44,7 +44,8 @@ const ARGUMENTS = [
   ],
   ['fire.to({ wind: 1 }, { duration: value === 1e300 ? NaN : value })', /duration/, ['undefined', '-0', '1.5']],
   ['fire.to({ wind: 1 }, { duration: 0, easing: value })', /easing/, ['undefined']],
-  ['fire.step(value)', /steps|seconds/, ['undefined']],
+  ['fire.step(value)', /steps/, ['undefined']],
+  ['fire.advance(value)', /seconds/, ['-0', '1.5']],
   ['fire.importConfig(value)', /config|settings|values|there is no|hearth/, FIELDS],
   [
     'fire.toBlob(value)',

@@ -315,7 +315,7 @@ class HearthFire extends FireAttributes {
     if (ids.length > 0)
       return this.set(Object.fromEntries(ids.map((id) => [typeof id === 'string' ? id : typeof id, null])));
     this.#session.reflectPreset();
-    return this.#session.change(['preset', 'default']);
+    return this.#session.change(['preset', 'default'], this.#session.history.sourceOfScene('property'));
   }
 
   /**
@@ -378,7 +378,8 @@ class HearthFire extends FireAttributes {
    */
   importConfig(config) {
     try {
-      return this.#session.change(['import', reportedSettings(config, 'config', this.#session.reports)]);
+      const settings = reportedSettings(config, 'config', this.#session.reports);
+      return this.#session.change(['import', settings], this.#session.history.sourceOfScene('property'));
     } catch (error) {
       return quiet(Promise.reject(error));
     }

@@ -13,7 +13,7 @@ import { addFold } from './panel/fold.js';
 import { listenToKeys } from './panel/keys.js';
 import { listenToDrops } from './panel/own-scenes.js';
 import { addSheet } from './panel/sheet.js';
-import { addStyle, check, optionsOf } from './panel/style.js';
+import { addStyle, check, optionsOf } from './editing/style.js';
 import { addTooltip } from './panel/tooltip.js';
 import { zoomKey } from './panel/zoom-keys.js';
 import { speakerControls } from './sound/speaker.js';
@@ -94,12 +94,9 @@ function stayAboveKeyboard(host) {
 export async function mountPanel(options) {
   const { host, fire, page, script, embed, only } = optionsOf(options);
   for (const [name, address] of Object.entries({ page, script, embed }))
-    check(name, 'a text or a URL', () => /^(undefined|string)$/.test(typeof address) || address instanceof URL);
-  check(
-    'only',
-    'a list of ids',
-    () => only === undefined || (Array.isArray(only) && only.every((id) => typeof id === 'string')),
-  );
+    check(name, 'a text or a URL', /^(undefined|string)$/.test(typeof address) || address instanceof URL);
+  const areIds = only === undefined || (Array.isArray(only) && only.every((id) => typeof id === 'string'));
+  check('only', 'a list of ids', areIds);
   let ended = false;
   let restarts = 0;
   /** @type {import('./wasm/hearth-panel.js').Panel | undefined} */
@@ -225,25 +222,29 @@ export async function mountPanel(options) {
     if (ended || plain.matches) return;
     stage = document.createElement('div');
     stage.className = 'hearth-panel-stage';
-    // eframe takes the focus when it starts; an inert element cannot have it.
-    stage.inert = true;
     const target = document.createElement('canvas');
     target.setAttribute('aria-hidden', 'true');
     // egui smooths edges itself. Four samples a pixel would only cost time and memory; eframe takes this context over.
     target.getContext('webgl2', { antialias: false, depth: false });
-    stage.append(target);
     canvas = target;
     host.prepend(stage);
     try {
       const wasm = await load();
       if (ended) return;
+      // eframe adds a text field to the tree of its canvas, which takes the focus in a document.
+      const tree = new DocumentFragment();
+      tree.append(target);
       const started = await wasm.Panel.start(target, fire, controller);
       if (ended) {
         started.destroy();
         return;
       }
       panel = started;
-      stage.inert = false;
+      stage.append(tree);
+      // eframe scrolls the page to canvas and text field when it gives them the focus.
+      for (const element of /** @type {HTMLCollectionOf<HTMLElement>} */ (stage.children)) {
+        element.focus = () => HTMLElement.prototype.focus.call(element, { preventScroll: true });
+      }
       panel.update(controller.state);
       controller.hovered = () => panel?.hovered();
       // An accessible control may have had the focus before the panel started.

@@ -3,6 +3,12 @@
  */
 
 /**
+ * The calls of a fire that go past those that wait for a part: a visitor sees at once what they do, and no other call
+ * depends on them.
+ */
+export const AT_ONCE = ['play', 'pause', 'visible', 'resize', 'remove'];
+
+/**
  * The parts that a module has when it starts: all of a module that is as cargo linked it. The build takes them out of a
  * module, which then exports by numbers what they import.
  * @param {WebAssembly.Module} module
@@ -14,12 +20,20 @@ export function loadedParts(module, all) {
 }
 
 /**
- * Checks that a module is a part. The build writes the name of each part into it.
+ * Checks that a module is a part of another. The build writes the hash of the other into both.
  * @param {WebAssembly.Module} module
- * @param {string} name
+ * @param {string} name of the part
+ * @param {WebAssembly.Module} base the other
+ * @throws {TypeError}
  */
-export function checkPart(module, name) {
-  if (WebAssembly.Module.customSections(module, `part:${name}`).length === 0) {
-    throw new TypeError(`it is not the part "${name}"`);
-  }
+export function checkPart(module, name, base) {
+  const build = buildOf(module, `part:${name}`);
+  if (build === undefined) throw new TypeError(`it is not the part "${name}"`);
+  if (build !== buildOf(base, 'build')) throw new TypeError('it is of another build; reload the page');
+}
+
+/** The hash in a section. @type {(module: WebAssembly.Module, section: string) => string | undefined} */
+function buildOf(module, section) {
+  const [data] = WebAssembly.Module.customSections(module, section);
+  return data && new Uint8Array(data).join();
 }

@@ -8,6 +8,8 @@ import { test } from 'node:test';
 let frames = [];
 /** Calls of observers of attributes. @type {(() => void)[]} */
 let observers = [];
+/** The elements that are observed. @type {Set<any>} */
+const observed = new Set();
 
 /** An element of the fake page. */
 class FakeElement {
@@ -57,10 +59,17 @@ Object.assign(globalThis, {
   requestAnimationFrame: (act) => frames.push(act),
   cancelAnimationFrame: () => {},
   MutationObserver: class {
+    targets = [];
     constructor(act) {
       observers.push(() => act([{ target: new FakeElement(), attributeName: 'id' }]));
     }
-    observe() {}
+    observe(target) {
+      this.targets.push(target);
+      observed.add(target);
+    }
+    disconnect() {
+      for (const target of this.targets.splice(0)) observed.delete(target);
+    }
   },
 });
 const { Children } = await import('../../web/element/children/children.js');
@@ -178,19 +187,19 @@ test('without a fire the list waits for no frame, and what an engine has not ans
   assert.deepEqual(page.frame()[0].changed, ['y']);
 });
 
-test('a child has the id of its object, which the engine decides', () => {
+test('a child has the id of its object while the fire has one', () => {
   const page = new Page();
   const source = page.append('hearth-source');
   page.state.objects = [{ id: 1001, kind: 'source' }];
   page.children.update();
   assert.equal(page.frame()[0].id, 1002);
   assert.equal(source.objectId, null);
-  page.report([{ id: 1, kind: 'source' }], { children: [{ id: 1002, object: 1 }] });
-  assert.equal(source.objectId, 1);
-  page.report([{ id: 1, kind: 'solid' }], { children: [{ id: 1002, object: 1 }] });
+  page.report([{ id: 1002, kind: 'source' }], { children: [{ id: 1002 }] });
+  assert.equal(source.objectId, 1002);
+  page.report([{ id: 1002, kind: 'solid' }], { children: [{ id: 1002 }] });
   assert.equal(source.objectId, null);
   // A call has removed it, and the page has a source with that id.
-  page.report([{ id: 1, kind: 'source' }], { children: [{ id: 1002, object: 1, state: 'removed' }] });
+  page.report([{ id: 1002, kind: 'source' }], { children: [{ id: 1002, state: 'removed' }] });
   assert.equal(source.objectId, null);
   page.elements = [];
   page.children.update();
@@ -213,9 +222,6 @@ test('a name of a solid is its id from the first list, and follows it', () => {
   observers[0]();
   const [other] = page.frame();
   assert.deepEqual([other.values.solid, other.changed], [1003, ['solid']]);
-  // The engine gives its object another id.
-  page.report([], { children: [{ id: 1003, object: 7 }] });
-  assert.deepEqual(page.frame()[0].values.solid, 7);
   source.setAttribute('solid', '5');
   assert.equal(page.frame()[0].values.solid, '5');
   console.warn = warn;
@@ -262,4 +268,15 @@ test('an invalid target and a text that is too long are refused', () => {
   assert.match(page.warnings[0], /<hearth-solid>: of = headline is refused: it must be # and the id of an element/);
   solid.removeAttribute('of');
   assert.equal(page.warnings.length, 1);
+});
+
+test('a child that leaves the fire is observed no longer', () => {
+  const page = new Page();
+  observed.clear();
+  const [first, second] = ['a', 'b'].map((id) => page.append('hearth-solid', { id }));
+  page.children.update();
+  assert.deepEqual([...observed], [first, second]);
+  page.elements = [second];
+  page.children.update();
+  assert.deepEqual([...observed], [second]);
 });

@@ -3,7 +3,8 @@
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Requests, cut, postable } from '../../web/element/session/requests.js';
+import { cut, postable } from '../../web/element/plain-data.js';
+import { Requests } from '../../web/element/session/requests.js';
 
 /** An engine that keeps what it is sent, and answers on request. */
 function engine() {
@@ -47,6 +48,14 @@ test('of very many sets in one task the engine gets few, and every promise settl
     sent.slice(-2).map(([, call]) => call),
     [['set', { wind: 299_999 }], ['export']],
   );
+});
+
+test('a fire pauses while the engine answers no set', () => {
+  const { requests, sent, connect } = engine();
+  connect();
+  for (let at = 0; at < 2000; at += 1) requests.call('set', { wind: at });
+  requests.call('pause');
+  assert.equal(sent.at(-1)?.[1][0], 'pause');
 });
 
 test('a set settles as the later one that replaces it', async () => {

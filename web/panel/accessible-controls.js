@@ -9,9 +9,9 @@
  */
 
 import { element } from '../element/controls/icon-button.js';
-import { COPIES } from './exchange.js';
+import { COPIES } from '../editing/exchange.js';
 import { OBJECTS, mountAccessibleObjects } from './accessible-objects.js';
-import { idDomain } from './objects.js';
+import { idDomain } from '../editing/objects.js';
 import { addQuality, makeControl, noteConditions } from './native-controls.js';
 import { PARAMETERS } from '../parameters.js';
 
@@ -91,8 +91,8 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     return fire.step();
   });
   const reset = addButton('reset', 'Restart', () => fire.reset());
-  const undo = addButton('undo', 'Undo', () => fire.history.undo());
-  const redo = addButton('redo', 'Redo', () => fire.history.redo());
+  const undo = addButton('undo', 'Undo', () => controller.undo());
+  const redo = addButton('redo', 'Redo', () => controller.redo());
   const picture = addButton('picture', 'Save an image', () => controller.picture());
   const fullscreen = addButton('fullscreen', 'Full screen', () => controller.fullscreen());
   const copies = COPIES.map(({ name, label }) =>

@@ -10,8 +10,9 @@
  */
 
 import { element } from '../element/controls/icon-button.js';
-import { KEYS, shortcutsForbidden } from './keys.js';
-import { remember, remembered } from './memory.js';
+import { shortcutsForbidden } from '../editing/keys.js';
+import { KEYS } from './keys.js';
+import { remember, remembered } from '../editing/memory.js';
 
 /** The number of cards so far, which makes their ids. */
 let cards = 0;
@@ -54,7 +55,7 @@ export function offerFile({ host, title, why, save }) {
 export function askForSettings({ host, apply }) {
   const card = openCard(host, 'paste', 'Paste settings');
   const field = card.field('Settings as JSON');
-  field.placeholder = '{"hearth": 2, "preset": "seed", "values": {"viscosity": 0.02}}';
+  field.placeholder = '{"hearth": 3, "preset": "seed", "values": {"viscosity": 0.02}}';
   const alert = card.add('p', '');
   alert.setAttribute('role', 'alert');
   const use = async () => {

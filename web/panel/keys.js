@@ -6,7 +6,7 @@
  * root element.
  */
 
-import { remembered } from './memory.js';
+import { hasNoDialog, historyKey, isTaken, shortcutsOff } from '../editing/keys.js';
 
 /** The names of the keys, and their effects. @type {[string[], string][]} */
 export const KEYS = [
@@ -25,12 +25,6 @@ export const KEYS = [
   [['/'], 'search'],
   [['?'], 'keyboard shortcuts'],
 ];
-
-/** Types of `<input>` without text. */
-const TEXTLESS = ['range', 'checkbox', 'radio', 'button', 'submit', 'reset', 'color', 'file'];
-
-/** Elements that the space key presses. */
-const PRESSED = 'button, summary, a[href], input[type=checkbox], input[type=radio], input[type=button]';
 
 /**
  * Starts to listen.
@@ -62,8 +56,8 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
     const key = event.key.toLowerCase();
     const command = event.ctrlKey || event.metaKey;
     if (event.altKey || event.isComposing) return undefined;
-    if (command && key === 'z') return () => (event.shiftKey ? fire.history.redo() : fire.history.undo());
-    if (command && key === 'y') return () => fire.history.redo();
+    const move = historyKey(event);
+    if (move) return () => controller[move]();
     if (command && key === 'c' && !event.shiftKey) return controller.copyHovered;
     // Tools use some of its keys, and the controls of the panel the arrow keys.
     const used = event.defaultPrevented || (key.startsWith('arrow') && event.composedPath().includes(own[0]));
@@ -78,7 +72,8 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
     const act = actionOf(key);
     if (!act || isTaken(key)) return;
     const path = key.composedPath();
-    if (page && !isIdle(path[0]) && !own.some((element) => path.includes(element))) return;
+    const idle = historyKey(key) ? hasNoDialog : isIdle;
+    if (page && !idle(path[0]) && !own.some((element) => path.includes(element))) return;
     key.preventDefault();
     if (!page) key.stopPropagation();
     // The element's error event reports a refusal.
@@ -97,34 +92,5 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
  */
 function isIdle(focused) {
   if (focused === document.body || focused === document.documentElement) return true;
-  return focused instanceof HTMLButtonElement && !focused.closest('dialog, [role=dialog], [role=toolbar]');
-}
-
-/**
- * Whether the page turns single-key shortcuts off.
- * @type {(...elements: EventTarget[]) => boolean}
- */
-export function shortcutsForbidden(...elements) {
-  const all = /** @type {HTMLElement[]} */ ([document.documentElement, ...elements]);
-  return all.some(({ dataset }) => dataset?.shortcuts === 'off');
-}
-
-/**
- * Whether single-key shortcuts are off.
- * @type {(...elements: EventTarget[]) => boolean}
- */
-export function shortcutsOff(...elements) {
-  return remembered().shortcutsOff === true || shortcutsForbidden(...elements);
-}
-
-/**
- * Whether the focused element handles a key itself.
- * @param {KeyboardEvent} event
- */
-export function isTaken(event) {
-  const focused = event.composedPath()[0];
-  if (!(focused instanceof HTMLElement)) return false;
-  if (focused instanceof HTMLInputElement && !TEXTLESS.includes(focused.type)) return true;
-  if (focused.isContentEditable || ['TEXTAREA', 'SELECT'].includes(focused.tagName)) return true;
-  return event.key === ' ' && focused.matches(PRESSED);
+  return focused instanceof HTMLButtonElement && hasNoDialog(focused) && !focused.closest('[role=toolbar]');
 }

@@ -5,7 +5,7 @@
  * @typedef {import('./geometry.js').Point} Point
  * @typedef {import('./geometry.js').Fields} Fields
  * @typedef {import('./geometry.js').Placed} Placed
- * @typedef {import('../panel/objects.js').Fields} Owned  An object of the fire.
+ * @typedef {import('../editing/objects.js').Fields} Owned  An object of the fire.
  *
  * @typedef {object} How
  * @property {boolean} snaps  Whether angles snap.
@@ -15,7 +15,7 @@
  *
  * @typedef {object} ToolContext  What gestures need of the toolbar.
  * @property {import('../hearth-fire.js').HearthFire} fire
- * @property {import('../panel/editing.js').Editing} editing
+ * @property {import('../editing/editing.js').Editing} editing
  * @property {() => Owned[]} objects
  * @property {(fields: Fields) => void} add
  * @property {(id: number) => Promise<void>} remove
@@ -36,7 +36,7 @@
  * @property {() => void} cancel
  */
 
-import { distance, isBody } from '../panel/objects.js';
+import { distance, isBody } from '../editing/objects.js';
 import { blow, spray, throwSparks } from './air.js';
 import { extinguish, ignite } from './fire.js';
 import {
@@ -202,6 +202,8 @@ function select(context, from, { perPixel, adds }) {
 function erase(context, from, { perPixel }) {
   const gone = new Set();
   const step = context.editing.group();
+  /** @type {Promise<unknown>[]} */
+  const removed = [];
   const rub = (/** @type {Point} */ at) => {
     const object = objectAt(
       { ...context, objects: () => context.objects().filter(({ id }) => !gone.has(id)) },
@@ -210,10 +212,17 @@ function erase(context, from, { perPixel }) {
     );
     if (!object) return;
     gone.add(object.id);
-    step(() => context.remove(object.id)).catch(() => {});
+    removed.push(step(() => context.remove(object.id)));
   };
   rub(from);
-  return { move: rub, end() {}, cancel() {} };
+  return {
+    move: rub,
+    end() {},
+    async cancel() {
+      const all = await Promise.allSettled(removed);
+      if (all.some(({ status }) => status === 'fulfilled')) await context.fire.history.undo();
+    },
+  };
 }
 
 /** @type {(context: ToolContext, from: Point) => Gesture} */

@@ -1,123 +1,109 @@
-//! Children of the element: objects that a page states in HTML, laid over the settings.
+//! Children of the element: objects that a page states in HTML.
 //!
 //! The element sends its children as a list: `{"id": 1001, "kind": "solid", "values": {"x": 0.1}, "changed":
-//! ["x"]}`. `id` is the number of the child and, if it is free, the id of its object. `values` are what the child
-//! states; without them, the child has no object now. `changed` names what it states anew: another property keeps
-//! what a call has set, and an object that a call has removed stays away.
+//! ["x"]}`. `id` is the number of the child and the id of its object. `values` are what the child states; without
+//! them, the child has no object now. `changed` names what it states anew: another property keeps what a call has set,
+//! and an object that a call has removed stays away.
 //!
-//! Settings with children have two scenes. One is that of the page without them, which presets, files and undo replace.
-//! The other one burns: it follows from the first one, what each child states and what calls have set of it since. So
-//! undo restores what a call did, and never what a page states.
-//!
-//! The first child that is a source, by its number, is laid over the first source of the page. Without one, it has the
-//! values of the settings. Every other child has the defaults of what it does not state.
+//! What burns is the scene of the page [composed](compose::compose) with the children: an object for each child, with the
+//! defaults of what neither the child nor a call has set. The first child that is a source takes the place of the first
+//! source of the page, and has its values instead of the defaults. A call changes what burns; [`divide`](divide::divide) divides the
+//! result into the scene of the page and what calls have set of children. [`detach`] makes objects of a file the
+//! children that they are.
 
-mod child;
-mod laying;
-pub(crate) mod overlay;
+pub(crate) mod child;
+pub(crate) mod compose;
+pub(crate) mod divide;
 
-use crate::file::CHILDREN;
 use crate::settings::Settings;
 use crate::untrusted::{Untrusted, ValidationError};
-use child::{Child, State, find, first_source, get, put};
-use hearth_core::Scene;
-use laying::{Changed, ids, take};
-use overlay::{Children, Overlay, in_document_order, laid};
+use child::{Child, State, get, put};
+use compose::compose;
+use divide::detach;
 
 impl Settings {
-    /// The settings with this list of children laid over them, and an error for each value that is refused: such a value
-    /// stays as it was.
+    /// Restores what calls have set of children.
+    pub(crate) fn restore_children(&mut self, saved: &[Child]) {
+        for before in saved {
+            let known = self
+                .children
+                .iter_mut()
+                .find(|known| known.number == before.number);
+            if let Some(known) = known.filter(|known| known.kind == before.kind) {
+                known.restore(before);
+            }
+        }
+    }
+
+    /// The settings with this list of children, and an error for each value that is refused: such a value stays as it
+    /// was.
     pub fn with_children(&self, list: &[Untrusted], errors: &mut Vec<ValidationError>) -> Settings {
-        let (mut own, known) = match &self.children {
-            Some(children) => (children.own().clone(), children.list()),
-            None => (self.scene().clone(), &[] as &[Child]),
-        };
-        let bare = Scene::new(own.settings().clone());
-        let mut children: Vec<Changed> = Vec::new();
+        let mut settings = self.clone();
+        let mut children: Vec<Child> = Vec::new();
+        let mut changes: Vec<Vec<String>> = Vec::new();
         for sent in list {
-            let mut child = Child::read(sent);
+            let now = Child::read(sent);
             let is_hidden = !matches!(sent.field("values"), Untrusted::Object(_));
             let changed = sent.field("changed").list().iter();
-            let mut changes: Vec<_> = changed.map(|name| name.text().to_owned()).collect();
-            if let Some(before) = find(known, child.number) {
-                let now = std::mem::replace(&mut child, before.clone());
-                for name in changes.iter().filter(|_| !is_hidden) {
-                    put(&mut child.stated, name, get(&now.stated, name).cloned());
-                    put(&mut child.called, name, None);
+            let changed: Vec<_> = changed.map(|name| name.text().to_owned()).collect();
+            let known = self
+                .children
+                .iter()
+                .find(|known| known.number == now.number);
+            let (mut child, changed) = match known {
+                Some(known) => {
+                    let mut child = known.clone();
+                    for name in changed.iter().filter(|_| !is_hidden) {
+                        put(&mut child.stated, name, get(&now.stated, name).cloned());
+                        put(&mut child.called, name, None);
+                    }
+                    if known.state == State::Hidden || !changed.is_empty() {
+                        child.state = State::Live;
+                    }
+                    (child, changed)
                 }
-                if before.state == State::Hidden || !changes.is_empty() {
-                    child.state = State::Live;
+                None => {
+                    let names = now.stated.iter().map(|(name, _)| name.clone()).collect();
+                    (now, names)
                 }
-            } else {
-                changes = child.stated.iter().map(|(name, _)| name.clone()).collect();
-                child.object = child.number;
-                take(&mut own, &mut child, &bare);
-            }
+            };
             if is_hidden {
                 child.state = State::Hidden;
             }
-            children.push((child, changes));
-        }
-        let first = first_source(children.iter().map(|(child, _)| child));
-        let before = first_source(known.iter());
-        for (child, _) in children.iter_mut().filter(|_| first != before) {
-            if child.is(first) {
-                child.object = 0;
-            } else if child.is(before) {
-                child.object = child.number;
+            if children.iter().all(|other| other.number != child.number) {
+                children.push(child);
+                changes.push(changed);
             }
         }
-        let order = ids(self.scene());
-        let before = (self.scene(), order.as_slice());
+        for at in 0..children.len() {
+            let is_new = |child: &Child| {
+                self.children
+                    .iter()
+                    .all(|known| known.number != child.number)
+            };
+            if children.get(at).is_some_and(is_new) {
+                let (page, next_id) = (&mut settings.page, &mut settings.next_id);
+                detach(page, &mut children, at, next_id);
+            }
+        }
         let mut refused = Vec::new();
-        let mut laid_over = laid(own.clone(), children.clone(), before, &mut refused);
-        let mut is_restored = false;
-        for (at, (child, changes)) in children.iter_mut().enumerate() {
-            for (_, name, error) in refused.iter().filter(|(index, ..)| *index == at) {
-                let is_new = changes.contains(name);
-                if get(&child.stated, name).is_some() {
-                    // The present model may have no value that was stated before.
-                    if !is_new {
-                        continue;
-                    }
-                    let before = find(known, child.number);
-                    let before = before.and_then(|before| get(&before.stated, name));
-                    put(&mut child.stated, name, before.cloned());
-                    is_restored = true;
-                }
-                errors.push(error.clone());
+        compose(&settings.page, &children, self.scene(), &mut refused);
+        for (at, name, error) in refused {
+            let (Some(child), Some(changed)) = (children.get_mut(at), changes.get(at)) else {
+                continue;
+            };
+            // Another model may have no use for what was stated before.
+            if changed.contains(&name) || get(&child.stated, &name).is_none() {
+                let known = self
+                    .children
+                    .iter()
+                    .find(|known| known.number == child.number);
+                let before = known.and_then(|known| get(&known.stated, &name));
+                put(&mut child.stated, &name, before.cloned());
+                errors.push(error);
             }
         }
-        let numbers = children.iter().map(|(child, _)| child.number);
-        let is_in_order = numbers.eq(known.iter().map(|child| child.number));
-        if is_restored {
-            laid_over = laid(own, children, before, &mut Vec::new());
-        }
-        self.burning(match is_in_order {
-            true => laid_over,
-            false => in_document_order(laid_over),
-        })
-    }
-
-    /// The settings of a file with its children, whose list the element sends next.
-    ///
-    /// # Errors
-    /// All validation errors.
-    pub fn with_children_of_file(config: &Untrusted) -> Result<Settings, Vec<ValidationError>> {
-        let settings = Settings::of_file(config)?;
-        let mut list: Vec<Child> = Vec::new();
-        for child in config.field(CHILDREN).list().iter().map(Child::read) {
-            if find(&list, child.number).is_none() {
-                list.push(child);
-            }
-        }
-        let own = settings.scene().clone();
-        let nothing = Scene::new(settings.parameters().clone());
-        let children = Children {
-            own: own.clone(),
-            list,
-        };
-        let laid = children.over(own, &nothing, Some(config));
-        Ok(settings.burning(laid))
+        settings.children = children;
+        settings.composed()
     }
 }

@@ -15,13 +15,16 @@
 //! ```
 
 mod apply;
+mod change;
 mod children;
+mod delta;
 mod export;
 pub mod file;
-mod history;
 mod settings;
 pub mod untrusted;
 
 pub use apply::{OBJECTS, objects, preset};
-pub use export::{FIELDS, export, whole};
-pub use settings::{Change, Settings, StatedResolution, adapt};
+pub use change::Change;
+pub use delta::{delta, objects_delta};
+pub use export::{children, export, whole};
+pub use settings::{Settings, StatedResolution, adapt};

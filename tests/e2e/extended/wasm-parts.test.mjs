@@ -3,9 +3,12 @@
  * its settings.
  */
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
 import { assertBurns, events, recording } from '../assertions.mjs';
+import { SITE } from '../site.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -90,6 +93,42 @@ test('a fire that does not get a part keeps its settings and burns on, and the c
   await assertBurns(tab);
 });
 
+test('a fire whose part never arrives plays and pauses at once, and its removal drops the call', async () => {
+  const tab = await browser.open('<hearth-fire quality="low"></hearth-fire>', {
+    files: { [BODIES]: { silent: true } },
+  });
+  await tab.burnt(0.3);
+  const outcome = await tab.fire(async (fire) => {
+    const call = fire.importConfig({ preset: 'house-of-cards' });
+    await fire.pause();
+    const paused = [fire.paused, fire.matches(':state(burning)')];
+    await fire.play();
+    fire.remove();
+    await fire.destroy();
+    const dropped = await call.catch(({ message }) => message);
+    document.body.append(fire);
+    await fire.ready;
+    return { paused, dropped, preset: fire.preset };
+  });
+  assert.deepEqual(outcome, { paused: [true, false], dropped: 'the fire was removed', preset: 'default' });
+  await assertBurns(tab);
+});
+
+test('a part of another build is refused, and the fire gets the right one with the next call', async () => {
+  // The library's part fits another module.
+  const other = readFileSync(path.join(SITE, 'web/wasm/hearth-sim_classic.wasm'));
+  const tab = await browser.open('<hearth-fire quality="low"></hearth-fire>', {
+    files: { [CLASSIC]: { body: other, type: 'application/wasm' } },
+  });
+  await tab.burnt(0.3);
+  const classic = () => tab.fire((fire) => fire.set('model', 'classic').then(() => fire.params.model, String));
+  assert.match(await classic(), /could not be loaded: it is of another build/);
+  await assertBurns(tab);
+  browser.server.replace({});
+  assert.equal(await classic(), 'classic');
+  await assertBurns(tab);
+});
+
 test('a classic fire that does not get its part shows the poster, the reason and a button', async () => {
   const body = recording('<hearth-fire preset="paper-fire"><p slot="poster" id="poster">A poster</p></hearth-fire>');
   const tab = await browser.open(body, { files: { [CLASSIC]: { status: 404, body: '' } } });
@@ -108,18 +147,12 @@ test('a classic fire that does not get its part shows the poster, the reason and
   assert.ok(await tab.evaluate(() => document.querySelector('#poster')?.checkVisibility()));
 });
 
-test('the first solid with fuel fetches its part, burns when it is lit, and goes out', async () => {
-  // Beside a low fire: the flames of a strong one reach it and light it again.
-  const solid = { kind: 'solid', shape: 'box', x: 0.7, y: 0.2, width: 0.1, height: 0.1, fuel: 'wood', load: 1 };
-  // Steps that the clock does not count: the same fire on a busy machine, where a flame would light it at another time.
-  const tab = await browser.open(
-    '<hearth-fire autoplay="false" seed="1" particles="1500" ember-rate="0" fuel-power="60"></hearth-fire>',
-  );
+test('the first solid with fuel and the first spray fetch their part, once', async () => {
+  const tab = await browser.open('<hearth-fire autoplay="false" seed="1" particles="1500"></hearth-fire>');
   await tab.ready();
   await tab.fire((fire) => fire.step(100));
   assert.equal(await fetched(tab, BODIES), 0);
-  assert.equal(await tab.fire((fire) => fire.stats.fuel), '');
-  const states = await tab.fire(async (fire, object) => {
+  const states = await tab.fire(async (fire) => {
     const all = [];
     const note = async () => {
       await fire.step(60);
@@ -127,63 +160,15 @@ test('the first solid with fuel fetches its part, burns when it is lit, and goes
     };
     // The statistics of a paused fire follow each picture.
     fire.pause();
-    const id = await fire.addObject(object);
+    const box = { kind: 'solid', shape: 'box', x: 0.7, y: 0.2, width: 0.1, height: 0.1 };
+    const id = await fire.addObject({ ...box, fuel: 'wood', load: 1 });
     await note();
     await fire.ignite(id);
     await note();
-    await fire.extinguish(id);
-    await fire.step(300);
-    await note();
-    await fire.ignite(0.7, 0.15);
-    await note();
-    await fire.extinguish(0.7, 0.2, 0.3);
-    await fire.play();
+    await fire.spray(0, 1, 0, -4, 40);
     return all;
-  }, solid);
-  assert.deepEqual(states, ['unlit', 'burning', 'out', 'burning']);
+  });
+  assert.deepEqual(states, ['unlit', 'burning']);
   assert.equal(await fetched(tab, BODIES), 1);
   assert.deepEqual(await tab.problemsAfterFrame(), []);
-  const refused = await tab.fire(async (fire) => {
-    const calls = [fire.ignite(99), fire.ignite(5, 5), fire.extinguish(1), fire.ignite(NaN, 1), fire.ignite('x')];
-    return (await Promise.allSettled(calls)).map(({ reason }) => reason?.message ?? 'done');
-  });
-  for (const message of refused.slice(0, 3))
-    assert.match(message, /^place = \d+ is refused: it must be a solid with fuel/);
-  for (const message of refused.slice(3)) assert.match(message, /is refused/);
-  await assertBurns(tab);
-});
-
-test('the first spray fetches its part and puts out the fire', async () => {
-  const body = '<hearth-fire particles="1500" ember-rate="0" floor="solid"></hearth-fire>';
-  const tab = await browser.open(body);
-  await tab.burnt(0.5);
-  assert.equal(await fetched(tab, BODIES), 0);
-  const [before, after] = await tab.fire(async (fire) => {
-    fire.pause();
-    await fire.step(30);
-    const { power } = fire.stats;
-    for (let call = 0; call < 60; call += 1) {
-      await fire.spray(0, 1, 0, -4, 40);
-      await fire.step(8);
-    }
-    await fire.step(300);
-    return [power, fire.stats.power];
-  });
-  assert.ok(after < 0.1 * before, `${before} kW/m, then ${after}`);
-  assert.equal(await fetched(tab, BODIES), 1);
-  assert.deepEqual(await tab.problemsAfterFrame(), []);
-  const refused = await tab.fire(async (fire) => {
-    const calls = [
-      fire.spray(0, Infinity),
-      fire.spray(0, 1, 21),
-      fire.spray(0, 1, 0, 0, 0),
-      fire.spray(0, 1, 0, 0, 1001),
-      fire.spray('x', 1),
-    ];
-    await fire.set('model', 'classic');
-    calls.push(fire.spray(0, 0.5));
-    return (await Promise.allSettled(calls)).map(({ reason }) => reason?.message ?? 'done');
-  });
-  for (const message of refused) assert.match(message, /is refused/);
-  assert.equal(refused.at(-1), 'model = "classic" is refused: it must be combustion: the classic model has no water');
 });

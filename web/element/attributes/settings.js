@@ -4,12 +4,12 @@
  */
 
 import { timely } from '../../engine/time-limit.js';
-import { cut, postable } from '../session/requests.js';
+import { cut, postable } from '../plain-data.js';
 
 /** The maximum length of JSON text in characters, and of a file in bytes: the same in `share/fragment.js`. */
 const MAX_LENGTH = 400_000;
 
-/** The nesting of settings and of values: `{objects: [{classic: {property: value}}]}`. */
+/** The nesting of settings and of values: `{children: [{set: {property: value}}]}`. */
 export const DEPTH = 4;
 
 /**

@@ -8,7 +8,7 @@
  * @typedef {import('../session/session.js').FireSession} FireSession
  */
 
-import { quiet } from '../session/requests.js';
+import { quiet } from '../promises.js';
 import { settingsOfFile } from './settings.js';
 
 /** How long a fire waits for its file before it begins without it [ms]. */
@@ -79,7 +79,8 @@ export class SourceFile {
     if (download !== this.#download) return;
     this.drop();
     if (!session.begun) this.config = config;
-    else if (config !== undefined) session.call('import', config, 'src');
-    else if (!src && !late) session.call('preset', session.fire.preset, 'src');
+    else if (late) config && session.call('import', config, 'src');
+    else if (config !== undefined) session.call('import', config, session.history.sourceOfScene('src'));
+    else if (!src) session.call('preset', session.fire.preset, session.history.sourceOfScene('src'));
   }
 }

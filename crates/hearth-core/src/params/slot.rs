@@ -1,10 +1,19 @@
 //! The field of a parameter in the generated struct, whatever its type.
 
-use super::choices::Choice;
+use super::choices::{Choice, Model};
 use super::outline::FromText;
 use super::value::{AnyValue, Colour, Value};
 
-/// The field of a parameter in [`Values`](super::Values).
+/// A struct whose fields are entries of a table.
+pub(super) trait Slots<Field>: Clone {
+    /// The defaults of a model.
+    fn of_model(model: Model) -> Self;
+
+    /// A field; `None` if it is one of another struct.
+    fn slot(&mut self, field: Field) -> Option<Slot<'_>>;
+}
+
+/// The field of a parameter in a struct.
 pub(super) enum Slot<'a> {
     Number(&'a mut f32),
     Whole(&'a mut u32),

@@ -2,7 +2,6 @@
 
 mod first;
 mod harness;
-mod imports;
 mod names;
 mod object_values;
 mod objects;
@@ -247,18 +246,6 @@ fn a_notice_stays_until_the_next_command() {
 }
 
 #[test]
-fn a_search_filters_the_rows_and_a_reveal_ends_it() {
-    let mut harness = Harness::new(TALL);
-    harness.click("search");
-    harness.frame(vec![Event::Text("viscosity".to_owned())]);
-    harness.wait();
-    assert!(harness.panel.rectangles().contains_key("viscosity"));
-    assert!(!harness.panel.rectangles().contains_key("gravity"));
-    harness.reveal("gravity");
-    harness.rect("gravity");
-}
-
-#[test]
 fn a_heading_folds_its_group_and_a_reveal_opens_it() {
     let mut harness = Harness::new(TALL);
     harness.click("group:Basics");
@@ -303,7 +290,7 @@ fn each_model_has_its_own_rows_ranges_and_defaults() {
     assert_eq!(harness.value("source_width"), Value::Number(0.4));
 
     harness.click("choice:model:classic");
-    assert_eq!(harness.value("source_width"), Value::Number(0.2));
+    assert_eq!(harness.value("source_width"), Value::Number(0.36));
     harness.reveal("fuel_power");
     assert!(!harness.panel.rectangles().contains_key("fuel_power"));
     assert!(

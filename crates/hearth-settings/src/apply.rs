@@ -16,7 +16,7 @@ const A_LIST: &str = "an array of objects, each with a kind and its properties";
 
 /// Applies values to a scene, and appends an error for each that is refused: the model first, because it decides the
 /// domains of the others, then `objects`, then the others, which may be properties of the first source. `null`
-/// restores a default; that of `objects` is one source.
+/// restores a default, which another model has anyway; that of `objects` is one source.
 pub(crate) fn set_values(scene: &mut Scene, values: Values<'_>, errors: &mut Vec<ValidationError>) {
     let rank = |id: &str| {
         [MODEL, OBJECTS]
@@ -31,6 +31,8 @@ pub(crate) fn set_values(scene: &mut Scene, values: Values<'_>, errors: &mut Vec
         for (id, value) in stated {
             if id == OBJECTS {
                 replace_objects(scene, value, errors);
+            } else if matches!(value, Untrusted::Null) && is_of_other_model(scene, id) {
+                // It has its default, which that model gets.
             } else if let Err(error) = scene.set(id, input(value)) {
                 errors.push(ValidationError::of_parameter(&error, value));
             }

@@ -3,8 +3,9 @@
 //!
 //! `{"preset": "candle", "values": {"wind": 1}, "list": 2, "objects": {"3": {"x": 0.1}, "4": null}, "order": [3, 5],
 //! "children": {"1001": {"set": {}, "state": "removed"}}}`. A field that is missing has not changed. `null` restores a
-//! value, and is an object that is no more. An object with a kind is whole. `list` is the number of the list that the
-//! objects belong to, and `replaces` states that they are all of another list than before.
+//! value, and is an object that is no more. Values with a model are all that it has. An object with a kind is whole.
+//! `list` is the number of the list that the objects belong to. `replaces` states that they are all of another list than
+//! before, whose objects are `gone`.
 
 use crate::apply::{self, MODEL, OBJECTS, fields, is_of_other_model, put_head, set_values};
 use crate::children::child::Child;
@@ -34,8 +35,7 @@ pub fn delta(from: &Settings, to: &Settings) -> Untrusted {
         ) else {
             continue;
         };
-        let is_kept = has_model || param.domains[0].model.is_none();
-        let is_same = is_kept && from.page.world().get(param.id) == Some(value);
+        let is_same = has_model && from.page.world().get(param.id) == Some(value);
         let states = [from, to].map(|settings| settings.states(param.id));
         let value = match states {
             [Some(true), Some(false)] => Untrusted::Null,
@@ -50,6 +50,10 @@ pub fn delta(from: &Settings, to: &Settings) -> Untrusted {
     }
     let replaces = from.list != to.list;
     put_objects(&mut fields, &from.page, &to.page, replaces);
+    if replaces {
+        let gone = from.page.ids().map(|id| Untrusted::Number(id.into()));
+        fields.push(Untrusted::named("gone", Untrusted::List(gone.collect())));
+    }
     if fields.iter().any(|(name, _)| name == OBJECTS) {
         fields.push(Untrusted::named("list", Untrusted::Number(to.list.into())));
     }
@@ -157,12 +161,21 @@ impl Settings {
         self.state(&values);
         let list = delta.field("list").number() as u32;
         let replaces = *delta.field("replaces") == Untrusted::Flag(true);
+        let before = self.page.clone();
         if replaces {
             self.list = list;
             self.page.clear();
         }
         if self.list == list {
             self.apply_objects(delta, errors);
+        }
+        // What has been added to the list since the step stays.
+        let gone = delta.field("gone").list();
+        let stays = |id: &u32| replaces && !gone.contains(&Untrusted::Number((*id).into()));
+        for id in before.ids().filter(stays) {
+            if self.page.object(id).is_none() {
+                self.page.take(&before, id);
+            }
         }
         let saved = delta.field(CHILDREN).fields();
         if !self.children.is_empty() && !saved.is_empty() {

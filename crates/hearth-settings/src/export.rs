@@ -2,7 +2,7 @@
 
 use crate::apply::{MODEL, OBJECTS, objects, short_objects};
 use crate::children::child::Child;
-use crate::file::{CHILDREN, VERSION};
+use crate::file::{CHILDREN, LIST, VERSION};
 use crate::settings::Settings;
 use crate::untrusted::Untrusted;
 use hearth_core::Scene;
@@ -79,5 +79,6 @@ pub fn whole(settings: &Settings) -> Untrusted {
         Untrusted::named("values", Untrusted::Object(values.collect())),
         Untrusted::named(OBJECTS, objects(&settings.page)),
         Untrusted::named(CHILDREN, children(settings)),
+        Untrusted::named(LIST, Untrusted::Number(settings.list.into())),
     ])
 }

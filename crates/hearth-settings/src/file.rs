@@ -18,16 +18,19 @@ use crate::untrusted::{Check, Form, Untrusted, ValidationError};
 
 /// The name of the list of children in whole settings.
 pub const CHILDREN: &str = "children";
+/// The name of the number of the list of objects in whole settings.
+pub const LIST: &str = "list";
 /// The version of the format.
 pub const VERSION: u32 = 3;
 
 /// The fields and their checks.
-const FIELDS: [(&str, Check); 7] = [
+const FIELDS: [(&str, Check); 8] = [
     ("hearth", Check::optional(Form::Any)),
     ("preset", Check::optional(Form::Text)),
     ("values", Check::optional(Form::Values)),
     (OBJECTS, Check::optional(Form::Any)),
     (CHILDREN, Check::optional(Form::Any)),
+    (LIST, Check::optional(Form::Finite)),
     ("label", Check::optional(Form::Text)),
     ("description", Check::optional(Form::Text)),
 ];

@@ -130,6 +130,7 @@ impl Settings {
             return Err(errors);
         }
         settings.resolution = StatedResolution::Auto.after(&values);
+        settings.list = config.field(file::LIST).number() as u32;
         Ok(settings.composed())
     }
 
@@ -179,9 +180,17 @@ impl Settings {
             }
         }
         match errors.is_empty() {
-            true => Ok(settings.composed()),
+            true => Ok(settings.composed().with_list_of(self)),
             false => Err(errors),
         }
+    }
+
+    /// The settings with the number of the list of others, if they have the same objects.
+    fn with_list_of(mut self, before: &Settings) -> Settings {
+        if self.page == before.page {
+            self.list = before.list;
+        }
+        self
     }
 
     /// Applies a change to the scene that burns.
@@ -253,7 +262,7 @@ impl Settings {
             let (page, children) = (&mut settings.page, &mut settings.children);
             detach_all(page, children, &mut settings.next_id);
         }
-        settings.composed()
+        settings.composed().with_list_of(self)
     }
 
     /// The settings after the valid ones of these attributes, and an error for each invalid one.

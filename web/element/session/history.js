@@ -54,7 +54,10 @@ export class FireHistory {
   #steps = 0;
   /** Whether the fire was ready once: a scene before that is what it starts from. */
   begun = false;
-  /** The step that is undone or redone now, and whether it has changed since. @type {{step: Step, isLate: boolean} | undefined} */
+  /**
+   * The step that is undone or redone now, whether it has changed since, and what leads back.
+   * @type {{step: Step, isLate: boolean, back: Delta} | undefined}
+   */
   #moving;
   /** The last undo or redo. @type {Promise<boolean>} */
   #moved = Promise.resolve(false);
@@ -131,7 +134,11 @@ export class FireHistory {
    * @type {(key: string, undo: Delta, redo: Delta) => void}
    */
   record(key, undo, redo) {
-    if (key === MOVE) return;
+    if (key === MOVE) {
+      // What the page has changed of the same values comes back with the next move.
+      if (this.#moving) this.#moving.back = joined(undo, this.#moving.back);
+      return;
+    }
     const moving = this.#moving?.step.key === key ? this.#moving : undefined;
     const last = moving?.step ?? this.#done.at(-1);
     const step = last && last.key === key && (moving || !this.canRedo) ? last : undefined;
@@ -166,13 +173,15 @@ export class FireHistory {
     const step = from.pop();
     if (!step) return false;
     const { key } = step;
-    const moving = { step, isLate: false };
+    const moving = { step, isLate: false, /** @type {Delta} */ back: {} };
     this.#moving = moving;
     try {
       do {
         moving.isLate = false;
         await this.#session.call('restore', [step[type]], `property:${MOVE}`);
       } while (type === 'undo' && moving.isLate);
+      const other = type === 'undo' ? 'redo' : 'undo';
+      step[other] = joined(step[other], moving.back);
       to.push(step);
     } catch (error) {
       // The fire would refuse a refused step again, so that step is dropped. Another fire follows a stopped one.

@@ -12,7 +12,7 @@
  *
  * @typedef {object} Delta  What leads from settings to other ones.
  * @property {string} [preset]
- * @property {Fields} [values]  `null` restores a value.
+ * @property {Fields} [values]  `null` restores a value. With a model, they are all that it has.
  * @property {{[id: string]: Fields | null}} [objects]  Changed fields, `null` for an object that is no more. An object
  *   with a kind is whole.
  * @property {number[]} [order]  The ids of all objects.
@@ -25,6 +25,7 @@
  * @property {Fields} [values]
  * @property {Item[]} [objects]
  * @property {Fields[]} [children]
+ * @property {number} [list]  The number of the list of objects.
  */
 
 import { DEFAULTS } from '../attributes/attributes.js';
@@ -70,9 +71,11 @@ export class FireState {
     this.settings = {
       ...this.settings,
       preset: redo.preset ?? preset,
-      values: withoutNulls({ ...before, ...redo.values }),
+      // Another model has other values.
+      values: withoutNulls(redo.values?.model === undefined ? { ...before, ...redo.values } : redo.values),
       objects: after(list, redo),
       children: children ?? known,
+      list: redo.list ?? this.settings.list,
     };
     this.objects = /** @type {any} */ (objects ? after(this.objects, objects) : this.settings.objects);
   }

@@ -144,6 +144,7 @@ fn attributes_of_another_model_have_no_effect_and_apply_with_it() {
         refused[0].message.contains("only the classic model has it"),
         "{refused:?}"
     );
+    assert_eq!(set(&settings, "gas_constant", Untrusted::Null), settings);
     // What both models have keeps what calls have set since.
     let called = with(&settings, [("bloom", Untrusted::Number(0.5))]);
     let classic = sent([model("classic")]);

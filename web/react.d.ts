@@ -81,8 +81,12 @@ export interface HearthFireAttributes {
   pan?: string | null | undefined;
   /** The volume of the fire's sound, from 0 to 1; 0 is silent. It begins with the visitor's first click, tap or key on the page. Its code is loaded on request. */
   sound?: number | null | undefined;
-  /** How loud the fire crackles, from 0 to 1, beside its roar. */
+  /** How loud the fire roars, from 0 to 2. At 1, the balance of roar, crackle and hiss is that of recorded fires. */
+  roar?: number | null | undefined;
+  /** How loud the fire crackles, from 0 to 2. */
   crackle?: number | null | undefined;
+  /** How loud the fire hisses, from 0 to 2. */
+  hiss?: number | null | undefined;
   /** What touches of an interactive fire do to the page, as CSS's `touch-action`. The default is `pan-y`. */
   'touch-action'?: string | null | undefined;
   /** Shows the panel of sliders inside the element, for all parameters or for a list of them. Its code is loaded on request. */

@@ -1,8 +1,11 @@
-/** Every argument of the library is refused by name where it is hostile, and nothing changes. */
+/** Every argument of the library and of its sound is refused by name where it is hostile, and nothing changes. */
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { test } from 'node:test';
 import { answers, assertRefused, hostileValues } from '../hostile.mjs';
 import { createSimulation, everything, fires, load } from './library.mjs';
+
+const { STEP_NUMBERS, createSynthesis } = await load('sound.js');
 
 const NUMBERS = ['-0', '-1', '1.5', '1e300'];
 const FIELDS = ['{}', 'an object without a prototype', 'a throwing iterator'];
@@ -73,14 +76,19 @@ test('hostile values are refused by name: createSimulation(options)', async () =
   assertRefused(await answers(createSimulation, hostileValues()), /option/, ['undefined', ...FIELDS]);
 });
 
-test('hostile values are refused by name: createSimulation({ wasm }), and the next call loads it', async () => {
-  const texts = ["''", "'x'", 'a long text'];
-  const values = Object.entries(hostileValues()).filter(([name]) => !texts.includes(name));
-  // The wasm is loaded once for all simulations of a module.
-  const { createSimulation: first } = await load('sim.js', '?hostile');
-  const refused = values.filter(([name]) => !/undefined|null/.test(name));
-  assertRefused(await answers((wasm) => first({ wasm }), Object.fromEntries(refused)), /wasm/, []);
-  assert.ok((await first({ wasm: null })).count >= 0);
+test('hostile values are refused by name: createSimulation({ wasm }), and the next call loads it', () => {
+  // The wasm is loaded once for all simulations and sounds of a program.
+  const [helper, library] = ['../hostile.mjs', './library.mjs'].map((name) => new URL(name, import.meta.url).href);
+  const program = `
+    const { answers, assertRefused, hostileValues } = await import(${JSON.stringify(helper)});
+    const { createSimulation } = await import(${JSON.stringify(library)});
+    const texts = ["''", "'x'", 'a long text', 'undefined', 'null'];
+    const values = Object.entries(hostileValues()).filter(([name]) => !texts.includes(name));
+    assertRefused(await answers((wasm) => createSimulation({ wasm }), Object.fromEntries(values)), /wasm/, []);
+    console.log((await createSimulation({ wasm: null })).count >= 0);
+  `;
+  const printed = execFileSync(process.execPath, ['--input-type=module', '-e', program], { encoding: 'utf8' });
+  assert.equal(printed.trim(), 'true');
 });
 
 test('a refused call changes nothing', async () => {
@@ -95,5 +103,66 @@ test('a refused call changes nothing', async () => {
       );
     }
     assert.deepEqual(everything(sim), before);
+  }
+});
+
+/** @type {[name: string, taken: string[]][]} */
+const SOUND_OPTIONS = [
+  ['rate', ['undefined']],
+  ['seed', ['undefined', '-0']],
+  ['volume', ['undefined', '-0']],
+  ['roar', ['undefined', '-0', '1.5']],
+  ['crackle', ['undefined', '-0', '1.5']],
+  ['hiss', ['undefined', '-0', '1.5']],
+  ['halfWidth', ['undefined', '1.5']],
+];
+
+for (const [name, taken] of SOUND_OPTIONS) {
+  test(`hostile values are refused by name: createSynthesis({ ${name} })`, async () => {
+    assertRefused(await answers((value) => createSynthesis({ [name]: value }), hostileValues()), RegExp(name), taken);
+  });
+}
+
+test('hostile values are refused by name: createSynthesis(options) and mix(mix)', async () => {
+  assertRefused(await answers(createSynthesis, hostileValues()), /option/, ['undefined', ...FIELDS]);
+  const sound = await createSynthesis();
+  assertRefused(await answers((value) => sound.mix(value), hostileValues()), /mix|option/, FIELDS);
+});
+
+const samples = () => new Float32Array(8);
+
+/** @type {[name: string, named: RegExp, call: (sound: any, value: any) => unknown, taken: string[]][]} */
+const SOUND_ARGUMENTS = [
+  ['trim(seconds)', /seconds/, (sound, value) => sound.trim(value), ['-0', '1.5', '1e300', 'Infinity']],
+  ['push(series)', /series/, (sound, value) => sound.push(value), ['[]']],
+  [
+    'push([number])',
+    /series/,
+    (sound, value) => sound.push(Array(STEP_NUMBERS).fill(value)),
+    ['null', '-0', '1.5', 'true', "''", '[]'],
+  ],
+  ['push(, speed)', /speed/, (sound, value) => sound.push([], value), ['undefined', '1.5']],
+  ['render(left)', /left/, (sound, value) => sound.render(value, samples()), []],
+  ['render(, right)', /right/, (sound, value) => sound.render(samples(), value), []],
+];
+
+for (const [name, named, call, taken] of SOUND_ARGUMENTS) {
+  test(`hostile values are refused by name: ${name} of a sound`, async () => {
+    const sound = await createSynthesis();
+    assertRefused(await answers((value) => call(sound, value), hostileValues()), named, taken);
+  });
+}
+
+test('the sound of a series is finite at the ends of all ranges', async () => {
+  for (const options of [
+    { rate: 8000, volume: 0, roar: 0, crackle: 0, hiss: 0, halfWidth: 0.001 },
+    { rate: 768_000, volume: 1, roar: 2, crackle: 2, hiss: 2, halfWidth: 1000, seed: 2 ** 32 - 1 },
+  ]) {
+    const sound = await createSynthesis(options);
+    for (const number of [0, 1e-12, 1, 1e6])
+      for (const speed of [0.01, 100]) sound.push(Array(STEP_NUMBERS * 4).fill(number), speed);
+    const [left, right] = [new Float32Array(4096), new Float32Array(4096)];
+    sound.render(left, right);
+    assert.ok([...left, ...right].every(Number.isFinite));
   }
 });

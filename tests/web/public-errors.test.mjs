@@ -5,7 +5,6 @@ import { connectFire } from '../../web/embed-client.js';
 import { maskOfImage, maskOfPath, maskOfText } from '../../web/mask.js';
 import { mountPanel } from '../../web/panel.js';
 import { elementCode, fromFragment, fromQuery, iframeCode, pageLink, toQuery } from '../../web/share.js';
-import { STEP_NUMBERS, Synthesis } from '../../web/sound.js';
 import { mountTools } from '../../web/tools.js';
 import { answers, assertRefused, hostileValues } from '../hostile.mjs';
 
@@ -64,8 +63,6 @@ const TEXTS = ["''", "'x'", 'a long text'];
 const NUMBERS = ['-0', '-1', '1.5', '1e300'];
 const config = { values: { wind: 1 } };
 const long = { values: { note: 'x'.repeat(3000) } };
-const sound = () => new Synthesis();
-const samples = () => new Float32Array(8);
 /** Where a panel or a toolbar begins to use the page, its arguments have passed. */
 const host = {
   nodeType: 1,
@@ -175,26 +172,6 @@ const ARGUMENTS = [
     (value) => masks(() => maskOfImage(/** @type {any} */ ({ width: 1, height: 1 }), value)),
     ['undefined', '1.5'],
   ],
-  ['new Synthesis(options)', /option/, (value) => new Synthesis(value), ['undefined', ...EMPTY, 'a throwing iterator']],
-  ['new Synthesis({rate})', /rate/, (rate) => new Synthesis({ rate }), ['undefined']],
-  ['new Synthesis({seed})', /seed/, (seed) => new Synthesis({ seed }), ['undefined', '-0']],
-  ['new Synthesis({volume})', /volume/, (volume) => new Synthesis({ volume }), ['undefined', '-0']],
-  ['new Synthesis({crackle})', /crackle/, (crackle) => new Synthesis({ crackle }), ['undefined', '-0']],
-  ['new Synthesis({halfWidth})', /halfWidth/, (halfWidth) => new Synthesis({ halfWidth }), ['undefined', '1.5']],
-  ['new Synthesis({air})', /air/, (air) => new Synthesis({ air }), ['undefined', 'true']],
-  ['Synthesis.mix(volume)', /volume/, (value) => sound().mix(value, 1), ['-0']],
-  ['Synthesis.mix(, crackle)', /crackle/, (value) => sound().mix(1, value), ['-0']],
-  ['Synthesis.trim(seconds)', /seconds/, (value) => sound().trim(value), ['-0', '1.5', '1e300', 'Infinity']],
-  ['Synthesis.push(series)', /series/, (value) => sound().push(value), ['[]']],
-  [
-    'Synthesis.push([number])',
-    /series/,
-    (value) => sound().push(Array(STEP_NUMBERS).fill(value)),
-    ['null', '-0', '1.5', 'true', "''", '[]'],
-  ],
-  ['Synthesis.push(, speed)', /speed/, (value) => sound().push([], value), ['undefined', '1.5']],
-  ['Synthesis.render(left)', /left/, (value) => sound().render(value, samples()), []],
-  ['Synthesis.render(, right)', /right/, (value) => sound().render(samples(), value), []],
   ['connectFire(iframe)', /iframe/, (value) => connectFire(value), []],
   ['mountPanel(options)', /host|options/, (value) => mountPanel(value), []],
   ['mountPanel({host})', /host/, (value) => mountPanel(/** @type {any} */ ({ host: value, fire })), []],
@@ -219,17 +196,3 @@ for (const [name, named, call, taken] of ARGUMENTS) {
     assertRefused(await answers(call, hostileValues()), named, taken);
   });
 }
-
-test('the sound of a series is finite at the ends of all ranges', () => {
-  for (const options of [
-    { rate: 8000, volume: 0, crackle: 0, halfWidth: 0.001 },
-    { rate: 768_000, volume: 1, crackle: 1, halfWidth: 1000, seed: 2 ** 32 - 1 },
-  ]) {
-    const synthesis = new Synthesis(options);
-    for (const number of [0, 1e-12, 1, 1e6])
-      for (const speed of [0.01, 100]) synthesis.push(Array(STEP_NUMBERS * 4).fill(number), speed);
-    const [left, right] = [new Float32Array(4096), new Float32Array(4096)];
-    synthesis.render(left, right);
-    assert.ok([...left, ...right].every(Number.isFinite));
-  }
-});

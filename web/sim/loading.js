@@ -90,6 +90,7 @@ const adding = {};
 const PARTS = {
   classic: () => new URL('../wasm/hearth-sim_classic.wasm', import.meta.url),
   bodies: () => new URL('../wasm/hearth-sim_bodies.wasm', import.meta.url),
+  sound: () => new URL('../wasm/hearth-sim_sound.wasm', import.meta.url),
 };
 
 /** @type {(name: string, cause: unknown) => Error} */

@@ -4,6 +4,7 @@
 //! returns whether to request another frame, so no loop runs while no fire has work.
 
 use hearth_bindings::{memory, panic, parts, values};
+use hearth_core::sound::Mix;
 use hearth_core::{IgniteError, IgnitionTarget, Simulation, SprayError, Vec2};
 use hearth_settings::untrusted::{Untrusted, ValidationError};
 use hearth_settings::{Change, Settings};
@@ -363,7 +364,24 @@ impl Engine {
             Command::Quality { quality } => fire.request_quality(quality.0, events),
             Command::Play {} => fire.set_playing(true, events),
             Command::Pause {} => fire.set_playing(false, events),
-            Command::Series { on } => fire.simulation.record_series(on),
+            Command::Sound {
+                rate,
+                roar,
+                crackle,
+                hiss,
+            } => {
+                if rate.is_some() && parts::lacks(loaded, parts::SOUND) {
+                    return Ok(Answer::Missing(parts::SOUND));
+                }
+                let [roar, crackle, hiss] = [roar.0, crackle.0, hiss.0].map(|gain| gain as f32);
+                let mix = Mix {
+                    roar,
+                    crackle,
+                    hiss,
+                    ..Mix::default()
+                };
+                fire.set_sound(rate.map(|rate| rate.0), mix);
+            }
             Command::Reset {} => fire.reset(events),
             Command::Warm { seconds } => {
                 fire.set_warm_up(seconds.map(|seconds| seconds.0), request);

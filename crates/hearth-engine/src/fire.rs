@@ -1,12 +1,14 @@
 //! A fire: its simulation, clock and picture.
 
 mod particles;
+mod sound;
 mod tick;
 
 use glam::Vec2;
 use hearth_bindings::memory;
 use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
+use hearth_core::sound::Mix;
 use hearth_core::{Charred, Instance, Parameters, Simulation, burning};
 use hearth_render::{Camera, Fit, History, Viewport};
 
@@ -24,6 +26,7 @@ use hearth_core::resolution::Level;
 use hearth_core::resolution::SizeLimit;
 use hearth_core::warm_up::WarmUp;
 use hearth_settings::{Settings, adapt};
+use sound::Sound;
 
 /// The time of a frame.
 #[derive(Clone, Copy, Debug)]
@@ -70,6 +73,8 @@ pub struct Fire {
     instances: Vec<Instance>,
     embers: Vec<Instance>,
     charred: Charred,
+    /// The sound, while a page plays it.
+    sound: Option<Box<Sound>>,
     /// Size of the element [device pixels].
     size: (u32, u32),
     limits: PictureLimits,
@@ -116,6 +121,7 @@ impl Fire {
             instances: Vec::new(),
             embers: Vec::new(),
             charred: Charred::default(),
+            sound: None,
             size: (0, 0),
             limits: PictureLimits::default(),
             next: 0.0,
@@ -292,6 +298,19 @@ impl Fire {
             self.stale = true;
             self.restart_clock();
             events.state(self.id, playing);
+        }
+    }
+
+    /// Makes samples of a rate \[Hz\], or none.
+    pub fn set_sound(&mut self, rate: Option<f64>, mix: Mix) {
+        self.simulation.record_series(rate.is_some());
+        match (rate, self.sound.as_mut()) {
+            (Some(rate), Some(sound)) if sound.has_rate(rate) => sound.mix(mix),
+            (Some(rate), _) => {
+                let seed = self.settings.parameters().seed;
+                self.sound = Some(Box::new(Sound::new(rate, seed, mix)));
+            }
+            (None, _) => self.sound = None,
         }
     }
 

@@ -28,7 +28,10 @@ const loaded = async (entry) => (await reached(folder, [entry], onRequest)).filt
 
 const ELEMENT = 'hearth-fire.js';
 const always = await loaded(ELEMENT);
-const sound = (await reached(folder, ['sound/player.js'])).filter((file) => !always.includes(file));
+const sound = [
+  ...(await reached(folder, ['sound/player.js'])).filter((file) => !always.includes(file)),
+  'wasm/hearth-engine_sound.wasm',
+];
 const requested = (await reached(folder, [ELEMENT], isEntry)).filter((file) => ![...always, ...sound].includes(file));
 const library = await reached(folder, ['sim.js']);
 const tools = await loaded('tools.js');
@@ -43,12 +46,12 @@ const DOWNLOADS = [
   { name: 'fuels, water and free solids, on request', files: ['wasm/hearth-engine_bodies.wasm'] },
   { name: 'children, on request', files: ['wasm/hearth-engine_children.wasm'] },
   { name: 'other scripts of the element, each on request', files: requested.filter((file) => !isPart(file)) },
-  { name: 'sound, on request', files: sound, ceiling: 8_000 },
+  { name: 'sound, on request', files: sound, ceiling: 12_000 },
   { name: 'panel, on request', files: await loaded('panel.js'), ceiling: 900_000 },
   { name: 'tools, on request', files: tools },
   { name: 'probe and plots of the tools, on request', files: plots },
   { name: 'headless library', files: await loaded('sim.js'), ceiling: 102_000 },
-  { name: 'both parts of the library, each on request', files: library.filter(isPart) },
+  { name: 'the parts of the library, each on request', files: library.filter(isPart) },
 ];
 
 /** @type {{[name: string]: number}} */

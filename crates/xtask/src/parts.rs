@@ -8,7 +8,7 @@ use wasm_parts::{Bound, Part};
 use crate::shell::Shell;
 
 /// The parts of engine and library. `hearth_bindings::parts` determines which one a scene needs.
-const PARTS: [Part; 2] = [
+const PARTS: [Part; 3] = [
     Part {
         name: "classic",
         modules: &["hearth_core::classic::"],
@@ -20,6 +20,10 @@ const PARTS: [Part; 2] = [
             "hearth_core::combustion::water::",
             "hearth_core::solids::free::",
         ],
+    },
+    Part {
+        name: "sound",
+        modules: &["hearth_core::sound::"],
     },
 ];
 

@@ -146,9 +146,9 @@ export class OnDemandCode {
     else this.#player?.update();
   }
 
-  /** Passes the steps of a frame to the sound. @param {Message} message */
-  hear({ seconds, series }) {
-    this.#player?.receive(seconds, series);
+  /** Passes the samples of a frame to the sound. @param {Message} message */
+  hear({ samples }) {
+    this.#player?.receive(samples);
   }
 
   /** The sound, if there is any. */

@@ -337,7 +337,7 @@ export class FireSession {
     const { type } = message;
     // A removed fire only answers earlier calls.
     if (connection.closed && !['ready', 'changed', 'done', 'refused'].includes(type)) return;
-    if (type === 'series') {
+    if (type === 'samples') {
       this.code.hear(message);
     } else if (type === 'ready') {
       state.take(message);

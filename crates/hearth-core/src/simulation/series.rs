@@ -1,7 +1,7 @@
 //! The series of steps that sound follows from.
 
 use super::Simulation;
-use crate::params::Physics;
+use crate::params::{Backdrop, Physics};
 use crate::series::{Recorder, StepRecord};
 
 /// Width of a source up to which it is a nozzle \[m\].
@@ -52,18 +52,20 @@ impl Simulation {
     pub(super) fn record(&mut self, length: f64) {
         if let Some(recorder) = self.recorder.as_mut() {
             let power = self.solver.combustion().map_or(0.0, |fire| fire.power());
-            let nozzle = |source: &&crate::Parameters| {
+            let (mut jet, mut flutter) = (0.0_f32, 0.0_f32);
+            let burning = self.scene.sources().filter(|_| power > 0.0);
+            for source in burning.filter(|source| source.fuel_power > 0.0) {
                 let values: &Physics = source;
-                values.fuel_power > 0.0 && values.source_width <= MAX_NOZZLE_WIDTH
-            };
-            let nozzles = self.scene.sources().filter(nozzle);
-            let fastest = nozzles.map(|source| source.emission_speed);
-            let jet = if power > 0.0 {
-                fastest.fold(0.0, f32::max)
-            } else {
-                0.0
-            };
-            recorder.add(length, power, jet, self.solver.totals());
+                if values.source_width <= MAX_NOZZLE_WIDTH {
+                    jet = jet.max(values.emission_speed);
+                } else {
+                    let speed = values.emission_speed.max(values.wind.abs());
+                    flutter = flutter.max(speed / values.source_width);
+                }
+            }
+            let wall = f32::from(u8::from(self.scene.settings().backdrop != Backdrop::None));
+            let numbers = [length as f32, power, jet, flutter, wall];
+            recorder.add(numbers, self.solver.totals());
         }
     }
 }

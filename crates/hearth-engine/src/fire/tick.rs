@@ -71,11 +71,12 @@ impl Fire {
             self.stale = true;
             self.measure(made.stages.iter().sum::<f64>() / steps, events);
         }
-        let series = self.simulation.series_numbers();
+        let series = self.simulation.read_series();
         if let Some(passed) = passed {
             // Requested steps and those of a warm-up are silent.
-            if !series.is_empty() {
-                events.series(self.id, passed, &series);
+            if let Some(sound) = self.sound.as_mut().filter(|_| !series.is_empty()) {
+                let half_width = 0.5 * self.settings.parameters().domain_width;
+                events.samples(self.id, &sound.frame(&series, passed, half_width));
             }
             let dropped = if self.clock.due(self.last_step) {
                 self.clock.drop_rest()

@@ -5,9 +5,14 @@
 
 import { FADE_TIME, fade, mixer } from './mixer.js';
 
-/** Samples that wait, at most and at first [s]. */
-const MAX_BUFFER = 0.15;
+/**
+ * Samples that wait at first [s]. Where they end before others come, as on a machine whose frames are long, more of
+ * them wait from then on, so many times more and up to a limit [s]; more than the sum of it and the reserve never do.
+ */
 const LEAD = 0.07;
+const LATER = 1.5;
+const MAX_LEAD = 0.25;
+const RESERVE = 0.12;
 /** Share of the last frame in the mean loudness. */
 const NEWEST = 0.1;
 /** How long before the end of the samples a fire that gives none fades [s]. */
@@ -23,6 +28,7 @@ export class Player {
   #mixer;
   /** When the samples that are scheduled end, by the clock of the context [s]. */
   #end = 0;
+  #lead = LEAD;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #starves;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -150,8 +156,12 @@ export class Player {
     this.sounds = sounds;
     const starved = this.#end < context.currentTime;
     // The clocks of frames and of samples drift by a second in a day.
-    if (!sounds || this.#end > context.currentTime + MAX_BUFFER) return;
-    if (starved) this.#end = context.currentTime + LEAD;
+    if (!sounds || this.#end > context.currentTime + this.#lead + RESERVE) return;
+    if (starved) {
+      // After a pause, nothing was late.
+      if (this.#end > context.currentTime - 1) this.#lead = Math.min(LATER * this.#lead, MAX_LEAD);
+      this.#end = context.currentTime + this.#lead;
+    }
     if (starved || this.#fades) this.#fade(1);
     this.#fades = false;
     const buffer = new AudioBuffer({ length, numberOfChannels: 2, sampleRate: context.sampleRate });

@@ -10,7 +10,7 @@ const MAX_CORRECTION: f64 = 0.1;
 /// Share of the last frame in the mean speed.
 const NEWEST: f64 = 0.1;
 /// Longest frame \[s\].
-const LONGEST_FRAME: f64 = 0.1;
+const LONGEST_FRAME: f64 = 0.3;
 
 /// The sound of one fire.
 pub(crate) struct Sound {

@@ -74,9 +74,12 @@ impl Fire {
         let series = self.simulation.read_series();
         if let Some(passed) = passed {
             // Requested steps and those of a warm-up are silent.
-            if let Some(sound) = self.sound.as_mut().filter(|_| !series.is_empty()) {
+            if let Some(sound) = self.sound.as_mut() {
                 let half_width = 0.5 * self.settings.parameters().domain_width;
-                events.samples(self.id, &sound.frame(&series, passed, half_width));
+                let samples = sound.frame(&series, passed, half_width);
+                if !samples.is_empty() {
+                    events.samples(self.id, &samples);
+                }
             }
             let dropped = if self.clock.due(self.last_step) {
                 self.clock.drop_rest()

@@ -18,6 +18,7 @@ use std::thread;
 
 use hearth_core::params::{Input, PARAMETERS, Parameters};
 use hearth_core::preset::Preset;
+use hearth_core::sound::{Mix, Synthesis};
 use hearth_core::{IgnitionTarget, Particle, Scene, Simulation, Vec2};
 
 /// Runs each case once, on as many threads as the machine has cores: the last test of a program
@@ -147,6 +148,7 @@ pub fn fingerprints() -> String {
     let kept = [
         ("breaking", breaking()),
         ("hinges", hinged()),
+        ("sound", sound()),
         ("kept", kept(FIRESIDE, None)),
         ("kept coarse", kept(FIRESIDE, Some(1200))),
     ];
@@ -163,6 +165,28 @@ pub fn fingerprints() -> String {
         .chain(around)
         .map(|(name, print)| format!("{name} {print:016x}\n"))
         .collect()
+}
+
+/// The fingerprint of the sound of a fire before a wall.
+fn sound() -> u64 {
+    let scene = Preset::find("fireside").map_or_else(Scene::default, Preset::scene);
+    let half_width = 0.5 * scene.settings().domain_width;
+    let mut fire = Simulation::new(scene);
+    fire.record_series(true);
+    for _ in 0..300 {
+        fire.step();
+    }
+    let rate = 48_000.0;
+    let mut sound = Synthesis::new(rate, 1, Mix::default());
+    sound.push(&fire.read_series(), 1.0, half_width);
+    let frames = (sound.ahead() * rate) as usize;
+    let (mut left, mut right) = (vec![0.0; frames], vec![0.0; frames]);
+    sound.render(&mut left, &mut right);
+    let mut hash = Fnv::new();
+    for sample in left.iter().chain(&right) {
+        hash.write(&sample.to_bits().to_le_bytes());
+    }
+    hash.finish()
 }
 
 /// Fires around a burning solid of each fuel.

@@ -49,11 +49,11 @@ const MOST_POPS: f32 = 4.0;
 
 /// Hiss of steam: its power for a gram in a second. That of wood: its power for a snap in a second, of the rate averaged
 /// over so long \[s\].
-const STEAM_POWER: f64 = 2e-5;
+const STEAM_POWER: f64 = 5e-5;
 const WOOD_POWER: f64 = 6e-7;
 const WOOD_TIME: f64 = 1.5;
 /// Hiss of a jet of 1 m/s. Its amplitude grows with the fourth power of the speed (Lighthill 1952).
-const JET_LEVEL: f64 = 0.003;
+const JET_LEVEL: f64 = 0.005;
 /// Flutter of a flame and of sheets at the reference power, and the load of a sheet [kg/m²].
 const FLUTTER_LEVEL: f64 = 0.07;
 const SHEET_LOAD: f64 = 1.5;

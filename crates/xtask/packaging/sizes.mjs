@@ -44,7 +44,7 @@ const DOWNLOADS = [
   { name: 'children, on request', files: ['wasm/hearth-engine_children.wasm'] },
   { name: 'other scripts of the element, each on request', files: requested.filter((file) => !isPart(file)) },
   { name: 'sound, on request', files: sound, ceiling: 8_000 },
-  { name: 'panel, on request', files: await loaded('panel.js'), ceiling: 900_000 },
+  { name: 'panel, on request', files: await loaded('panel.js'), ceiling: 500_000 },
   { name: 'tools, on request', files: tools },
   { name: 'probe and plots of the tools, on request', files: plots },
   { name: 'headless library', files: await loaded('sim.js'), ceiling: 102_000 },

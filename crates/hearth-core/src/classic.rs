@@ -61,7 +61,7 @@ pub(crate) struct Classic {
 impl Classic {
     /// No particles yet.
     pub fn new(scene: &Scene) -> Classic {
-        let values: &Physics = scene.settings();
+        let values: &Physics = scene.world();
         Classic {
             solids: Solids::of(scene, &bounds(values), 2.0 * values.smoothing_radius),
             ..Classic::default()
@@ -109,13 +109,13 @@ impl Solver for Classic {
         user: Option<&dyn BodyForce>,
         on_stage: &mut dyn FnMut(Stage),
     ) -> f64 {
-        let values: &Physics = scene.settings();
+        let values: &Physics = scene.world();
         self.emitters
             .resize_with(scene.sources().count(), Emitter::default);
-        let passed = |source: &Physics| self.cut.unwrap_or(source.time_step);
+        let passed = self.cut.unwrap_or(values.time_step);
         let emitters = self.emitters.iter_mut().zip(scene.sources());
         let mut due: f32 = emitters
-            .map(|(emitter, source)| emitter.due(source, passed(source), time))
+            .map(|(emitter, source)| emitter.due(&source, passed, time))
             .sum();
         for (emitter, source) in self.emitters.iter_mut().zip(scene.sources()) {
             // Sources share the free places of a fire that is nearly full; the last one gets the rest.
@@ -126,10 +126,10 @@ impl Solver for Classic {
                 false => free,
             };
             due -= own;
-            let solid = self.solids.parts(source);
+            let solid = self.solids.parts(&source);
             emitter.emit(
                 &mut self.particles,
-                (source, solid),
+                (&source, solid),
                 alive + share.min(free),
                 random,
                 time,
@@ -157,7 +157,7 @@ impl Solver for Classic {
     /// Removes the particles outside of a smaller domain; solid walls would move them onto each
     /// other.
     fn adapt(&mut self, scene: &Scene, _random: &mut Random, time: f64) {
-        let values = scene.settings();
+        let values = scene.world();
         let bounds = bounds(values);
         let stays =
             |particle: &ParticleState| particle.is_alive() && bounds.contains(particle.position());
@@ -194,11 +194,11 @@ impl Solver for Classic {
     }
 
     fn sound_speed(&self, scene: &Scene) -> f32 {
-        scene.settings().gas_constant.sqrt()
+        scene.world().gas_constant.sqrt()
     }
 
     fn step_length(&self, scene: &Scene) -> f64 {
-        f64::from(self.length(scene.settings()))
+        f64::from(self.length(scene.world()))
     }
 
     fn report(&self, values: &Physics) -> StepReport {

@@ -3,11 +3,11 @@
 //! The physics of Hearth, independent of any platform: no window, no clock, no thread.
 //!
 //! ```
-//! use hearth_core::{Parameters, Simulation, params::Input};
+//! use hearth_core::{Scene, Simulation};
 //!
-//! let mut parameters = Parameters::default();
-//! parameters.set("fuel_power", Input::Number(150.0))?;
-//! let mut fire = Simulation::new(parameters);
+//! let mut scene = Scene::default();
+//! scene.set("fuel_power", 150.0)?;
+//! let mut fire = Simulation::new(scene);
 //! while fire.time() < 0.5 {
 //!     fire.step();
 //! }
@@ -66,7 +66,7 @@ pub use scene::Scene;
 pub use series::StepRecord;
 pub use simulation::{Simulation, burning};
 pub use solids::free::FreeSolid;
-pub use source::Source;
+pub use source::SourcePlace;
 
 // Runs the examples of the README as doc tests.
 #[cfg(doctest)]

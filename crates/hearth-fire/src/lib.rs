@@ -4,7 +4,7 @@
 //! use hearth_fire::{Simulation, preset::Preset};
 //!
 //! let campfire = Preset::find("campfire").ok_or("no such scene")?;
-//! let mut fire = Simulation::new(campfire.parameters());
+//! let mut fire = Simulation::new(campfire.scene());
 //! while fire.time() < 0.5 {
 //!     fire.step();
 //! }

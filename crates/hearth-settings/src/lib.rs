@@ -8,7 +8,7 @@
 //! use hearth_settings::{Change, Settings};
 //!
 //! let values = Untrusted::Object(vec![("fuel_power".into(), Untrusted::Number(-1.0))]);
-//! let change = Change::Set(values.fields());
+//! let change = Change::Set { values: values.fields(), attributes: &[] };
 //! let errors = Settings::default().after(&change).err().ok_or("accepted")?;
 //! assert!(errors[0].message.contains("fuel_power = -1 is refused"));
 //! # Ok::<(), &str>(())
@@ -16,12 +16,13 @@
 
 mod apply;
 mod children;
+mod delta;
 mod export;
 pub mod file;
-mod history;
 mod settings;
 pub mod untrusted;
 
 pub use apply::{OBJECTS, objects, preset};
-pub use export::{FIELDS, export, whole};
+pub use delta::{delta, objects_delta};
+pub use export::{export, whole};
 pub use settings::{Change, Settings, StatedResolution, adapt};

@@ -26,7 +26,7 @@ impl Combustion {
         user: Option<&dyn BodyForce>,
         on_stage: &mut dyn FnMut(Stage),
     ) -> f32 {
-        let values: &Physics = scene.settings();
+        let values: &Physics = scene.world();
         let kernel = Kernel::new(values.smoothing_length());
         let sound = sound_speed(values, self.total_power(scene));
         let bounds = self.domain.bounds(values);
@@ -127,7 +127,7 @@ impl Combustion {
             let Obstacles { walls, solids, .. } = &mut self.obstacles;
             let around = (self.domain.open_mut(), solids);
             let embers = &mut self.reaction.embers;
-            fuels.burn((gas, walls), around, embers, scene.settings(), random, dt)
+            fuels.burn((gas, walls), around, embers, scene.world(), random, dt)
         });
         self.reaction.burn(gas, scene, film, dt);
     }
@@ -171,7 +171,7 @@ impl Combustion {
             solids: &mut self.obstacles.solids,
             fuels: self.fuels.as_deref_mut(),
             has_floor: self.domain.has_floor(),
-            values: scene.settings(),
+            values: scene.world(),
             dt,
             near: Vec::new(),
         };

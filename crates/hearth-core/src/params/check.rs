@@ -122,7 +122,7 @@ impl Param {
     }
 
     #[cold]
-    pub(super) fn error(&self, input: Input<'_>, kind: ParamErrorKind) -> ParamError {
+    pub(crate) fn error(&self, input: Input<'_>, kind: ParamErrorKind) -> ParamError {
         ParamError {
             id: self.id.to_owned(),
             value: format!("{input}"),

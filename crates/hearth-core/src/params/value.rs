@@ -5,6 +5,7 @@
 
 use std::fmt;
 
+use super::choices::Model;
 use super::decimal::{self, Decimal};
 
 /// A colour with opacity, 8 bits a channel, sRGB, not premultiplied.
@@ -133,6 +134,24 @@ pub enum Input<'a> {
     Default,
 }
 
+impl From<f64> for Input<'_> {
+    fn from(number: f64) -> Self {
+        Input::Number(number)
+    }
+}
+
+impl From<bool> for Input<'_> {
+    fn from(on: bool) -> Self {
+        Input::Flag(on)
+    }
+}
+
+impl<'a> From<&'a str> for Input<'a> {
+    fn from(text: &'a str) -> Self {
+        Input::Text(text)
+    }
+}
+
 impl<'a> Input<'a> {
     /// The number that a text is, or the text.
     pub(crate) fn from_decimal(text: &'a str) -> Input<'a> {
@@ -222,6 +241,10 @@ pub enum ParamErrorKind {
     NotAFlag,
     /// Not a colour.
     NotAColour,
+    /// Only this model uses the parameter.
+    OfModel(Model),
+    /// A property of sources, set in a world or in a scene without a source.
+    OfSource,
     /// Another rule of an object; the text names the allowed values.
     Other(&'static str),
 }
@@ -251,6 +274,14 @@ impl fmt::Display for ParamError {
             ParamErrorKind::NotAColour => {
                 must_be(format_args!("transparent, #rgb, #rrggbb or #rrggbbaa"))
             }
+            ParamErrorKind::OfModel(model) => {
+                let model = model.name();
+                write!(f, "{id} = {value} is refused: only the {model} model has it")
+            }
+            ParamErrorKind::OfSource => write!(
+                f,
+                "{id} = {value} is refused: it is a property of the first source, and there is none"
+            ),
             ParamErrorKind::Other(allowed) => must_be(format_args!("{allowed}")),
             ParamErrorKind::UnknownId { nearest } => {
                 write!(f, "there is no parameter \"{id}\"")?;

@@ -8,8 +8,7 @@ use crate::scene::{KIND, Scene};
 /// The table of presets. `cargo xtask codegen` writes it from the files of `scenes/`.
 ///
 /// A line is a name, a blank and a value, which extends to the end of the line. `preset` begins a preset; the values
-/// that differ from the defaults follow. `kind` begins an object besides the first source; the fields that differ
-/// from the defaults follow.
+/// that differ from the defaults follow. `kind` begins an object; the fields that differ from the defaults follow.
 const TABLE: &str = include_str!("scenes.txt");
 
 /// A line for each preset: its name, its label and its description, divided by tabulators. A program that shows none
@@ -24,9 +23,9 @@ type Fields = Vec<(&'static str, Input<'static>)>;
 pub struct Preset {
     /// Its name in attributes and URLs.
     pub name: &'static str,
-    /// The values that differ from the defaults.
+    /// The values of the world that differ from the defaults.
     values: Fields,
-    /// The fields of each object besides the first source.
+    /// The fields of each object.
     objects: Vec<Fields>,
 }
 
@@ -62,18 +61,18 @@ impl Preset {
         TEXTS.lines().find_map(texts).unwrap_or_default()
     }
 
-    /// The values that differ from the defaults.
+    /// The values of its world that differ from the defaults.
     pub fn values(&self) -> impl Iterator<Item = (&'static str, Input<'static>)> + Clone {
         self.values.iter().copied()
     }
 
-    /// Its values, with their resolution.
-    pub fn parameters(&self) -> Parameters {
-        let mut parameters = Parameters::default();
-        let set = parameters.set_all(self.values());
+    /// The world of its [scene](Preset::scene), with its resolution, without sources and solids.
+    pub fn world(&self) -> Parameters {
+        let mut world = Parameters::default();
+        let set = world.set_all(self.values());
         debug_assert!(set.is_ok(), "preset {}: {set:?}", self.name);
-        parameters.complete(&|id| self.names(id), IN_DOMAIN);
-        parameters
+        world.complete(&|id| self.names(id), IN_DOMAIN);
+        world
     }
 
     /// Whether it sets this parameter.
@@ -81,9 +80,10 @@ impl Preset {
         self.values().any(|(known, _)| known == id)
     }
 
-    /// Its scene: these values, with one source and its other objects.
+    /// Its scene.
     pub fn scene(&self) -> Scene {
-        let mut scene = Scene::new(self.parameters());
+        let mut scene = Scene::new(self.world());
+        scene.clear();
         for fields in &self.objects {
             let added = scene.add(fields);
             debug_assert!(added.is_ok(), "preset {}: {added:?}", self.name);

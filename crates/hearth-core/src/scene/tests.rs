@@ -67,10 +67,10 @@ fn settings_alone_have_one_source_whose_properties_they_are() {
         assert_eq!(value(&scene, 0, "x"), Some(Value::Number(0.2)));
 
         assert_eq!(scene.change(1, &[("x", number(-0.1))]), Ok(()));
-        assert_eq!(scene.settings().source_x, -0.1);
-        let mut settings = scene.settings().clone();
+        assert_eq!(scene.world().source_x, -0.1);
+        let mut settings = scene.world().clone();
         assert_eq!(settings.set("source_x", number(0.3)), Ok(()));
-        scene.set_settings(settings);
+        scene.set_world(settings);
         assert_eq!(value(&scene, 0, "x"), Some(Value::Number(0.3)));
     }
 }
@@ -80,11 +80,11 @@ fn a_second_source_has_separate_properties_and_the_other_settings() {
     let mut scene = Scene::default();
     let added = scene.add(&[SOURCE, ("x", number(0.3)), ("power", number(50.0))]);
     assert_eq!(added, Ok(2));
-    let mut settings = scene.settings().clone();
+    let mut settings = scene.world().clone();
     for (id, x) in [("fuel_power", 100.0), ("wind", 1.0), ("source_width", 0.2)] {
         assert_eq!(settings.set(id, number(x)), Ok(()));
     }
-    scene.set_settings(settings);
+    scene.set_world(settings);
     let powers: Vec<f32> = scene.sources().map(|source| source.fuel_power).collect();
     assert_eq!(powers, [100.0, 50.0]);
     assert_eq!(scene.power(), 150.0);
@@ -99,9 +99,9 @@ fn a_source_keeps_its_properties_of_the_other_model() {
     let added = scene.add(&[SOURCE, ("rate", number(700.0)), ("power", number(50.0))]);
     assert!(added.is_ok());
     for (model, name, kept) in [("classic", "rate", 700.0), ("combustion", "power", 50.0)] {
-        let mut settings = scene.settings().clone();
+        let mut settings = scene.world().clone();
         assert_eq!(settings.set("model", Input::Text(model)), Ok(()));
-        scene.set_settings(settings);
+        scene.set_world(settings);
         assert_eq!(value(&scene, 1, name), Some(Value::Number(kept)));
     }
 }
@@ -109,16 +109,16 @@ fn a_source_keeps_its_properties_of_the_other_model() {
 #[test]
 fn the_next_source_becomes_the_first_and_the_last_keeps_its_values() {
     let mut scene = Scene::default();
-    let before = scene.settings().clone();
+    let before = scene.world().clone();
     assert!(scene.add(&[SOURCE, ("x", number(0.3))]).is_ok());
     assert_eq!(scene.remove(1), Ok(()));
     assert_eq!(ids(&scene), [2]);
-    assert_eq!(scene.settings().source_x, 0.3);
-    assert_eq!(scene.settings().seed, before.seed);
+    assert_eq!(scene.world().source_x, 0.3);
+    assert_eq!(scene.world().seed, before.seed);
 
     assert_eq!(scene.remove(2), Ok(()));
     assert_eq!((scene.objects().len(), scene.power()), (0, 0.0));
-    assert_eq!(scene.settings().source_x, 0.3);
+    assert_eq!(scene.world().source_x, 0.3);
     assert_eq!(scene.add(&[SOURCE]), Ok(1));
     assert_eq!(value(&scene, 0, "x"), Some(Value::Number(0.3)));
 }
@@ -145,7 +145,7 @@ fn a_source_has_the_surface_of_its_solid() {
     assert_eq!(value(&scene, 2, "solid"), Some(Value::Integer(9)));
     // The next source becomes the first, on its solid.
     assert_eq!(scene.remove(1), Ok(()));
-    assert_eq!(scene.settings().source_solid, 9);
+    assert_eq!(scene.world().source_solid, 9);
     assert_eq!(id(&scene), [true]);
     // A source and an id without an object have no surface.
     for other in [0.0, 2.0, 1e6] {
@@ -240,11 +240,11 @@ fn the_number_of_objects_is_limited() {
 #[test]
 fn a_solid_has_properties_that_are_no_settings() {
     let mut scene = Scene::default();
-    let settings = scene.settings().clone();
+    let settings = scene.world().clone();
     let fields = [SOLID, ("x", number(0.3)), ("shape", Input::Text("box"))];
     assert_eq!(scene.add(&fields), Ok(2));
     assert_eq!(scene.add(&[SOURCE]), Ok(3));
-    assert_eq!(scene.settings(), &settings);
+    assert_eq!(scene.world(), &settings);
     assert_eq!(value(&scene, 1, "shape"), Some(Value::Choice("box")));
     assert_eq!(value(&scene, 1, "height"), Some(Value::Number(0.1)));
     assert_eq!(
@@ -280,9 +280,9 @@ fn a_cleared_scene_keeps_the_values_of_its_source() {
     assert_eq!(scene.add(&[SOURCE, ("id", number(7.0))]), Ok(7));
     scene.clear();
     assert_eq!(scene.objects().len(), 0);
-    assert_eq!(scene.settings().source_x, -0.3);
+    assert_eq!(scene.world().source_x, -0.3);
     assert_eq!(scene.add(&[("power", number(20.0)), SOURCE]), Ok(1));
-    assert_eq!(scene.settings().fuel_power, 20.0);
+    assert_eq!(scene.world().fuel_power, 20.0);
 }
 
 #[test]

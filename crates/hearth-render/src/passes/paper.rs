@@ -29,7 +29,7 @@ impl Pass for Paper {
         let (size, hottest) = match parameters.model() {
             Model::Classic => (
                 parameters.particle_size,
-                parameters.maximum_temperature * 1e-3,
+                frame.birth_temperature * 1e-3,
             ),
             Model::Combustion => (parameters.spacing(), 0.0),
         };

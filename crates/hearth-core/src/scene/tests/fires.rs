@@ -39,7 +39,7 @@ fn every_source_burns_at_its_position() {
 #[test]
 fn two_sources_give_the_power_of_both() {
     let mut scene = Scene::default();
-    let mut settings = scene.settings().clone();
+    let mut settings = scene.world().clone();
     for (id, x) in [
         ("source_width", 0.3),
         ("source_x", -0.3),
@@ -48,7 +48,7 @@ fn two_sources_give_the_power_of_both() {
     ] {
         assert_eq!(settings.set(id, number(x)), Ok(()));
     }
-    scene.set_settings(settings);
+    scene.set_world(settings);
     let fields = [
         SOURCE,
         ("x", number(0.3)),
@@ -74,7 +74,7 @@ fn the_same_scene_gives_the_same_bits() {
         all.flat_map(|at| at.to_array().map(f32::to_bits))
             .collect::<Vec<_>>()
     };
-    let plain = Simulation::new(scene.settings().clone());
+    let plain = Simulation::new(scene.world().clone());
     let mut plain = (plain, burnt(&scene, 0.1));
     while plain.0.time() < 0.1 {
         plain.0.step();

@@ -32,7 +32,7 @@ fn an_object_of_any_kind_keeps_its_name() {
     }
     // The next source becomes the first.
     assert_eq!(scene.remove(1), Ok(()));
-    scene.set_settings(Parameters::default());
+    scene.set_world(Parameters::default());
     assert_eq!(names(&scene), ["Wax, white", &longest]);
     assert_eq!(scene.change(2, &[("name", text(""))]), Ok(()));
     assert_eq!(names(&scene)[0], "");

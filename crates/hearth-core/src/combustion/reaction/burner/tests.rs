@@ -207,7 +207,7 @@ fn on_solid(
 
 /// Air that the source of a scene has fed, and the heat of the fuel in it [kW/m].
 fn fed_on_solid(scene: &Scene, bounds: &Bounds, seconds: f32) -> (Gas, f32) {
-    let values = scene.settings();
+    let values = scene.world();
     let spacing = values.spacing();
     let mut gas = Gas::air(values, spacing, &mut Random::new(1));
     let solids = Solids::of(scene, bounds, 3.0 * spacing);
@@ -259,7 +259,7 @@ fn on_a_solid_excess_fuel_goes_to_the_gas_farther_from_it() {
     let scene = on_solid(&settings, [0.0, 0.9, 0.0], SHAPES[0]);
     let (gas, power) = fed_on_solid(&scene, &periodic_bounds(&settings), 1.0);
     assert!((power / 600.0 - 1.0).abs() < 1e-3, "{power} kW/m");
-    let (_, surface) = scene.solid_of(scene.settings()).expect("a surface");
+    let (_, surface) = scene.solid_of(scene.world()).expect("a surface");
     let fuelled = gas
         .state
         .iter()

@@ -45,15 +45,21 @@ pub(crate) fn contains(values: &Physics, position: Vec2) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::params::{Input, Model, Parameters};
+    use crate::params::{Model, Parameters};
+    use crate::scene::Scene;
 
-    fn of(model: Model, values: &[(&str, f64)]) -> (Source, Parameters) {
-        let mut parameters = Parameters::new(model);
-        assert_eq!(parameters.set("edges", Input::Text("periodic")), Ok(()));
-        for &(id, value) in values {
-            assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
+    /// The place of the source of a scene with these values, those of the combustion model in that model alone.
+    fn of(model: Model, values: &[(&str, f64)]) -> (SourcePlace, Parameters) {
+        let mut scene = Scene::of_model(model);
+        if model == Model::Combustion {
+            assert_eq!(scene.set("edges", "periodic"), Ok(()));
         }
-        (Source::of(&parameters), parameters)
+        for &(id, value) in values {
+            if (model, id) != (Model::Classic, "seam") {
+                assert_eq!(scene.set(id, value), Ok(()));
+            }
+        }
+        (SourcePlace::first(&scene, &[]), scene.world().clone())
     }
 
     #[test]
@@ -65,7 +71,7 @@ mod tests {
                     ("source_height", 0.5),
                     ("source_width", 0.3),
                 ];
-                let source = Source {
+                let source = SourcePlace {
                     base: Vec2::new(x as f32, 0.5),
                     width: 0.3,
                     on_solid: false,

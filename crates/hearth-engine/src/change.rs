@@ -1,7 +1,7 @@
 //! What a new fire's start and each command change.
 
 use hearth_settings::untrusted::ValidationError;
-use hearth_settings::{Change, OBJECTS, Settings};
+use hearth_settings::{Change, Settings};
 
 use crate::commands::{Command, Start};
 
@@ -12,7 +12,7 @@ pub fn at_first(start: &Start<'_>) -> (Settings, Vec<ValidationError>) {
     let mut settings = Settings::default();
     let preset = start.preset.map(Settings::of_preset);
     let config = (!start.config.is_missing()).then(|| match start.children {
-        true => Settings::with_children_of_file(start.config),
+        true => Settings::of_whole(start.config),
         false => Settings::of_file(start.config),
     });
     for replaced in [preset, config].into_iter().flatten() {
@@ -42,13 +42,28 @@ pub fn by_command<'a>(
             return Some((Ok(settings.with_children(children.list(), errors)), CHILD));
         }
         Command::Import { config, source } => return Some((settings.after_file(config), source)),
-        Command::Restore { to, from, source } => {
-            return Some((settings.after_steps(to.list(), from.list()), source));
+        Command::Restore { deltas, source } => {
+            return Some((settings.after_deltas(deltas.list()), source));
         }
-        Command::Set { values, source } => match values.iter().any(|(id, _)| id == OBJECTS) {
-            true if source == ATTRIBUTE => (Change::State(values), source),
-            _ => (Change::Set(values), source),
-        },
+        Command::Set {
+            values,
+            source: ATTRIBUTE,
+            attributes,
+        } => {
+            let stated = settings.after(&Change::State(values)).map(|after| {
+                match after.scene().model() == settings.scene().model() {
+                    true => after,
+                    // An attribute that is refused has been reported.
+                    false => after.after_valid(attributes.fields(), &mut Vec::new()),
+                }
+            });
+            return Some((stated, ATTRIBUTE));
+        }
+        Command::Set {
+            values,
+            source,
+            attributes,
+        } => (Change::SetModel(values, attributes.fields()), source),
         Command::AddObject { object, source } => (Change::AddObject(object), source),
         Command::ChangeObject { id, values, source } => {
             (Change::ChangeObject(id.0, values), source)

@@ -138,8 +138,8 @@ type Arguments<'a> = [&'a Untrusted; 5];
 commands! { 'a
     /// Adds a fire.
     "add" Add { start: Start<'a> }
-    /// Sets parameters, all or none; null restores a default.
-    "set" Set { values: Values<'a>, source: &'a str }
+    /// Sets parameters, all or none; null restores a default. With another model, the attributes of the page apply again.
+    "set" Set { values: Values<'a>, source: &'a str, attributes: &'a Untrusted }
     /// Checks values as `set` would.
     "check" CheckValues { values: Values<'a> }
     /// Adds an object. Answers with its id.
@@ -152,8 +152,8 @@ commands! { 'a
     "children" Children { children: &'a Untrusted }
     /// Replaces all settings by those of a preset.
     "preset" Preset { name: &'a str, source: &'a str }
-    /// Undoes or redoes [steps](hearth_settings::Settings::after_steps); unless they lead to another preset, it burns on.
-    "restore" Restore { to: &'a Untrusted, from: &'a Untrusted, source: &'a str }
+    /// Undoes or redoes steps by their [deltas](hearth_settings::delta); unless they lead to another preset, it burns on.
+    "restore" Restore { deltas: &'a Untrusted, source: &'a str }
     /// Replaces all settings by a [settings file](hearth_settings::file).
     "import" Import { config: &'a Untrusted, source: &'a str }
     /// Answers with a settings file.

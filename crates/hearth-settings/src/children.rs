@@ -146,7 +146,9 @@ pub(crate) fn divide(settings: &mut Settings, change: &Change<'_>, after: &Scene
 /// Whether a change of the model, which changes other values too, is all that changes a property.
 fn is_of_model_alone(change: &Change<'_>, param: &Param) -> bool {
     match change {
-        Change::Set { values, .. } => values.iter().all(|(id, _)| id != OBJECTS && *id != param.id),
+        Change::Set(values) | Change::SetModel(values, _) => {
+            values.iter().all(|(id, _)| id != OBJECTS && *id != param.id)
+        }
         _ => false,
     }
 }
@@ -154,7 +156,9 @@ fn is_of_model_alone(change: &Change<'_>, param: &Param) -> bool {
 /// Whether a change names a property of an object, which may be the first source.
 fn names(change: &Change<'_>, id: u32, is_first: bool, name: &str, param: &Param) -> bool {
     match *change {
-        Change::Set { values, .. } => is_first && get(values, param.id).is_some_and(is_stated),
+        Change::Set(values) | Change::SetModel(values, _) => {
+            is_first && get(values, param.id).is_some_and(is_stated)
+        }
         Change::ChangeObject(changed, fields) => {
             changed == id && get(fields, name).is_some_and(is_stated)
         }
@@ -219,6 +223,16 @@ fn detach(settings: &mut Settings, children: &mut [Child], at: usize) {
 }
 
 impl Settings {
+    /// Restores what calls have set of children.
+    pub(crate) fn restore_children(&mut self, saved: &[Child]) {
+        for before in saved {
+            let known = self.children.iter_mut().find(|known| known.number == before.number);
+            if let Some(known) = known.filter(|known| known.kind == before.kind) {
+                known.restore(before);
+            }
+        }
+    }
+
     /// The settings with this list of children, and an error for each value that is refused: such a value stays as it
     /// was.
     pub fn with_children(&self, list: &[Untrusted], errors: &mut Vec<ValidationError>) -> Settings {

@@ -147,12 +147,8 @@ impl Settings {
         if self.list == list {
             self.apply_objects(delta, errors);
         }
-        for (number, child) in delta.field(CHILDREN).fields() {
-            let known = self.children.iter_mut().find(|known| known.number.to_string() == *number);
-            if let Some(known) = known {
-                known.restore(&Child::read(child));
-            }
-        }
+        let saved = delta.field(CHILDREN).fields().iter();
+        self.restore_children(&saved.map(|(_, child)| Child::read(child)).collect::<Vec<_>>());
     }
 
     fn apply_objects(&mut self, delta: &Untrusted, errors: &mut Vec<ValidationError>) {

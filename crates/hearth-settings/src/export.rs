@@ -53,6 +53,11 @@ pub fn export(settings: &Settings) -> Untrusted {
     Untrusted::Object(fields)
 }
 
+/// The children of the element, as [whole] settings have them.
+pub fn children(settings: &Settings) -> Untrusted {
+    Untrusted::List(settings.children.iter().map(Child::write).collect())
+}
+
 /// Writes settings as a settings file with all values, all objects and the children of the element, which
 /// [deltas](crate::delta) keep up to date.
 pub fn whole(settings: &Settings) -> Untrusted {
@@ -68,6 +73,6 @@ pub fn whole(settings: &Settings) -> Untrusted {
         Untrusted::named("preset", Untrusted::Text(settings.preset.to_owned())),
         Untrusted::named("values", Untrusted::Object(values.collect())),
         Untrusted::named(OBJECTS, objects(&settings.page)),
-        Untrusted::named(CHILDREN, Untrusted::List(settings.children.iter().map(Child::write).collect())),
+        Untrusted::named(CHILDREN, children(settings)),
     ])
 }

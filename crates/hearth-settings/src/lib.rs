@@ -8,7 +8,7 @@
 //! use hearth_settings::{Change, Settings};
 //!
 //! let values = Untrusted::Object(vec![("fuel_power".into(), Untrusted::Number(-1.0))]);
-//! let change = Change::Set { values: values.fields(), attributes: &[] };
+//! let change = Change::Set(values.fields());
 //! let errors = Settings::default().after(&change).err().ok_or("accepted")?;
 //! assert!(errors[0].message.contains("fuel_power = -1 is refused"));
 //! # Ok::<(), &str>(())
@@ -24,5 +24,5 @@ pub mod untrusted;
 
 pub use apply::{OBJECTS, objects, preset};
 pub use delta::{delta, objects_delta};
-pub use export::{export, whole};
+pub use export::{children, export, whole};
 pub use settings::{Change, Settings, StatedResolution, adapt};

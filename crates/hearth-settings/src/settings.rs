@@ -55,14 +55,10 @@ impl StatedResolution {
 /// A change of settings. Its values are not checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Change<'a> {
-    /// Values of parameters, and the list of `objects`, all or none. `undefined` states nothing, `null` restores. With
-    /// another model, the `attributes` of the page that it has apply again.
-    Set {
-        /// The values.
-        values: Values<'a>,
-        /// What attributes state.
-        attributes: Values<'a>,
-    },
+    /// Values of parameters, and the list of `objects`, all or none. `undefined` states nothing, `null` restores.
+    Set(Values<'a>),
+    /// Such values. With another model, what attributes of the page state, the second values, applies again.
+    SetModel(Values<'a>, Values<'a>),
     /// The page states such values in attributes. One that the model has no use for has no effect. The objects of
     /// children stay.
     State(Values<'a>),
@@ -131,7 +127,7 @@ impl Settings {
         Ok(Settings::starting_from(preset))
     }
 
-    /// The settings of a [file](crate::file), with the children that it has.
+    /// The settings of a [file](crate::file), without children.
     ///
     /// # Errors
     /// All validation errors of the file.
@@ -149,6 +145,15 @@ impl Settings {
             return Err(errors);
         }
         settings.resolution = StatedResolution::Auto.after(&values);
+        Ok(settings.composed())
+    }
+
+    /// The settings of a file with the children that it has, whose list the element sends next.
+    ///
+    /// # Errors
+    /// All validation errors of the file.
+    pub fn of_whole(config: &Untrusted) -> Result<Settings, Vec<ValidationError>> {
+        let mut settings = Settings::of_file(config)?;
         settings.children = Child::read_all(config.field(file::CHILDREN));
         Ok(settings.composed())
     }
@@ -176,8 +181,8 @@ impl Settings {
                     true => settings.page = scene,
                     false => divide(&mut settings, change, &scene),
                 }
-                if let Change::Set { values, attributes } = *change {
-                    if !has_model {
+                if let Change::Set(values) | Change::SetModel(values, _) = *change {
+                    if let (false, Change::SetModel(_, attributes)) = (has_model, change) {
                         settings.resolution = StatedResolution::Auto.after(attributes);
                     }
                     settings.state(values);
@@ -193,7 +198,8 @@ impl Settings {
     /// Applies a change to the scene that burns.
     fn apply(&self, scene: &mut Scene, change: &Change<'_>, errors: &mut Vec<ValidationError>) {
         let (done, sent) = match *change {
-            Change::Set { values, attributes } => {
+            Change::Set(values) => return set_values(scene, values, errors),
+            Change::SetModel(values, attributes) => {
                 set_values(scene, values, errors);
                 if scene.model() != self.scene.model() {
                     let stated = |id: &str| values.iter().any(|(known, _)| known == id);
@@ -230,12 +236,19 @@ impl Settings {
         self.list += u32::from(values.iter().any(is_list));
     }
 
-    /// The settings of a [file](crate::file), with the children of these.
+    /// The settings of a [file](crate::file), with the children of these. [Whole](crate::whole) settings restore what
+    /// calls have set of them.
     ///
     /// # Errors
     /// All validation errors of the file.
     pub fn after_file(&self, config: &Untrusted) -> Result<Settings, Vec<ValidationError>> {
-        Ok(self.replaced(Settings::of_file(config)?))
+        let mut settings = self.replaced(Settings::of_file(config)?);
+        let children = config.field(file::CHILDREN);
+        if self.children.is_empty() || children.is_missing() {
+            return Ok(settings);
+        }
+        settings.restore_children(&Child::read_all(children));
+        Ok(settings.composed())
     }
 
     /// Other settings of the page, with the children of these.
@@ -282,6 +295,11 @@ impl Settings {
     /// The preset.
     pub fn preset(&self) -> &'static Preset {
         Preset::find(self.preset).unwrap_or(&Preset::all()[0])
+    }
+
+    /// Whether the element has children.
+    pub fn has_children(&self) -> bool {
+        !self.children.is_empty()
     }
 
     /// What burns.

@@ -93,10 +93,9 @@ impl Fire {
     /// Writes the value of a parameter to a field of `into`; without an id, of every parameter.
     /// An unknown id writes nothing.
     pub fn get(&self, into: &Record, id: Option<String>) {
-        let parameters = self.simulation.parameters();
         for param in PARAMETERS {
             if id.as_ref().is_none_or(|id| param.id == id) {
-                into.set_value(param.id, param.get(parameters));
+                into.set_value(param.id, self.simulation.scene().value(param));
             }
         }
     }
@@ -257,11 +256,11 @@ fn affordable(
     loaded: &Set,
 ) -> Result<Scene, JsValue> {
     let mut scene = settings.scene().clone();
-    scene.set_settings(settings.completed());
+    scene.set_world(settings.completed());
     if let Some(part) = parts::missing(&scene, loaded) {
         return Err(part.into());
     }
-    memory::reserve(old, scene.settings(), u32::MAX).map_err(|error| thrown(vec![error]))?;
+    memory::reserve(old, scene.world(), u32::MAX).map_err(|error| thrown(vec![error]))?;
     Ok(scene)
 }
 

@@ -48,7 +48,7 @@ const STATUS_MS = 5000;
  */
 export async function mountTools(options) {
   const { host, fire, page = false, closed = () => {} } = optionsOf(options);
-  check('closed', 'a function', () => typeof closed === 'function');
+  check('closed', 'a function', typeof closed === 'function');
   const { styled, removeStyle } = addStyle(host, new URL('./tools/tools.css', import.meta.url).href);
   await styled;
   const tools = new Toolbar(host, fire, closed);

@@ -76,41 +76,7 @@ for (const feature of NEEDED) {
   });
 }
 
-for (const feature of [
-  'AbortSignal',
-  'AbortSignal.timeout',
-  'Array.prototype.at',
-  'Array.prototype.findLast',
-  'Array.prototype.findLastIndex',
-  'Array.prototype.flat',
-  'Atomics',
-  'BigInt64Array',
-  'BigUint64Array',
-  'Blob',
-  'CompressionStream',
-  'FinalizationRegistry',
-  'Intl',
-  'MessageChannel',
-  'Object.groupBy',
-  'Object.hasOwn',
-  'Promise.allSettled',
-  'Promise.any',
-  'Response',
-  'SharedArrayBuffer',
-  'String.prototype.at',
-  'WeakRef',
-  'WebAssembly.Tag',
-  'WebAssembly.compileStreaming',
-  'WebAssembly.instantiateStreaming',
-  'crypto',
-  'fetch',
-  'navigator',
-  'performance',
-  'process',
-  'queueMicrotask',
-  'setTimeout',
-  'structuredClone',
-]) {
+for (const feature of ['AbortSignal', 'Array.prototype.at', 'Blob', 'fetch', 'process', 'setTimeout', 'structuredClone']) {
   test(`without ${feature} a simulation is the same`, async () => {
     assert.deepEqual(await without(feature), whole);
   });

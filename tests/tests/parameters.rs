@@ -1,6 +1,6 @@
 //! Every parameter has an effect, and a value out of range is an error with a message.
 
-use hearth_core::params::{Input, Kind, Model, PARAMETERS, Param, ParamErrorKind, Value};
+use hearth_core::params::{Input, Kind, Model, PARAMETERS, Param, Value};
 use hearth_core::{Parameters, Scene, Simulation};
 use hearth_tests::fires::{self, with};
 use hearth_tests::sweep::is_shown_only;
@@ -126,48 +126,6 @@ fn integers_end_exactly_at_their_range_and_zero_has_no_sign() {
     );
     assert_eq!(parameters.set("viscosity", Input::Number(-0.0)), Ok(()));
     assert!(parameters.viscosity.is_sign_positive());
-}
-
-#[test]
-fn an_invalid_value_changes_nothing_and_its_error_names_the_range() {
-    let mut fire = Simulation::new(Parameters::new(Model::Classic));
-    let before = fire.parameters().clone();
-    let error = fire
-        .set("viscosity", Input::Number(5.0))
-        .expect_err("out of range");
-    assert_eq!(
-        error.to_string(),
-        "viscosity = 5 is refused: it must be a number from 0 to 0.1 Pa·s"
-    );
-    for (id, input) in [
-        ("viscosity", Input::Number(f64::NAN)),
-        ("viscosity", Input::Text("lots")),
-        ("viscosity", Input::Flag(true)),
-        ("max_particles", Input::Number(200.5)),
-        ("walls", Input::Text("rubber")),
-        ("printed_euler", Input::Text("perhaps")),
-        ("background", Input::Text("#12")),
-        ("seed", Input::Number(-1.0)),
-    ] {
-        let error = fire.set(id, input).expect_err(id);
-        assert!(error.to_string().contains(id), "{error}");
-    }
-    assert_eq!(*fire.parameters(), before);
-}
-
-#[test]
-fn an_unknown_id_names_the_nearest_known_one() {
-    let nearest = |id| match Parameters::new(Model::Classic)
-        .set(id, Input::Number(0.0))
-        .expect_err("unknown")
-        .kind
-    {
-        ParamErrorKind::UnknownId { nearest } => nearest,
-        other => panic!("{other:?}"),
-    };
-    assert_eq!(nearest("viscosty"), Some("viscosity"));
-    assert_eq!(nearest("bouyancy"), Some("buoyancy"));
-    assert_eq!(nearest("xyzzy"), None);
 }
 
 #[test]

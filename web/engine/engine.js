@@ -43,7 +43,6 @@ const CONTEXT_S = 5;
 
 /** Why there is no fire, with a message for visitors. */
 export class EngineError extends Error {
-  // A field, because assigning fails where a page has frozen `Error.prototype`.
   name = 'EngineError';
 
   /**

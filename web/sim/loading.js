@@ -131,15 +131,11 @@ export function addNow(name) {
  * @throws {TypeError}
  */
 function compiling(name, source) {
-  try {
-    if (source instanceof WebAssembly.Module) return async () => source;
-    if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) {
-      return () => WebAssembly.compile(/** @type {BufferSource} */ (source));
-    }
-    if (typeof source === 'string' || source instanceof URL) return () => compiledFrom(source);
-  } catch (cause) {
-    throw new TypeError(`${name} cannot be read`, { cause });
+  if (source instanceof WebAssembly.Module) return async () => source;
+  if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) {
+    return () => WebAssembly.compile(/** @type {BufferSource} */ (source));
   }
+  if (typeof source === 'string' || source instanceof URL) return () => compiledFrom(source);
   throw new TypeError(`${name} must be a URL, bytes or a WebAssembly.Module, not ${words(source)}`);
 }
 

@@ -24,47 +24,6 @@ function seeds(tab) {
   });
 }
 
-test('fires with seed="auto" differ from each other, and are the same in the same page', async () => {
-  const html = `<hearth-fire ${SMALL} seed="auto"></hearth-fire>`.repeat(5);
-  const tab = await browser.open(html);
-  const found = await seeds(tab);
-  assert.equal(new Set(found).size, 5, `${found}`);
-  for (const seed of found) assert.ok(Number.isInteger(seed) && seed >= 0 && seed < 2 ** 32, `${seed}`);
-  // Well mixed: of each pair about half of the bits differ.
-  const bits = (x) => x.toString(2).replaceAll('0', '').length;
-  for (const [at, a] of found.entries()) {
-    for (const b of found.slice(at + 1)) {
-      const differ = bits((a ^ b) >>> 0);
-      assert.ok(differ > 6 && differ < 26, `${a} and ${b} differ in ${differ} bits`);
-    }
-  }
-  const config = await tab.fire((fire) => fire.exportConfig());
-  assert.deepEqual(config, { hearth: 2, values: { seed: found[0] } });
-  assert.deepEqual(await seeds(await browser.open(`<p></p>${html}`)), found);
-  assert.deepEqual(tab.problems, []);
-});
-
-test('the order on the page counts, not the order of making', async () => {
-  const tab = await browser.open(`<hearth-fire ${SMALL} seed="auto"></hearth-fire>`);
-  await tab.ready();
-  const found = await tab.evaluate(async (style) => {
-    const make = () => {
-      const fire = /** @type {any} */ (document.createElement('hearth-fire'));
-      fire.setAttribute('seed', 'auto');
-      fire.setAttribute('quality', 'low');
-      fire.style.cssText = style;
-      return fire;
-    };
-    const [late, early] = [make(), make()];
-    document.body.append(early);
-    document.body.append(late);
-    await Promise.all([late.ready, early.ready]);
-    return [document.querySelector('hearth-fire')?.seed, early.seed, late.seed];
-  }, 'width: 40px; height: 50px');
-  const again = await browser.open(`<hearth-fire ${SMALL} seed="auto"></hearth-fire>`.repeat(3));
-  assert.deepEqual(found, await seeds(again));
-});
-
 test('a fire keeps its automatic seed when it is moved or inserted again, until another is set', async () => {
   const tab = await browser.show(`<hearth-fire ${SMALL} seed="auto"></hearth-fire><div></div>`);
   const [own] = await seeds(tab);

@@ -179,18 +179,6 @@ fn fire_and_smoke_are_separate_layers() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn without_gas_and_embers_nothing_is_painted() -> Result<(), JsValue> {
-    let canvas = Canvas::new(WIDTH, HEIGHT)?;
-    for mode in ["fire", "paper"] {
-        let parameters = with(&[("display_mode", Input::Text(mode))])?;
-        let pixels = canvas.paint(&[], &parameters)?;
-        assert!(pixels.all().all(|(_, _, pixel)| pixel == [0; 4]), "{mode}");
-    }
-    assert_eq!(canvas.gl_error(), 0);
-    Ok(())
-}
-
-#[wasm_bindgen_test]
 fn no_colour_exceeds_its_alpha() -> Result<(), JsValue> {
     for canvas in [
         Canvas::new(WIDTH, HEIGHT)?,
@@ -346,16 +334,5 @@ fn an_ember_smaller_than_a_pixel_does_not_flicker() -> Result<(), JsValue> {
     let least = seen.iter().copied().fold(f32::INFINITY, f32::min);
     let most = seen.iter().copied().fold(0.0, f32::max);
     assert!(least > 0.1 && most < 1.4 * least, "{seen:?}");
-    Ok(())
-}
-
-#[wasm_bindgen_test]
-fn paper_sprites_show_the_glowing_gas() -> Result<(), JsValue> {
-    let canvas = Canvas::new(WIDTH, HEIGHT)?;
-    let parameters = with(&[("display_mode", Input::Text("paper"))])?;
-    let hot = canvas.paint(&block([1700.0, 0.3, 0.0], &parameters), &parameters)?;
-    assert!(mean(&inside(&hot))[0] > 80.0);
-    let cold = canvas.paint(&block([500.0, 0.3, 0.0], &parameters), &parameters)?;
-    assert!(cold.all().all(|(_, _, pixel)| pixel == [0; 4]));
     Ok(())
 }

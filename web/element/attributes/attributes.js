@@ -216,16 +216,7 @@ export function stated(element, name, value) {
 export function setOrRemove(element, name, value) {
   const text = stated(element, name, value);
   if (text === null) element.removeAttribute(name);
-  else if (text !== undefined) element.setAttribute(name, textOf(text));
-}
-
-/** A value as text, whose own code may throw. @param {unknown} value */
-function textOf(value) {
-  try {
-    return String(value);
-  } catch {
-    return `something of type ${typeof value}`;
-  }
+  else if (text !== undefined) element.setAttribute(name, String(text));
 }
 
 /**

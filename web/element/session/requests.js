@@ -193,42 +193,29 @@ export const cut = (text) => (text.length > MAX_SHOWN ? `${text.slice(0, MAX_SHO
 
 /**
  * A copy of a value as plain data, which can be posted, without fields that are undefined. A value that is no plain data becomes a
- * description or an empty value, which the engine refuses with its id. No getter of the page runs after
- * this, and one that throws affects its own value only.
+ * description or an empty value, which the engine refuses with its id. No getter of the page runs after this.
  * @param {unknown} value
  * @param {number} [depth] the levels of nesting that are copied
  * @param {number} [longest] the maximum length of a text
  * @returns {any}
  */
 export function postable(value, depth = 0, longest = MAX_FIELDS) {
-  try {
-    if (longest === MAX_OUTLINE && Array.isArray(value)) return pairs(value);
-    if (Array.isArray(value))
-      return depth > 0 ? value.slice(0, MAX_FIELDS).map((item) => postable(item, depth - 1)) : [];
-    // The type of `document.all`, an object, is "undefined".
-    if (value === Object(value) && typeof value !== 'function') {
-      const names = depth > 0 ? Object.keys(/** @type {object} */ (value)) : [];
-      if (names.length > MAX_FIELDS) return 'an object of more than a thousand fields';
-      const fields = names.map((name) => {
-        try {
-          const most = OUTLINES.includes(name) ? MAX_OUTLINE : MAX_FIELDS;
-          return [cut(name), postable(/** @type {{[name: string]: unknown}} */ (value)[name], depth - 1, most)];
-        } catch {
-          return [cut(name), UNREADABLE];
-        }
-      });
-      // A field without a value states nothing.
-      return Object.fromEntries(fields.filter(([, field]) => field !== undefined));
-    }
-  } catch {
-    return UNREADABLE;
+  if (longest === MAX_OUTLINE && Array.isArray(value)) return pairs(value);
+  if (Array.isArray(value)) return depth > 0 ? value.slice(0, MAX_FIELDS).map((item) => postable(item, depth - 1)) : [];
+  if (typeof value === 'object' && value !== null) {
+    const given = depth > 0 ? Object.entries(value) : [];
+    if (given.length > MAX_FIELDS) return 'an object of more than a thousand fields';
+    const fields = given.map(([name, field]) => {
+      const most = OUTLINES.includes(name) ? MAX_OUTLINE : MAX_FIELDS;
+      return [cut(name), postable(field, depth - 1, most)];
+    });
+    // A field without a value states nothing.
+    return Object.fromEntries(fields.filter(([, field]) => field !== undefined));
   }
   // Wasm would keep the memory of a copy.
   if (typeof value === 'string' && value.length > longest) return `a text of more than ${longest} letters`;
   return ['function', 'symbol', 'bigint'].includes(typeof value) ? `a ${typeof value}` : value;
 }
-
-const UNREADABLE = 'something unreadable';
 
 /** A list of pairs of numbers as text: `0,0.1 0.2,-0.1`. @param {unknown[]} list */
 const pairs = (list) =>

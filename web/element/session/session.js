@@ -114,7 +114,6 @@ export class FireSession {
     // A fire that failed tries again.
     if (this.#connection && this.#ready.failed) this.close();
     if (!this.#connection) this.#open();
-    else if (this.view.damaged) this.mend();
   }
 
   /** The element is on no page; perhaps it only moves. */
@@ -123,7 +122,7 @@ export class FireSession {
     this.#leaving = setTimeout(() => this.fire.isConnected || this.close(), GRACE_MS);
   }
 
-  /** Shows the fire on another canvas: its document or the page has taken the last one away. */
+  /** Shows the fire on another canvas: a move to another document has taken the last one away. */
   mend() {
     this.view.dress();
     if (this.#connection) this.#connection.watch(this.view.mend());
@@ -216,14 +215,9 @@ export class FireSession {
       message: (message) => this.#receive(message, connection),
       frame: (frame) => {
         view.draw(frame);
-        if (view.damaged) this.mend();
-        else this.#present(connection);
+        this.#present(connection);
       },
-      visible: () => {
-        // A canvas that is taken away has no area, so that no frame comes.
-        if (view.damaged && fire.isConnected) this.mend();
-        else this.#present(connection);
-      },
+      visible: () => this.#present(connection),
       start: () => this.#begin(connection, still),
       motion: (reduced) => this.playback.follow(reduced),
     });

@@ -43,9 +43,7 @@ export function run(calls, session, checked, how, source) {
   calls.transitions ??= new Transitions(session);
   const { transitions } = calls;
   for (const call of calls.splice(0)) transitions.record(call);
-  // Assigning fails where a page has frozen `Array.prototype`.
-  const push = (/** @type {Asked} */ call) => transitions.record(call);
-  Object.defineProperty(calls, 'push', { configurable: true, value: push });
+  calls.push = (/** @type {Asked} */ call) => transitions.record(call);
   calls.end = () => transitions.end();
   return transitions.run(checked, how, source);
 }
@@ -130,7 +128,7 @@ class Transitions {
   /** @type {(how: unknown) => KeyframeEffect} */
   #effect(how) {
     if (!/^(undefined|object)$/.test(typeof how)) throw new TypeError('options must be an object');
-    const { duration = 600, easing = 'ease-in-out' } = read(how);
+    const { duration = 600, easing = 'ease-in-out' } = /** @type {{[name: string]: unknown}} */ (how ?? {});
     const refuse = (/** @type {'duration' | 'easing'} */ id, /** @type {unknown} */ value) => {
       const words = /^(object|function)$/.test(typeof value) ? `something of type ${typeof value}` : String(value);
       return this.#session.reports.refuse(id, words, ALLOWED[id]);
@@ -236,13 +234,4 @@ function picked(values, ids) {
 /** Stops changing one value. @type {(transition: Transition, id: string) => void} */
 function release(transition, id) {
   if (transition.ids.delete(id)) transition.whole = false;
-}
-
-/** The options of a transition, whose own code may throw. @param {any} how @returns {{[name: string]: unknown}} */
-function read(how) {
-  try {
-    return { ...how };
-  } catch (cause) {
-    throw new TypeError('options cannot be read', { cause });
-  }
 }

@@ -1,11 +1,12 @@
 /**
  * `<hearth-fire>`: a fire as an HTML element.
  *
- * This class is the element's public interface. `cargo xtask codegen` derives from its JSDoc: the types, React's
- * types, the manifest, the reference of the methods, and what an iframe offers to its page. `@posted` offers a
- * member there; `@example` shows it in the reference. The code is in `element/`: attributes, properties and calls are
- * messages to the engine, and the engine's messages become promises and events. The engine validates
- * every value. Reading a value returns the last one that the engine accepted.
+ * This class is the element's public interface. The compiler declares its types for the package, without members that
+ * are internal. `cargo xtask codegen` derives from its JSDoc React's types, the manifest, the reference of the methods,
+ * and what an iframe offers to its page. `@posted` offers a member there; `@example` shows it in the reference. The
+ * code is in `element/`: attributes, properties and calls are messages to the engine, and the engine's messages become
+ * promises and events. The engine validates every value. Reading a value returns the last one that the engine
+ * accepted.
  *
  * The module can be imported without a `window`; it then defines no element.
  *
@@ -13,6 +14,7 @@
  * @typedef {import('./parameters.js').ParameterId} ParameterId
  * @typedef {import('./parameters.js').HearthObject} HearthObject
  * @typedef {import('./parameters.js').PresetName} PresetName
+ * @typedef {FireElement} HearthFire
  * @typedef {import('./element/types.js').HearthConfig} HearthConfig
  * @typedef {import('./element/types.js').HearthFreeSolid} HearthFreeSolid
  * @typedef {import('./element/types.js').HearthHistory} HearthHistory
@@ -44,18 +46,6 @@ import { VERSION } from './generated/version.js';
 /**
  * A fire, simulated by smoothed particle hydrodynamics.
  *
- * @fires {null} ready  The fire is shown or, out of sight, can be drawn.
- * @fires {null} play  The fire plays again.
- * @fires {null} pause  The fire is paused.
- * @fires {HearthChangeDetail} params-change  A parameter has changed, from any source.
- * @fires {HearthObjectsDetail} objects-change  An object was added, changed or removed.
- * @fires {HearthHistoryDetail} history-change  A step was made, undone or redone.
- * @fires {HearthQualityDetail} quality-change  The quality has changed, to fit the speed of the device or on request.
- * @fires {HearthSoundDetail} sound-change  The sound plays, waits for a gesture of the visitor, or has ended.
- * @fires {HearthStats} stats  Measurements of the fire, about four times a second.
- * @fires {HearthErrorDetail} error  A value is refused, a file could not be loaded, the fire has stopped, or the
- *   browser cannot show it.
- * @fires {null} restored  The fire is back after its graphics context was lost or its engine has stopped.
  * @slot poster  Content that is shown until the fire burns, and in browsers that cannot show it. The attribute `poster`
  *   applies if the slot is empty.
  * @csspart canvas  The canvas.
@@ -69,7 +59,7 @@ import { VERSION } from './generated/version.js';
  * @cssproperty --hearth-glow  The colour of the light.
  * @cssstate burning  The fire is visible and plays.
  */
-class HearthFire extends FireAttributes {
+class FireElement extends FireAttributes {
   /**
    * The version of this module.
    * @returns {string}
@@ -92,7 +82,7 @@ class HearthFire extends FireAttributes {
    */
   static engine = 'auto';
 
-  #session = new FireSession(this, () => [HearthFire.wasmUrl, HearthFire.engine]);
+  #session = new FireSession(this, () => [FireElement.wasmUrl, FireElement.engine]);
 
   /**
    * The named set of values that the fire starts from. A later change replaces every value.
@@ -545,25 +535,27 @@ class HearthFire extends FireAttributes {
     await this.#session.close();
   }
 
+  /** @internal */
   connectedCallback() {
     upgradeProperties(this);
     if (this.getAttribute('seed') === 'auto') seedOf(this);
     this.#session.attach();
   }
 
-  /** The element has moved to another document, for instance another window. */
+  /** The element has moved to another document, for instance another window. @internal */
   adoptedCallback() {
     this.#session.mend();
   }
 
+  /** @internal */
   disconnectedCallback() {
     this.#session.detach();
   }
 
-  /** Without this callback, `moveBefore` would disconnect the element. */
+  /** Without this callback, `moveBefore` would disconnect the element. @internal */
   connectedMoveCallback() {}
 
-  /** @type {(name: string, old: string | null, value: string | null) => void} */
+  /** @internal @type {(name: string, old: string | null, value: string | null) => void} */
   attributeChangedCallback(name, _old, value) {
     this.#session.attribute(name, value);
   }
@@ -571,7 +563,7 @@ class HearthFire extends FireAttributes {
 
 for (const [property, id] of ID_OF_PROPERTY) {
   defineProperty(
-    HearthFire,
+    FireElement,
     property,
     (fire) => fire.get(/** @type {ParameterId} */ (id)),
     (/** @type {any} */ fire, value) => fire.set(id, stated(fire, property, value)),
@@ -585,11 +577,10 @@ function numbers({ x, y }) {
 }
 
 /** The class that another copy of this module has defined. */
-const other = /** @type {typeof HearthFire | undefined} */ (globalThis.customElements?.get('hearth-fire'));
+const other = /** @type {typeof FireElement | undefined} */ (globalThis.customElements?.get('hearth-fire'));
 if (other)
   console.warn(`<hearth-fire>: version ${other.version} is defined already; version ${VERSION} exports that class.`);
-else globalThis.customElements?.define('hearth-fire', HearthFire);
+else globalThis.customElements?.define('hearth-fire', FireElement);
 
 /** The class of the element, whichever copy of this module has defined it. */
-const Defined = other ?? HearthFire;
-export { Defined as HearthFire };
+export const HearthFire = other ?? FireElement;

@@ -38,7 +38,7 @@ const plots = (await reached(folder, ['tools.js'], isEntry)).filter(
 
 /** Files that a browser loads for one purpose, and the most that they may ever be. */
 const DOWNLOADS = [
-  { name: 'element and engine', files: always, ceiling: 181_000 },
+  { name: 'element and engine', files: always, ceiling: 182_000 },
   { name: 'classic model, on request', files: ['wasm/hearth-engine_classic.wasm'] },
   { name: 'fuels, water and free solids, on request', files: ['wasm/hearth-engine_bodies.wasm'] },
   { name: 'children, on request', files: ['wasm/hearth-engine_children.wasm'] },

@@ -67,6 +67,7 @@ export class FireSession {
    * @param {() => Parameters<typeof import('../../engine/engine.js').connect>} engine the engine of a new fire
    */
   constructor(fire, engine) {
+    /** @type {HearthFire} */
     this.fire = fire;
     this.#engine = engine;
     this.reports = new Reports(fire);

@@ -305,7 +305,9 @@ class FireElement extends FireAttributes {
     if (ids.length > 0)
       return this.set(Object.fromEntries(ids.map((id) => [typeof id === 'string' ? id : typeof id, null])));
     this.#session.reflectPreset();
-    return this.#session.change(['preset', 'default']);
+    // The page states that seed.
+    const values = this.getAttribute('seed') === 'auto' ? { seed: 'auto' } : {};
+    return this.#session.change(['import', { values }]);
   }
 
   /**

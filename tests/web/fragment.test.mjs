@@ -134,3 +134,10 @@ test('the last changes of a fire survive one reload at the same address', async 
   keepLast(changes);
   assert.deepEqual(await open(`${PAGE}?scene=forge`), { shown: [], refused: [] });
 });
+
+test('a page that the browser has kept goes on, and leaves no changes to a later visit', async () => {
+  await open(PAGE);
+  keepLast({ wind: 0.5 });
+  tab.dispatchEvent(Object.assign(new Event('pageshow'), { persisted: true }));
+  assert.deepEqual(await open(PAGE), { shown: [], refused: [] });
+});

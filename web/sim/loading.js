@@ -66,7 +66,7 @@ async function load(wasm, parts) {
     if (extend === undefined) for (const name of loadedParts(ready, Object.keys(PARTS))) loadedNames.add(name);
     extend = (name, part) => {
       if (loadedNames.has(name)) return;
-      checkPart(part, name);
+      checkPart(part, name, ready);
       glue.default(/** @type {any} */ ({ part }));
       loadedNames.add(name);
     };

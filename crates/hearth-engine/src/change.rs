@@ -1,6 +1,6 @@
 //! What a new fire's start and each command change.
 
-use hearth_settings::untrusted::ValidationError;
+use hearth_settings::untrusted::{Untrusted, ValidationError};
 use hearth_settings::{Change, Settings};
 
 use crate::commands::{Command, Start};
@@ -41,7 +41,22 @@ pub fn by_command<'a>(
         Command::Children { children } => {
             return Some((Ok(settings.with_children(children.list(), errors)), CHILD));
         }
-        Command::Import { config, source } => return Some((settings.after_file(config), source)),
+        Command::Import {
+            config,
+            source,
+            keeps_seed,
+        } => {
+            let kept = Untrusted::Number(settings.parameters().seed.into());
+            let kept = [Untrusted::named("seed", kept)];
+            let keeps =
+                keeps_seed == Some(true) && config.field("values").field("seed").is_missing();
+            let imported = settings.after_file(config);
+            let imported = imported.and_then(|imported| match keeps {
+                true => imported.after(&Change::Set(&kept)),
+                false => Ok(imported),
+            });
+            return Some((imported, source));
+        }
         Command::Restore { deltas, source } => {
             return Some((settings.after_deltas(deltas.list()), source));
         }

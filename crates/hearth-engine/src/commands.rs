@@ -154,8 +154,8 @@ commands! { 'a
     "preset" Preset { name: &'a str, source: &'a str }
     /// Undoes or redoes steps by their [deltas](hearth_settings::delta); unless they lead to another preset, it burns on.
     "restore" Restore { deltas: &'a Untrusted, source: &'a str }
-    /// Replaces all settings by a [settings file](hearth_settings::file).
-    "import" Import { config: &'a Untrusted, source: &'a str }
+    /// Replaces all settings by a [settings file](hearth_settings::file); on request, the seed only by one that it names.
+    "import" Import { config: &'a Untrusted, source: &'a str, keeps_seed: Option<bool> }
     /// Answers with a settings file.
     "export" Export {}
     /// Resizes the picture [device pixels]. `side` is the height of the element or, if that is

@@ -1,10 +1,10 @@
 //! The simulation behind `web/sim.js`.
 
-use hearth_bindings::{Record, memory, panic, parts, values};
+use hearth_bindings::{Record, light, memory, panic, parts, values};
 use hearth_core::params::{PARAMETERS, Parameters};
 use hearth_core::preset::Preset;
 use hearth_core::simulation::ParticleError;
-use hearth_core::{IgniteError, IgnitionTarget, Scene, Simulation, SprayError, Vec2};
+use hearth_core::{Scene, Simulation, SprayError, Vec2};
 use hearth_settings::untrusted::{Untrusted, ValidationError};
 use hearth_settings::{Change, Settings};
 use js_sys::{Array, Set};
@@ -151,21 +151,7 @@ impl Fire {
     /// # Errors
     /// There is no fuel.
     pub fn light(&mut self, lit: bool, radius: f64, place: f64, y: f64) -> Result<(), JsValue> {
-        let at = if radius < 0.0 {
-            IgnitionTarget::Object(place as u32)
-        } else {
-            IgnitionTarget::Place(Vec2::new(place as f32, y as f32), radius as f32)
-        };
-        let act = if lit {
-            Simulation::ignite
-        } else {
-            Simulation::extinguish
-        };
-        act(&mut self.simulation, at).map_err(|_| {
-            let place = Untrusted::Number(place);
-            let error = ValidationError::new("place", &place, IgniteError::ALLOWED);
-            thrown(vec![error])
-        })
+        light(&mut self.simulation, lit, [radius, place, y]).map_err(|error| thrown(vec![error]))
     }
 
     /// Sprays a mass of water [g/m] from a position \[m\] with a velocity [m/s].

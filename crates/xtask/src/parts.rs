@@ -46,16 +46,17 @@ pub(crate) fn divide(sh: &Shell, web: &Path) -> Result<()> {
                 .with_context(|| format!("cannot change {}", script.display()))?;
             let of_engine = (name == "hearth-engine").then_some(&CHILDREN);
             for part in PARTS.iter().chain(of_engine) {
-                let taken = bound
+                bound
                     .take(part)
                     .with_context(|| format!("cannot divide {name}"))?;
-                let file = format!("{name}_{}.wasm", part.name);
-                sh.write_file(wasm.with_file_name(file), taken)?;
             }
         }
-        let (bytes, glue) = bound.finish()?;
-        sh.write_file(&wasm, bytes)?;
-        sh.write_file(script, glue)?;
+        let files = bound.finish()?;
+        for (part, bytes) in files.parts {
+            sh.write_file(wasm.with_file_name(format!("{name}_{part}.wasm")), bytes)?;
+        }
+        sh.write_file(&wasm, files.module)?;
+        sh.write_file(script, files.glue)?;
     }
     Ok(())
 }

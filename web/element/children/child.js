@@ -74,11 +74,13 @@ export class Child {
    * @param {import('./children.js').Children} owner
    * @param {Element} element
    * @param {number} number
+   * @param {MutationObserver} names warns about unknown attributes that scripts set
    */
-  constructor(owner, element, number) {
+  constructor(owner, element, number, names) {
     this.#owner = owner;
     this.element = element;
     this.number = number;
+    this.names = names;
     this.kind = KINDS[element.localName];
     this.look = new Look(owner.session, () => `${this.name}: ${OF} = ${this.#shownTarget}`);
   }

@@ -2,8 +2,8 @@
  * Promises for the calls of an element.
  *
  * Each request has a number, which the engine's `done` or `refused` event carries. Calls made without
- * a fire wait here and are sent in order when there is one, and so do calls while the engine has many
- * unanswered sets. A rejected promise without a handler is no "unhandled rejection": a fire is
+ * a fire wait here and are sent in order when there is one, and so do most calls while the engine has
+ * many unanswered sets. A rejected promise without a handler is no "unhandled rejection": a fire is
  * decoration, and the refusal is also an event and a warning.
  *
  * @typedef {import('../../engine/engine.js').Call} Call
@@ -11,6 +11,8 @@
  * @typedef {{promise: Promise<any>, resolve: (value?: unknown) => void, reject: (error: Error) => void, failed:
  *   boolean}} Deferred
  */
+
+import { AT_ONCE } from '../../engine/at-once.js';
 
 /**
  * The number of unanswered sets from which on calls wait, and the number of waiting calls from which on
@@ -42,6 +44,11 @@ export class Requests {
     const ids = idsOf(call);
     const entry = Object.assign(deferred(), { fire: 0, ids });
     this.#pending.set(request, entry);
+    if (this.#send && AT_ONCE.includes(call[0])) {
+      entry.fire = this.#fire;
+      this.#send(request, call);
+      return entry.promise;
+    }
     this.#makeRoom(ids, entry);
     // The model decides which values are valid.
     const at = ids === 'model' && !this.#send ? this.#models++ : this.#waiting.length;

@@ -216,7 +216,8 @@ export class FireSession {
       message: (message) => this.#receive(message, connection),
       frame: (frame) => {
         view.draw(frame);
-        this.#present(connection);
+        // An engine on the page's own thread is still in its frame, and listeners are the page's code.
+        queueMicrotask(() => this.#present(connection));
       },
       visible: () => this.#present(connection),
       start: () => this.#begin(connection, still),

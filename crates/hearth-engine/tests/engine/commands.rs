@@ -27,10 +27,20 @@ fn a_command_is_parsed_by_its_arguments() {
     for (name, arguments, command) in [
         (
             "set",
-            vec![values, text(source)],
+            vec![values.clone(), text(source)],
             Command::Set {
                 values: &viscosity,
                 source,
+                attributes: &Untrusted::Missing,
+            },
+        ),
+        (
+            "import",
+            vec![values.clone(), text(source), Untrusted::Flag(true)],
+            Command::Import {
+                config: &values,
+                source,
+                keeps_seed: Some(true),
             },
         ),
         (

@@ -152,6 +152,23 @@ fn errors_name_the_invalid_field() {
     assert_eq!(errors(&two).len(), 2, "an error for each");
 }
 
+#[test]
+fn a_long_name_is_cut_between_letters() {
+    // No letter ends at byte 40.
+    let long = "€".repeat(20_000);
+    let field = object(vec![(long.as_str(), Untrusted::Number(1.0))]);
+    let message = errors(&field).concat();
+    assert!(message.starts_with(&"€".repeat(13)), "{message:.100}");
+    for config in [
+        object(vec![("values", field.clone())]),
+        object(vec![("objects", Untrusted::List(vec![field.clone()]))]),
+        field,
+    ] {
+        let length = errors(&config).concat().len();
+        assert!((1..500).contains(&length), "{length} bytes");
+    }
+}
+
 /// A list of sources with properties.
 fn sources(all: &[&[(&str, f64)]]) -> Untrusted {
     let of_one = |properties: &&[(&str, f64)]| {

@@ -307,7 +307,7 @@ class FireElement extends FireAttributes {
     this.#session.reflectPreset();
     // The page states that seed.
     const values = this.getAttribute('seed') === 'auto' ? { seed: 'auto' } : {};
-    return this.#session.change(['import', { values }]);
+    return this.#session.change(['import', { values }], this.#session.history.sourceOfScene('property'));
   }
 
   /**
@@ -370,7 +370,8 @@ class FireElement extends FireAttributes {
    */
   importConfig(config) {
     try {
-      return this.#session.change(['import', reportedSettings(config, 'config', this.#session.reports)]);
+      const settings = reportedSettings(config, 'config', this.#session.reports);
+      return this.#session.change(['import', settings], this.#session.history.sourceOfScene('property'));
     } catch (error) {
       return quiet(Promise.reject(error));
     }

@@ -89,7 +89,7 @@ describe('a step', () => {
     assert.deepEqual([fire.history.canUndo, fire.history.canRedo], [true, false]);
   });
 
-  test('is what a function calls for before it returns, of steps inside of it the inner one', async () => {
+  test('is what a function calls for before it returns, in steps inside of it, too', async () => {
     const fire = new Fire();
     const { history } = fire;
     const calls = history.step(() => [
@@ -100,8 +100,7 @@ describe('a step', () => {
     await Promise.all([...calls, fire.set({ own: 4 })]);
     const seen = [];
     while (await history.undo()) seen.push(fire.settings);
-    const own = { ...FIRST, own: 4 };
-    assert.deepEqual(seen, [{ ...own, wind: 1, width: 2 }, { ...own, wind: 1 }, own]);
+    assert.deepEqual(seen, [{ ...FIRST, own: 4 }]);
     assert.throws(
       () =>
         history.step(() => {
@@ -159,6 +158,42 @@ describe('a step', () => {
     assert.deepEqual(fire.settings, { ...FIRST, width: 2 });
     await fire.history.undo();
     assert.deepEqual([fire.settings, fire.history.canUndo], [FIRST, false]);
+  });
+
+  test('whose undo changes nothing keeps what it did, and goes on', async () => {
+    const fire = new Fire();
+    await drag(fire, 'first', [6]);
+    await fire.set('values', 'width', undefined);
+    await fire.history.undo();
+    assert.deepEqual(fire.settings, FIRST);
+    await fire.history.redo();
+    assert.deepEqual(fire.settings.values, { width: 6 });
+    // A redo that changes nothing, either.
+    await fire.history.undo();
+    await fire.set('values', 'width', 6);
+    await fire.history.redo();
+    await drag(fire, 'first', [7]);
+    await fire.history.undo();
+    assert.deepEqual([fire.settings, fire.history.canUndo], [FIRST, false]);
+  });
+
+  test('is a scene that replaces every value, whoever chooses it, once the fire was ready', async () => {
+    const fire = new Fire();
+    const scene = (name) =>
+      fire.change(
+        (all) => Object.assign(all, structuredClone(FIRST), { preset: name }),
+        fire.history.sourceOfScene('preset'),
+      );
+    await scene('seed');
+    fire.history.begun = true;
+    const first = fire.settings;
+    await fire.resize(2, 7);
+    await scene('match');
+    await fire.history.step(() => scene('candle'), 'card');
+    assert.deepEqual([fire.history.canUndo, fire.events.length], [true, 2]);
+    while (await fire.history.undo());
+    first.objects[1].width = 7;
+    assert.deepEqual(fire.settings, first);
   });
 
   test('that the fire now rejects is dropped, and the rejection is reported', async () => {

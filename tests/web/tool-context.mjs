@@ -161,6 +161,7 @@ export async function toolsOf(objects = [], { model = 'combustion' } = {}) {
     probe: (...args) => shown.probes.push(args),
   });
   const pointers = new Pointers(context);
+  editing.cancelDrawing = () => pointers.cancelAll();
   const overlay = { seen: { x: 0, y: 0.9, width: 1.4 }, cross: (at) => (shown.cross = at) };
   const cross = new Cross(context, pointers, /** @type {any} */ (overlay));
   const how = (keys) => ({ snaps: false, adds: false, free: false, perPixel: PER_PIXEL, ...keys });
@@ -185,7 +186,7 @@ export async function toolsOf(objects = [], { model = 'combustion' } = {}) {
       return fire.objects;
     },
     async undo() {
-      await history.undo();
+      await editing.undo();
       return fire.objects;
     },
   };

@@ -215,7 +215,7 @@ export interface HearthHistory {
   readonly settings: HearthConfig;
   /**
    * Runs a function and returns what it returns. The changes that it calls for before it returns or waits are a step;
-   * with the key of the last step, they belong to that.
+   * with the key of the last step, they belong to that. Steps in a step belong to the outer one.
    */
   step<T>(act: () => T, key?: string): T;
   /** Undoes the last step. Resolves to false without one. */

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
 import { Panel, actionOf, along, controlOf } from '../panel.mjs';
+import { chord, drag } from '../tools.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -70,36 +71,43 @@ test('a key that is held down on an accessible slider is one step, which keys an
   assert.deepEqual(await look(tab), first);
 });
 
-test('a drag of a campfire is one step, which brings back the fire and its logs', async () => {
-  const tab = await browser.open('index.html', { width: 900, height: 640 });
-  await tab.ready();
-  const panel = await new Panel(tab).mounted();
-  const places = () =>
-    tab.fire(async (fire) => {
-      await fire.exportConfig();
-      return fire.objects.map(({ x }) => x);
-    });
-  const before = await places();
-  const [from, to] = await tab.fire((fire) => {
-    const { left, top } = fire.getBoundingClientRect();
-    return [0, 0.2].map((x) => {
-      const at = fire.toPixels(x, 0.06);
-      return { x: left + at.x, y: top + at.y };
-    });
+/** The settings of a fire, and the places of its objects, once it has this preset. */
+async function sceneOf(tab, preset) {
+  await tab.until(`the scene is ${preset}`, (name) => document.querySelector('hearth-fire').preset === name, preset);
+  return tab.fire(async (fire) => [await fire.exportConfig(), fire.objects.map(({ x }) => x)]);
+}
+
+for (const [where, width] of Object.entries({ 'with the panel': 900, 'before the panel is loaded': 500 })) {
+  test(`a drag of the base and a scene of the strip are a step each, by keys on its thumbnail, ${where}`, async () => {
+    const tab = await browser.open('index.html', { width, height: 640 });
+    await tab.ready();
+    if (width > 700) await new Panel(tab).mounted();
+    const until = (can, value) =>
+      tab.until(
+        `${can} is ${value}`,
+        (name, wanted) => document.querySelector('hearth-fire').history[name] === wanted,
+        can,
+        value,
+      );
+    const first = await sceneOf(tab, 'fireside');
+    await drag(tab, [0, 0.06], [0.2, 0.06]);
+    await until('canUndo', true);
+    const dragged = await sceneOf(tab, 'fireside');
+    assert.ok(
+      dragged[1].every((x, at) => x > first[1][at] + 0.1),
+      'all moved',
+    );
+    await tab.page.click('[data-starts="candle"]');
+    const candle = await sceneOf(tab, 'candle');
+    assert.deepEqual(candle, [{ hearth: 2, preset: 'candle', values: {} }, candle[1].map(() => 0)]);
+    await chord(tab, 'Control', 'z');
+    assert.deepEqual(await sceneOf(tab, 'fireside'), dragged);
+    await tab.page.focus('[data-opens="about"]');
+    await chord(tab, 'Control', 'z');
+    await until('canUndo', false);
+    assert.deepEqual(await sceneOf(tab, 'fireside'), first);
+    for (const key of ['y', 'y']) await chord(tab, 'Control', key);
+    assert.deepEqual(await sceneOf(tab, 'candle'), candle);
+    assert.deepEqual(tab.problems, []);
   });
-  await tab.drag(from, to);
-  await can(panel, 'undo', true);
-  assert.ok(
-    (await places()).every((x, at) => x > before[at] + 0.1),
-    'all moved',
-  );
-  await panel.press('undo');
-  await can(panel, 'undo', false);
-  assert.deepEqual(await places(), before);
-  await panel.press('redo');
-  await can(panel, 'redo', false);
-  assert.ok(
-    (await places()).every((x, at) => x > before[at] + 0.1),
-    'all moved again',
-  );
-});
+}

@@ -3,7 +3,8 @@
  *
  * A step is what a visitor does at once: a drag of a slider, a typed value, a press of a button. Its changes carry the
  * key of the step in their source, so the engine's events assign them to it. A page's own script may change values
- * sixty times a second: its changes are not steps, and undoing a step keeps them.
+ * sixty times a second: its changes are not steps, and undoing a step keeps them. A scene replaces every value, so it is
+ * a step whoever chooses it.
  *
  * @typedef {import('../types.js').HearthHistoryDetail} HearthHistoryDetail
  * @typedef {import('./state.js').Whole} Whole
@@ -41,6 +42,8 @@ export class FireHistory {
   /** The key of the running step. @type {string | undefined} */
   #key;
   #steps = 0;
+  /** Whether the fire was ready once: a scene before that is what it starts from. */
+  begun = false;
   /**
    * The step that is undone or redone now, what this has changed, and the step's own late changes.
    * @type {{key: string, spans: Span[], late: Span[]} | undefined}
@@ -73,7 +76,8 @@ export class FireHistory {
   }
 
   /**
-   * Runs a function and records the changes that it calls for before it returns or waits.
+   * Runs a function and records the changes that it calls for before it returns or waits. A step in a step belongs to
+   * the outer one.
    * @template T
    * @param {() => T} act
    * @param {string} [key]  Changes with the key of the last step belong to it.
@@ -87,7 +91,7 @@ export class FireHistory {
       throw new TypeError(`key must be a text, not ${key === null ? 'null' : typeof key}`);
     const outer = this.#key;
     this.#steps += 1;
-    this.#key = key ?? `step ${this.#steps}`;
+    this.#key = outer ?? key ?? `step ${this.#steps}`;
     try {
       return act();
     } finally {
@@ -98,6 +102,11 @@ export class FireHistory {
   /** The source of a call, with the key of the running step. @param {string} name */
   source(name) {
     return this.#key === undefined ? name : `${name}:${this.#key}`;
+  }
+
+  /** The source of a call that replaces every value, as a step. @param {string} name */
+  sourceOfScene(name) {
+    return this.begun ? this.step(() => this.source(name)) : this.source(name);
   }
 
   /** Undoes the last step. Resolves to false without one. */
@@ -153,9 +162,9 @@ export class FireHistory {
     const { key } = step;
     const back = type === 'undo';
     const moving = { key, /** @type {Span[]} */ spans: [], /** @type {Span[]} */ late: [] };
+    let { spans } = step;
     this.#moving = moving;
     try {
-      let { spans } = step;
       do {
         spans = [...spans, ...moving.late.splice(0)];
         const ways = (back ? spans.map(reversed).reverse() : spans).map(changes);
@@ -166,7 +175,9 @@ export class FireHistory {
         }
         await Promise.all(calls);
       } while (back && moving.late.length > 0);
-      to.push({ key, spans: back ? moving.spans.map(reversed).reverse() : [...moving.spans, ...moving.late] });
+      const done = back ? moving.spans.map(reversed).reverse() : [...moving.spans, ...moving.late];
+      // The page may have changed the same values: what changes nothing now may do so later.
+      to.push({ key, spans: done.length > 0 ? done : spans });
     } catch (error) {
       // The fire would refuse a refused step again, so that step is dropped. Another fire follows a stopped one.
       if (!(error instanceof RangeError)) from.push(step);

@@ -151,7 +151,7 @@ export class FireSession {
     } else if (name === 'objects') {
       this.#setObjects(value);
     } else if (name === 'preset') {
-      if (begun && !this.#reflecting) this.call('preset', value ?? 'default', this.history.source('preset'));
+      if (begun && !this.#reflecting) this.call('preset', value ?? 'default', this.history.sourceOfScene('preset'));
     } else if (name === 'quality') {
       this.call('quality', value ?? 'auto');
     } else if (name === 'paused') {
@@ -298,6 +298,7 @@ export class FireSession {
     this.#returns = false;
     const { announced } = this.#ready;
     this.#ready.resolve();
+    this.history.begun = true;
     this.reports.emit(announced ? 'restored' : 'ready');
   }
 

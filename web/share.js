@@ -3,14 +3,12 @@
  * compressed fragment.
  *
  * Pure functions for pages and servers. They take the settings of `exportConfig()`. They validate no
- * values: the fire that receives a URL's values does. The values of the model that does not burn are left out.
+ * values: the fire that receives a URL's values does.
  *
  * @typedef {object} Config
- * @property {number} [hearth]  The version of the format, 2.
+ * @property {number} [hearth]  The version of the format, 3.
  * @property {string} [preset]  The preset, unless it is the default one.
  * @property {{[id: string]: unknown}} [values]  The values that differ from the preset.
- * @property {{[id: string]: unknown}} [classic]  Those that the classic model has for itself while it does not burn.
- * @property {{[id: string]: unknown}} [combustion]  The same of the combustion model.
  * @property {object[]} [objects]  The objects, unless they are the preset's.
  * @property {string} [label]  A title for people.
  * @property {string} [description]  A description for people.
@@ -71,7 +69,7 @@ export function fromQuery(search, names = []) {
     else values.push([name.replaceAll('-', '_'), value]);
   }
   // A name such as `__proto__` becomes an own key, which the fire refuses.
-  const config = { hearth: 2, ...(preset !== undefined && { preset }), values: Object.fromEntries(values) };
+  const config = { hearth: 3, ...(preset !== undefined && { preset }), values: Object.fromEntries(values) };
   return { config, others };
 }
 

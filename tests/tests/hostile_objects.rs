@@ -9,6 +9,7 @@ use hearth_core::scene::KINDS;
 use hearth_core::{Scene, Simulation};
 use hearth_settings::untrusted::Untrusted;
 use hearth_settings::{Change, Settings, objects};
+use hearth_tests::fires::set_in_model;
 use hearth_tests::sweep::crowd::gas_inside;
 
 /// Longest refusal in bytes.
@@ -56,7 +57,7 @@ fn assert_refused(scene: &Scene, id: Option<u32>, fields: &[Named<'_>]) {
     let words: Vec<String> = refused.iter().flatten().map(ToString::to_string).collect();
     assert!(!words.is_empty(), "{fields:?} are accepted");
     let sent = sent(fields);
-    let list = [("objects".to_owned(), objects(scene, None, true))];
+    let list = [("objects".to_owned(), objects(scene))];
     let settings = Settings::default()
         .after(&Change::Set(&list))
         .unwrap_or_else(|errors| panic!("{errors:?}"));
@@ -148,18 +149,17 @@ fn a_fire_with_any_valid_object_stays_finite() {
         ("classic", "open"),
     ] {
         for object in &objects {
-            let mut settings = Scene::default().settings().clone();
+            let mut scene = Scene::default();
             for (id, name) in [("model", model), ("edges", edges)] {
-                assert_eq!(settings.set(id, Input::Text(name)), Ok(()));
+                set_in_model(&mut scene, id, name);
             }
             for (id, value) in [
                 ("max_particles", 400.0),
                 ("particles", 400.0),
                 ("spacing", 0.06),
             ] {
-                assert_eq!(settings.set(id, Input::Number(value)), Ok(()));
+                set_in_model(&mut scene, id, value);
             }
-            let mut scene = Scene::new(settings);
             let place = [text("kind", "solid"), text("thermal", "conducting")];
             let first = [&place, &object[..]].concat();
             // Over the source, and another that closes on it.

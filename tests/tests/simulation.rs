@@ -2,7 +2,7 @@
 //! forces, live parameters.
 
 use hearth_core::params::{Input, Model};
-use hearth_core::{Parameters, Particle, Simulation, Vec2};
+use hearth_core::{Parameters, Particle, Scene, Simulation, Vec2};
 use hearth_tests::fires::{self, with};
 
 fn burn(fire: &mut Simulation, steps: u32) {
@@ -19,7 +19,7 @@ fn particle(x: f32, y: f32, vx: f32, vy: f32) -> Particle {
 }
 
 /// No source to speak of and no lift: what is put in moves by itself.
-fn still(walls: &str) -> Parameters {
+fn still(walls: &str) -> Scene {
     with([
         ("walls", Input::Text(walls)),
         ("gravity", Input::Number(0.0)),
@@ -230,8 +230,8 @@ fn step_lengths_add_up_to_the_time() {
 
 #[test]
 fn a_user_force_accelerates_both_models() {
-    let pushed = |parameters: &Parameters, strength: f32| {
-        let mut fire = Simulation::new(parameters.clone());
+    let pushed = |scene: &Scene, strength: f32| {
+        let mut fire = Simulation::new(scene.clone());
         while fire.time() < 0.2 {
             fire.step_with(|_, _| Vec2::new(strength, 0.0));
         }
@@ -240,7 +240,7 @@ fn a_user_force_accelerates_both_models() {
     // 5 m/s² for 0.2 s. The seam would hold the air, so the box is closed.
     let air = fires::closed_box(&[]);
     assert!((pushed(&air, 5.0) - 1.0).abs() < 0.05);
-    let classic = Parameters::new(Model::Classic);
+    let classic = Scene::of_model(Model::Classic);
     assert!(pushed(&classic, 5.0) > pushed(&classic, 0.0) + 0.3);
 }
 

@@ -5,7 +5,7 @@ import { pageLink } from '../../web/share.js';
 
 const PAGE = 'https://fire.example/index.html';
 const CONFIG = {
-  hearth: 2,
+  hearth: 3,
   preset: 'campfire',
   values: {},
   objects: [{ kind: 'solid', points: '0,0 1,1 '.repeat(400) }],

@@ -18,7 +18,7 @@ test('a report has version, link, settings and the last errors', () => {
   const fail = (/** @type {number} */ at) =>
     fire.dispatchEvent(new CustomEvent('error', { detail: { kind: 'load', message: `error ${at}` } }));
   for (let at = 1; at <= 12; at += 1) fail(at);
-  const config = /** @type {any} */ ({ hearth: 2, values: { wind: 1 } });
+  const config = /** @type {any} */ ({ hearth: 3, values: { wind: 1 } });
   const lines = report.text('https://a.example/?wind=1', config).split('\n');
   assert.equal(lines[0], 'Hearth 1.2.3');
   for (const line of ['Link: https://a.example/?wind=1', 'Seed: 7', `Settings: ${JSON.stringify(config)}`])

@@ -39,7 +39,10 @@ pub(super) fn picture(checkout: &Path) -> Result<String> {
 
 fn row(scene: &Scene) -> String {
     let name = &scene.name;
-    let values = scene.all_values().into_iter().filter(|(id, _)| *id != "model");
+    let values = scene
+        .all_values()
+        .into_iter()
+        .filter(|(id, _)| *id != "model");
     let values: Vec<_> = values
         .map(|(id, value)| match value {
             Value::Bool(on) => format!("`{id}` {}", if on { "on" } else { "off" }),

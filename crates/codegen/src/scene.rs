@@ -198,7 +198,11 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
         name != DEFAULT || values.is_empty() && file.objects.is_empty(),
         "the default scene has neither values nor objects: change the defaults in the table"
     );
-    let mut objects: Vec<_> = file.objects.into_iter().map(|Fields(object)| object).collect();
+    let mut objects: Vec<_> = file
+        .objects
+        .into_iter()
+        .map(|Fields(object)| object)
+        .collect();
     if objects.is_empty() {
         objects.push(vec![("kind".to_owned(), Kind::SOURCE.name.into())]);
     }

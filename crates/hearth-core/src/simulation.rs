@@ -272,9 +272,7 @@ impl Simulation {
     /// # Errors
     /// Too few or too many particles.
     pub fn check_count(&self, particles: usize) -> Result<(), ParticleError> {
-        let broken = self
-            .solver
-            .broken_count_rule(particles, self.scene.world());
+        let broken = self.solver.broken_count_rule(particles, self.scene.world());
         broken.map_or(Ok(()), |what| Err(ParticleError { index: None, what }))
     }
 }

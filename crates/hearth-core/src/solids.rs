@@ -19,7 +19,7 @@ use glam::Vec2;
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Fuel, Motion, Thermal};
-use crate::scene::{SceneSource, Drive, Field, MAX_SPEED, RoundedBox, Scene, Surface};
+use crate::scene::{Drive, Field, MAX_SPEED, RoundedBox, Scene, SceneSource, Surface};
 use heat::{Inflow, Store};
 
 /// Longest and shortest time of a motion \[s\].

@@ -80,7 +80,10 @@ impl Events {
         event.set_any("redo", &values::to_js(&delta(old, new)));
         event.set_any("undo", &values::to_js(&delta(new, old)));
         if old.has_children() || new.has_children() {
-            event.set_any(OBJECTS, &values::to_js(&objects_delta(old.scene(), new.scene())));
+            event.set_any(
+                OBJECTS,
+                &values::to_js(&objects_delta(old.scene(), new.scene())),
+            );
             event.set_any("children", &values::to_js(&children(new)));
         }
         self.post(&event);

@@ -236,7 +236,9 @@ impl<G: Graphics> Renderer<G> {
         let (mode, model) = (parameters.display_mode, parameters.model());
         self.fit_colours(gl, Tint::of(parameters))?;
         self.scale.add(mode, model, self.measured);
-        let source = self.source.unwrap_or_else(|| SourcePlace::first(scene, &[]));
+        let source = self
+            .source
+            .unwrap_or_else(|| SourcePlace::first(scene, &[]));
         let present = Slice::present(view.time);
         let mut frame = FrameUniforms {
             parameters,

@@ -30,10 +30,7 @@ impl Surroundings {
     /// Those of a scene whose solids are at `poses`, with its first source.
     pub fn of(scene: &Scene, poses: &[Pose], first: &SourcePlace) -> Surroundings {
         let values = scene.world();
-        let sources: Vec<_> = scene
-            .sources()
-            .map(|source| [source.x, source.y])
-            .collect();
+        let sources: Vec<_> = scene.sources().map(|source| [source.x, source.y]).collect();
         let free = !first.on_solid
             && !scene.surfaces().any(|(id, solid, _)| {
                 let pose = poses.iter().find(|pose| pose.id == id);

@@ -18,9 +18,16 @@ const A_LIST: &str = "an array of objects, each with a kind and its properties";
 /// domains of the others, then `objects`, then the others, which may be properties of the first source. `null`
 /// restores a default; that of `objects` is one source.
 pub(crate) fn set_values(scene: &mut Scene, values: Values<'_>, errors: &mut Vec<ValidationError>) {
-    let rank = |id: &str| [MODEL, OBJECTS].iter().position(|first| id == *first).unwrap_or(2);
+    let rank = |id: &str| {
+        [MODEL, OBJECTS]
+            .iter()
+            .position(|first| id == *first)
+            .unwrap_or(2)
+    };
     for turn in 0..=2 {
-        let stated = values.iter().filter(|(id, value)| rank(id) == turn && !value.is_missing());
+        let stated = values
+            .iter()
+            .filter(|(id, value)| rank(id) == turn && !value.is_missing());
         for (id, value) in stated {
             if id == OBJECTS {
                 replace_objects(scene, value, errors);
@@ -34,6 +41,12 @@ pub(crate) fn set_values(scene: &mut Scene, values: Values<'_>, errors: &mut Vec
 /// Whether only another model than that of the scene has the parameter.
 pub(crate) fn is_of_other_model(scene: &Scene, id: &str) -> bool {
     Param::find(id).is_some_and(|param| param.only_in(scene.model()).is_some())
+}
+
+/// Whether another model starts a parameter of the scene from its own default.
+pub(crate) fn starts_with_model(scene: &Scene, id: &str) -> bool {
+    let param = Param::find(id).filter(|param| param.domain(scene.model()).is_some());
+    param.is_some_and(|param| param.domains.iter().all(|domain| domain.model.is_some()))
 }
 
 /// Replaces all objects, or none.
@@ -79,7 +92,10 @@ fn list(
 
 /// Appends the kind of an object and, `with_id`, its id.
 pub(crate) fn put_head(fields: &mut Vec<(String, Untrusted)>, object: &Object<'_>, with_id: bool) {
-    fields.push(Untrusted::named("kind", Untrusted::Text(object.kind.name.into())));
+    fields.push(Untrusted::named(
+        "kind",
+        Untrusted::Text(object.kind.name.into()),
+    ));
     if with_id {
         fields.push(Untrusted::named("id", Untrusted::Number(object.id.into())));
     }
@@ -100,7 +116,9 @@ pub(crate) fn short_objects(scene: &Scene) -> Untrusted {
 /// The fields that are stated.
 pub(crate) fn fields<'a>(values: Values<'a>) -> Vec<(&'a str, Input<'a>)> {
     let stated = values.iter().filter(|(_, value)| !value.is_missing());
-    stated.map(|(name, value)| (name.as_str(), input(value))).collect()
+    stated
+        .map(|(name, value)| (name.as_str(), input(value)))
+        .collect()
 }
 
 /// A value as input. `null` restores the default.

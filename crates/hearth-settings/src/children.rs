@@ -28,7 +28,8 @@ type Refused = (usize, String, ValidationError);
 /// removed.
 fn first_source(children: &[Child]) -> Option<u32> {
     let mut sources = children.iter();
-    let first = sources.find(|child| child.kind == Kind::SOURCE.name && child.state != State::Removed);
+    let first =
+        sources.find(|child| child.kind == Kind::SOURCE.name && child.state != State::Removed);
     first.map(|child| child.number)
 }
 
@@ -48,7 +49,9 @@ pub(crate) fn compose(
     let mut scene = page.clone();
     let first = first_source(children);
     for (at, child) in children.iter().enumerate() {
-        let base = page.first_source_id().filter(|_| first == Some(child.number));
+        let base = page
+            .first_source_id()
+            .filter(|_| first == Some(child.number));
         if child.state != State::Live {
             if let Some(id) = base {
                 let removed = scene.remove(id);
@@ -103,8 +106,9 @@ pub(crate) fn divide(settings: &mut Settings, change: &Change<'_>, after: &Scene
     let hidden = page.first_source_id().filter(|_| first.is_some());
     page.set_world(after.world().clone());
     for child in &mut settings.children {
+        let earlier = object_of(child, &before);
         let Some(object) = object_of(child, after) else {
-            if child.state == State::Live {
+            if earlier.is_some() {
                 child.state = State::Removed;
                 child.called.clear();
                 if let Some(id) = hidden.filter(|_| first == Some(child.number)) {
@@ -115,7 +119,6 @@ pub(crate) fn divide(settings: &mut Settings, change: &Change<'_>, after: &Scene
             continue;
         };
         let is_first = after.first_source_id() == Some(child.number);
-        let earlier = object_of(child, &before);
         for (name, param, value) in object.properties() {
             let old = earlier.and_then(|old| old.properties().find(|(known, ..)| *known == name));
             let has_changed = old.is_none_or(|(_, _, old)| old != value);
@@ -146,9 +149,9 @@ pub(crate) fn divide(settings: &mut Settings, change: &Change<'_>, after: &Scene
 /// Whether a change of the model, which changes other values too, is all that changes a property.
 fn is_of_model_alone(change: &Change<'_>, param: &Param) -> bool {
     match change {
-        Change::Set(values) | Change::SetModel(values, _) => {
-            values.iter().all(|(id, _)| id != OBJECTS && *id != param.id)
-        }
+        Change::Set(values) | Change::SetModel(values, _) => values
+            .iter()
+            .all(|(id, _)| id != OBJECTS && *id != param.id),
         _ => false,
     }
 }
@@ -183,7 +186,10 @@ pub(crate) fn detach_all(settings: &mut Settings) {
 /// is what calls have set. The object of the first source leaves its place and its values to the child.
 fn detach(settings: &mut Settings, children: &mut [Child], at: usize) {
     let page = &mut settings.page;
-    let Some(child) = children.get(at).filter(|child| object_of(child, page).is_some()) else {
+    let Some(child) = children
+        .get(at)
+        .filter(|child| object_of(child, page).is_some())
+    else {
         return;
     };
     let number = child.number;
@@ -192,8 +198,7 @@ fn detach(settings: &mut Settings, children: &mut [Child], at: usize) {
     if let Some(known) = children.get_mut(at) {
         *known = child.clone();
     }
-    let is_first = first_source(children) == Some(number)
-        && page.first_source_id() == Some(number);
+    let is_first = first_source(children) == Some(number) && page.first_source_id() == Some(number);
     // A page without other objects, whose first source is that of the file.
     let mut plain = Scene::new(page.world().clone());
     plain.clear();
@@ -201,7 +206,12 @@ fn detach(settings: &mut Settings, children: &mut [Child], at: usize) {
         plain.take(page, number);
         plain.rename(number, 1);
     }
-    let plain = compose(&plain, std::slice::from_ref(&child), &Scene::default(), &mut Vec::new());
+    let plain = compose(
+        &plain,
+        std::slice::from_ref(&child),
+        &Scene::default(),
+        &mut Vec::new(),
+    );
     let [now, before] = [&*page, &plain].map(|scene| object_of(&child, scene));
     for (name, _, value) in now.into_iter().flat_map(Object::properties) {
         let mut known = before.into_iter().flat_map(Object::properties);
@@ -226,7 +236,10 @@ impl Settings {
     /// Restores what calls have set of children.
     pub(crate) fn restore_children(&mut self, saved: &[Child]) {
         for before in saved {
-            let known = self.children.iter_mut().find(|known| known.number == before.number);
+            let known = self
+                .children
+                .iter_mut()
+                .find(|known| known.number == before.number);
             if let Some(known) = known.filter(|known| known.kind == before.kind) {
                 known.restore(before);
             }
@@ -244,7 +257,10 @@ impl Settings {
             let is_hidden = !matches!(sent.field("values"), Untrusted::Object(_));
             let changed = sent.field("changed").list().iter();
             let changed: Vec<_> = changed.map(|name| name.text().to_owned()).collect();
-            let known = self.children.iter().find(|known| known.number == now.number);
+            let known = self
+                .children
+                .iter()
+                .find(|known| known.number == now.number);
             let (mut child, changed) = match known {
                 Some(known) => {
                     let mut child = known.clone();
@@ -271,7 +287,11 @@ impl Settings {
             }
         }
         for at in 0..children.len() {
-            let is_new = |child: &Child| self.children.iter().all(|known| known.number != child.number);
+            let is_new = |child: &Child| {
+                self.children
+                    .iter()
+                    .all(|known| known.number != child.number)
+            };
             if children.get(at).is_some_and(is_new) {
                 detach(&mut settings, &mut children, at);
             }
@@ -284,7 +304,10 @@ impl Settings {
             };
             // Another model may have no use for what was stated before.
             if changed.contains(&name) || get(&child.stated, &name).is_none() {
-                let known = self.children.iter().find(|known| known.number == child.number);
+                let known = self
+                    .children
+                    .iter()
+                    .find(|known| known.number == child.number);
                 let before = known.and_then(|known| get(&known.stated, &name));
                 put(&mut child.stated, &name, before.cloned());
                 errors.push(error);

@@ -20,13 +20,18 @@ type Fields = Vec<(String, Untrusted)>;
 pub fn delta(from: &Settings, to: &Settings) -> Untrusted {
     let mut fields = Fields::new();
     if from.preset != to.preset {
-        fields.push(Untrusted::named("preset", Untrusted::Text(to.preset.into())));
+        fields.push(Untrusted::named(
+            "preset",
+            Untrusted::Text(to.preset.into()),
+        ));
     }
     let has_model = from.page.model() == to.page.model();
     let mut values = Fields::new();
     for param in PARAMETERS {
-        let (Some(value), None) = (to.page.world().get(param.id), param.only_in(to.page.model()))
-        else {
+        let (Some(value), None) = (
+            to.page.world().get(param.id),
+            param.only_in(to.page.model()),
+        ) else {
             continue;
         };
         let is_kept = has_model || param.domains[0].model.is_none();
@@ -86,16 +91,24 @@ fn put_objects(fields: &mut Fields, from: &Scene, to: &Scene, replaces: bool) {
         }
         let old = |name: &str| {
             let mut properties = before?.properties();
-            properties.find(|(known, ..)| *known == name).map(|(_, _, value)| value)
+            properties
+                .find(|(known, ..)| *known == name)
+                .map(|(_, _, value)| value)
         };
         for (name, _, value) in now.properties() {
             if old(name) != Some(value) {
                 changed.push(Untrusted::named(name, Untrusted::of_value(value)));
             }
         }
-        objects.push(Untrusted::named(&now.id.to_string(), Untrusted::Object(changed)));
+        objects.push(Untrusted::named(
+            &now.id.to_string(),
+            Untrusted::Object(changed),
+        ));
     }
-    for id in from.ids().filter(|id| !replaces && to.object(*id).is_none()) {
+    for id in from
+        .ids()
+        .filter(|id| !replaces && to.object(*id).is_none())
+    {
         objects.push(Untrusted::named(&id.to_string(), Untrusted::Null));
     }
     if replaces || from.ids().ne(to.ids()) {
@@ -131,8 +144,12 @@ impl Settings {
                 Err(error) => errors.push(error),
             }
         }
-        let (models, values): (Vec<_>, Vec<_>) =
-            delta.field("values").fields().iter().cloned().partition(|(id, _)| id == MODEL);
+        let (models, values): (Vec<_>, Vec<_>) = delta
+            .field("values")
+            .fields()
+            .iter()
+            .cloned()
+            .partition(|(id, _)| id == MODEL);
         set_values(&mut self.page, &models, errors);
         let known = |(id, _): &&(String, Untrusted)| !is_of_other_model(&self.page, id);
         let values: Vec<_> = values.iter().filter(known).cloned().collect();
@@ -148,7 +165,11 @@ impl Settings {
             self.apply_objects(delta, errors);
         }
         let saved = delta.field(CHILDREN).fields().iter();
-        self.restore_children(&saved.map(|(_, child)| Child::read(child)).collect::<Vec<_>>());
+        self.restore_children(
+            &saved
+                .map(|(_, child)| Child::read(child))
+                .collect::<Vec<_>>(),
+        );
     }
 
     fn apply_objects(&mut self, delta: &Untrusted, errors: &mut Vec<ValidationError>) {

@@ -12,7 +12,9 @@ use hearth_core::scene::Object;
 
 /// Whether at most properties of the first source differ from the objects of a scene.
 fn has_objects_of(now: &Scene, before: &Scene) -> bool {
-    let first = now.first_source_id().filter(|first| before.first_source_id() == Some(*first));
+    let first = now
+        .first_source_id()
+        .filter(|first| before.first_source_id() == Some(*first));
     let is_first = |object: &Object<'_>| first == Some(object.id);
     now.objects().len() == before.objects().len()
         && now.objects().zip(before.objects()).all(|(now, before)| {
@@ -41,7 +43,10 @@ pub fn export(settings: &Settings) -> Untrusted {
             values.push(Untrusted::named(param.id, Untrusted::of_value(value)));
         }
     }
-    let mut fields = vec![Untrusted::named("hearth", Untrusted::Number(VERSION.into()))];
+    let mut fields = vec![Untrusted::named(
+        "hearth",
+        Untrusted::Number(VERSION.into()),
+    )];
     if settings.preset != Preset::all()[0].name {
         let name = Untrusted::Text(settings.preset.to_owned());
         fields.push(Untrusted::named("preset", name));

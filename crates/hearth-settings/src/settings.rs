@@ -1,6 +1,6 @@
 //! All that is set of a fire, and the one function that changes it.
 
-use crate::apply::{self, fields, is_of_other_model, of_object, set_values};
+use crate::apply::{self, fields, is_of_other_model, of_object, set_values, starts_with_model};
 use crate::children::child::Child;
 use crate::children::{compose, divide};
 use crate::file;
@@ -138,7 +138,10 @@ impl Settings {
             None => Settings::default(),
         };
         let mut values = config.field("values").fields().to_vec();
-        values.push(Untrusted::named(apply::OBJECTS, config.field(apply::OBJECTS).clone()));
+        values.push(Untrusted::named(
+            apply::OBJECTS,
+            config.field(apply::OBJECTS).clone(),
+        ));
         let mut errors = Vec::new();
         set_values(&mut settings.page, &values, &mut errors);
         if !errors.is_empty() {
@@ -204,7 +207,7 @@ impl Settings {
                 if scene.model() != self.scene.model() {
                     let stated = |id: &str| values.iter().any(|(known, _)| known == id);
                     let applies = |(id, _): &&(String, Untrusted)| {
-                        !stated(id) && !is_of_other_model(scene, id)
+                        !stated(id) && starts_with_model(scene, id)
                     };
                     let again: Vec<_> = attributes.iter().filter(applies).cloned().collect();
                     // An attribute that is refused has been reported.
@@ -232,7 +235,8 @@ impl Settings {
     /// Follows the resolution and the list of objects that values state.
     pub(crate) fn state(&mut self, values: Values<'_>) {
         self.resolution = self.resolution.after(values);
-        let is_list = |(id, value): &(String, Untrusted)| id == apply::OBJECTS && !value.is_missing();
+        let is_list =
+            |(id, value): &(String, Untrusted)| id == apply::OBJECTS && !value.is_missing();
         self.list += u32::from(values.iter().any(is_list));
     }
 
@@ -312,19 +316,25 @@ impl Settings {
         self.scene.world()
     }
 
-    /// Whether the settings state the resolution or the cap; `None` for another parameter.
+    /// Whether a parameter states the resolution; `None` for one that cannot.
     pub(crate) fn states(&self, id: &str) -> Option<bool> {
-        match id {
-            COUNT => Some(self.resolution == StatedResolution::Count),
-            SPACING => Some(self.resolution == StatedResolution::Spacing),
-            CAP => Some(self.page.get(CAP) != self.base().get(CAP)),
-            _ => None,
-        }
+        let mut all = StatedResolution::IDS.iter();
+        let found = all.find(|(_, known)| *known == id);
+        found.map(|(own, _)| self.resolution == *own)
+    }
+
+    /// Whether the cap is another one than that of the preset.
+    fn has_cap(&self) -> bool {
+        self.page.get(CAP) != self.base().get(CAP)
     }
 
     /// Completes the resolution of a world.
     fn complete(&self, world: &mut Parameters) {
-        self.preset().complete(world, &|id| self.states(id) == Some(true));
+        let names = |id: &str| {
+            self.states(id)
+                .unwrap_or_else(|| id == CAP && self.has_cap())
+        };
+        self.preset().complete(world, &names);
     }
 
     /// The number of particles that the settings state.
@@ -366,6 +376,7 @@ impl Settings {
     /// for it.
     fn settle(&mut self) {
         if self.page.model() == Model::Classic {
+            self.resolution = StatedResolution::Auto;
             return;
         }
         let mut values = self.page.world().clone();
@@ -388,7 +399,7 @@ impl Settings {
         if particles != resolution.number() {
             let cap = values.max_particles;
             values.set_domain_particles(particles);
-            if values.max_particles > cap && (resolution != Resolution::Level || self.states(CAP) == Some(true)) {
+            if values.max_particles > cap && (resolution != Resolution::Level || self.has_cap()) {
                 let set = values.set(CAP, Input::Number(cap.into()));
                 debug_assert_eq!(set, Ok(()));
             }

@@ -116,10 +116,10 @@ test('objects go with settings, and come back when the element does', async () =
   await tab.ready();
   await tab.fire((fire, objects) => fire.set({ objects, wind: 1 }), TWO);
   const config = await tab.fire((fire) => fire.exportConfig());
-  assert.deepEqual(config, { hearth: 2, values: { wind: 1 }, objects: TWO });
+  assert.deepEqual(config, { hearth: 3, values: { wind: 1 }, objects: TWO });
   await destroyedAndBack(tab);
   assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), config);
-  await tab.fire((fire) => fire.importConfig({ hearth: 2, values: { source_x: 0.1 } }));
+  await tab.fire((fire) => fire.importConfig({ hearth: 3, values: { source_x: 0.1 } }));
   assert.deepEqual(await places(tab), { 1: 0.1 });
   await tab.fire((fire, config) => fire.importConfig(JSON.stringify(config)), config);
   assert.deepEqual(await places(tab), { 1: -0.3, 7: 0.3 });

@@ -35,9 +35,9 @@ test('the address follows the fire: its scene and its changed values, and nothin
     tab.until(`the address ends in ${address}`, (end) => location.href.endsWith(`/index.html${end}`), address);
   await tab.fire((fire) => fire.set({ exposure: 0.25, seed: 7 }));
   await follows('?scene=fireside&exposure=0.25&seed=7&quality=low#hearth');
-  await tab.fire((fire) => fire.importConfig({ hearth: 2, values: { seed: 7 } }));
+  await tab.fire((fire) => fire.importConfig({ hearth: 3, values: { seed: 7 } }));
   await follows('?scene=default&seed=7&quality=low#hearth');
-  await tab.fire((fire) => fire.importConfig({ hearth: 2, preset: 'seed', values: { viscosity: 0.02 } }));
+  await tab.fire((fire) => fire.importConfig({ hearth: 3, preset: 'seed', values: { viscosity: 0.02 } }));
   await follows('?scene=seed&viscosity=0.02&quality=low#hearth');
   const shown = await tab.fire((fire) => fire.exportConfig());
   const length = await tab.evaluate(() => history.length);
@@ -48,7 +48,7 @@ test('the address follows the fire: its scene and its changed values, and nothin
   assert.deepEqual(await again.fire((fire) => fire.exportConfig()), shown);
   await again.fire((fire) => fire.restore());
   await again.until('the address names the scene', () => location.search === '?scene=default&quality=low');
-  await again.fire((fire) => fire.importConfig({ hearth: 2, preset: 'fireside', values: {} }));
+  await again.fire((fire) => fire.importConfig({ hearth: 3, preset: 'fireside', values: {} }));
   await again.until('the address is clean', () => location.search === '?quality=low');
   assert.deepEqual([...tab.problems, ...again.problems], []);
 });

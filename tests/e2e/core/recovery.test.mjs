@@ -179,7 +179,7 @@ test('a preset counts for a fire that is taken off and put back while it loads',
     await fire.ready;
     return { model: fire.params.model, ...(await fire.exportConfig()) };
   });
-  assert.deepEqual(seen, { model: 'classic', hearth: 2, preset: 'seed', values: {} });
+  assert.deepEqual(seen, { model: 'classic', hearth: 3, preset: 'seed', values: {} });
 });
 
 test('with reduced motion a fire is paused again when it is inserted again, and a playing one can be paused', async () => {

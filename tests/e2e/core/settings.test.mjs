@@ -91,7 +91,7 @@ test('settings that are wrong anywhere are refused whole, by name', async () => 
 });
 
 test('a fire starts from a settings file, and attributes override it', async () => {
-  const body = JSON.stringify({ hearth: 2, preset: 'seed', values: { viscosity: 0.02 } });
+  const body = JSON.stringify({ hearth: 3, preset: 'seed', values: { viscosity: 0.02 } });
   const files = {
     'mine.json': { body, type: JSON_TYPE },
     'other.json': { body: '{"values": {"bloom": 0.5}}', type: JSON_TYPE },

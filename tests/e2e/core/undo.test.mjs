@@ -99,7 +99,7 @@ for (const [where, width] of Object.entries({ 'with the panel': 900, 'before the
     );
     await tab.page.click('[data-starts="candle"]');
     const candle = await sceneOf(tab, 'candle');
-    assert.deepEqual(candle, [{ hearth: 2, preset: 'candle', values: {} }, candle[1].map(() => 0)]);
+    assert.deepEqual(candle, [{ hearth: 3, preset: 'candle', values: {} }, candle[1].map(() => 0)]);
     await chord(tab, 'Control', 'z');
     assert.deepEqual(await sceneOf(tab, 'fireside'), dragged);
     await tab.page.focus('[data-opens="about"]');

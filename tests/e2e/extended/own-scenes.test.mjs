@@ -89,7 +89,7 @@ const messaged = (tab, pattern) =>
       ),
     pattern.source,
   );
-const settings = (wind, preset = 'candle') => JSON.stringify({ hearth: 2, preset, values: { wind } });
+const settings = (wind, preset = 'candle') => JSON.stringify({ hearth: 3, preset, values: { wind } });
 const blows = (tab, wind) =>
   tab.until(
     `a wind of ${wind}`,
@@ -111,7 +111,7 @@ test('a file of settings that is dropped anywhere on the page is opened, and any
   const config = await tab.fire((fire) => fire.exportConfig());
   for (const [selector, file, words] of [
     ['body', { name: 'notes.txt', type: 'text/plain', text: settings(0) }, /“notes.txt” is no file of settings/],
-    ['#panel', { name: 'mine.json', type: '', text: '{"hearth": 2, "values": {"wind": 99}}' }, /wind/],
+    ['#panel', { name: 'mine.json', type: '', text: '{"hearth": 3, "values": {"wind": 99}}' }, /wind/],
   ]) {
     assert.deepEqual(await drop(tab, selector, file), [true, true], file.name);
     await messaged(tab, words);

@@ -65,7 +65,7 @@ describe('the defaults', () => {
     for (const id of ['detail', 'source_width', 'bloom']) {
       await panel.value(id, 'the scene’s', (value) => value === CAMPFIRE[id]);
     }
-    assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), { hearth: 2, preset: 'campfire', values: {} });
+    assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), { hearth: 3, preset: 'campfire', values: {} });
     await panel.press('undo');
     await panel.value('detail', 'as it was', (value) => value === 0.3);
     assert.deepEqual(tab.problems, []);

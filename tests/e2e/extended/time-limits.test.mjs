@@ -35,7 +35,7 @@ function holdFile() {
   };
 }
 
-const settings = (values) => ({ body: JSON.stringify({ hearth: 2, values }), type: 'application/json' });
+const settings = (values) => ({ body: JSON.stringify({ hearth: 3, values }), type: 'application/json' });
 
 /** The sources of the changes, of this page's fire, that set a value. */
 const changes = (tab, id) =>
@@ -86,7 +86,7 @@ test('a file that arrives late is applied, and the values of the page still over
 });
 
 for (const [how, act] of /** @type {[string, (fire: any) => unknown][]} */ ([
-  ['settings', (fire) => fire.importConfig({ hearth: 2, values: { bloom: 0.4 } })],
+  ['settings', (fire) => fire.importConfig({ hearth: 3, values: { bloom: 0.4 } })],
   ['another file', (fire) => (fire.src = 'data:application/json,{"hearth":2,"values":{"bloom":0.4}}')],
 ])) {
   test(`of a late file and ${how} that the page names meanwhile, the last applies`, async () => {

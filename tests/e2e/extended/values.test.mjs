@@ -64,9 +64,9 @@ test('replacing all values keeps an automatic seed, unless they name one', async
     };
     fire.preset = 'torch';
     await next();
-    await fire.importConfig({ hearth: 2, preset: 'seed', values: {} });
+    await fire.importConfig({ hearth: 3, preset: 'seed', values: {} });
     await next();
-    await fire.importConfig({ hearth: 2, values: { seed: 3 } });
+    await fire.importConfig({ hearth: 3, values: { seed: 3 } });
     await next();
     await fire.restore();
     await next();
@@ -105,7 +105,7 @@ test('a colour is any colour of CSS, and its settings hold it as hex', async () 
   );
   await tab.ready();
   assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), {
-    hearth: 2,
+    hearth: 3,
     values: { background: '#663399', hot_colour: '#008080' },
   });
   const elements = () => tab.fire((fire) => fire.shadowRoot.querySelectorAll('i').length);
@@ -116,7 +116,7 @@ test('a colour is any colour of CSS, and its settings hold it as hex', async () 
       await fire.set({ background: value });
       const set = fire.background;
       await fire.set('background', '#010203');
-      await fire.importConfig({ hearth: 2, values: { background: value } });
+      await fire.importConfig({ hearth: 3, values: { background: value } });
       return [set, fire.background];
     }, colour);
     assert.deepEqual(found, [hex, hex], colour);

@@ -14,8 +14,8 @@ mod solids;
 mod source;
 
 use canvas::{Canvas, Pixels, words};
-use hearth_core::Instance;
-use hearth_core::params::{DisplayMode, Input, Model, Parameters};
+use hearth_core::params::{DisplayMode, Input, Model};
+use hearth_core::{Instance, Scene};
 use hearth_render::{History, Renderer, View};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -49,8 +49,8 @@ fn puff((x, y): (f32, f32), temperature: f32) -> Vec<Instance> {
 }
 
 /// The defaults with some values changed.
-fn with(values: &[(&str, Input<'_>)]) -> Result<Parameters, JsValue> {
-    let mut parameters = Parameters::new(Model::Classic);
+fn with(values: &[(&str, Input<'_>)]) -> Result<Scene, JsValue> {
+    let mut parameters = Scene::of_model(Model::Classic);
     for &(id, input) in values {
         parameters.set(id, input).map_err(words)?;
     }
@@ -88,7 +88,7 @@ fn every_shader_compiles_and_links() -> Result<(), JsValue> {
 fn light_is_at_the_particles() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     for place in PLACES {
-        let pixels = canvas.paint(&puff(place, 1900.0), &Parameters::new(Model::Classic))?;
+        let pixels = canvas.paint(&puff(place, 1900.0), &Scene::of_model(Model::Classic))?;
         assert_light_only_at(place, &pixels);
     }
     assert_eq!(canvas.gl_error(), 0);
@@ -141,7 +141,7 @@ fn a_view_without_size_paints_nothing() -> Result<(), JsValue> {
             .paint(
                 &canvas.gl,
                 &view,
-                &Parameters::new(Model::Classic),
+                &Scene::of_model(Model::Classic),
                 &History::default(),
             )
             .map_err(words)?;

@@ -99,7 +99,14 @@ export class FireSession {
 
   /** Changes settings. @type {(call: Call, source?: string) => Promise<any>} */
   change([method, ...given], source = this.history.source('property')) {
-    return this.call(method, ...postable(given, 1 + DEPTH), source);
+    const rest = method === 'set' && Object(given[0]).model !== undefined ? [this.#stated] : [];
+    return this.call(method, ...postable(given, 1 + DEPTH), source, ...rest);
+  }
+
+  /** What attributes state. @returns {{[id: string]: string}} */
+  get #stated() {
+    const values = [...ID_OF_ATTRIBUTE].map(([name, id]) => [id, this.fire.getAttribute(name)]);
+    return Object.fromEntries(values.filter(([, value]) => value !== null));
   }
 
   /** Sets the preset attribute and keeps the values. */
@@ -346,15 +353,15 @@ export class FireSession {
       if (message.source === 'picture') return;
       const [source, key] = message.source.split(/:(.*)/s);
       message.source = source;
-      const { settings } = state;
+      const { objects } = state;
       state.take(message);
-      if (key !== undefined) this.history.record(key, settings, state.settings);
+      if (key !== undefined) this.history.record(key, message.undo, message.redo);
       this.code.reportToChildren(message);
-      if (message.settings.preset && (this.fire.getAttribute('preset') ?? 'default') !== state.preset)
+      if (message.redo.preset && (this.fire.getAttribute('preset') ?? 'default') !== state.preset)
         this.reflectPreset(state.preset);
       if (!this.#ready.announced) return;
       for (const [id, value] of Object.entries(message.values)) reports.emit('params-change', { id, value, source });
-      if (message.objects) reports.emit('objects-change', { objects: this.fire.objects, source });
+      if (state.objects !== objects) reports.emit('objects-change', { objects: this.fire.objects, source });
     } else if (type === 'done') {
       this.#requests.settle(message.request, undefined, message.value);
     } else if (type === 'refused') {

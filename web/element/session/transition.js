@@ -72,7 +72,7 @@ class Transitions {
       return 0;
     }
     if (/^to\b/.test(rest[0]) || !['set', 'preset', 'import', 'restore'].includes(method)) return 0;
-    const named = method === 'set' ? Object.keys(given) : method === 'restore' && this.#restored(given, rest[0]);
+    const named = method === 'set' ? Object.keys(given) : method === 'restore' && Object.keys(given[0].values ?? {});
     // Another model has other values.
     const all = !named || named.includes('model');
     for (const transition of this.#all.values()) {
@@ -88,16 +88,6 @@ class Transitions {
       }
     }
     return 0;
-  }
-
-  /** The values that steps change. @type {(to: Whole[], from: Whole[]) => string[]} */
-  #restored(to, from) {
-    /** @type {(all: Whole[]) => Values[]} */
-    const parts = (all) => all.flatMap((whole) => [whole.values, whole.classic, whole.combustion].map(Object));
-    const before = parts(from);
-    return parts(to).flatMap((values, at) =>
-      Object.keys({ ...values, ...before[at] }).filter((id) => values[id] !== before[at][id]),
-    );
   }
 
   /**

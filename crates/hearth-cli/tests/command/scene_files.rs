@@ -12,7 +12,7 @@ fn fed(folder: &Folder, scene: impl AsRef<[u8]>) -> Run {
 #[test]
 fn a_file_and_standard_input_draw_the_same_scene_as_the_preset_that_they_name() {
     let folder = Folder::new("files");
-    let scene = r#"{"hearth": 2, "preset": "torch"}"#;
+    let scene = r#"{"hearth": 3, "preset": "torch"}"#;
     folder.write("my torch.json", scene);
     let of = |name: &str| folder.run(&[&["render", name, "--out", "-"], &CHEAP[..]].concat());
     let preset = of("torch");

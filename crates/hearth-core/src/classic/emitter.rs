@@ -178,7 +178,12 @@ impl Emitter {
     }
 
     /// The place of a birth; `None` if it is not near the outline of the solid.
-    fn place(&mut self, values: &SceneSource<'_>, source: &Source, random: &mut Random) -> Option<Place> {
+    fn place(
+        &mut self,
+        values: &SceneSource<'_>,
+        source: &Source,
+        random: &mut Random,
+    ) -> Option<Place> {
         self.along = (self.along + GOLDEN_RATIO_PART).fract();
         let across = 2.0 * self.along - 1.0;
         let part = match source.solid.len() {
@@ -215,10 +220,7 @@ pub(crate) fn place(values: &SceneSource<'_>) -> SourcePlace {
     let top = (values.world.domain_height - rise).max(0.0);
     let width = values.width.min(values.world.domain_width);
     SourcePlace {
-        base: Vec2::new(
-            source::middle(values, width, 0.0),
-            values.y.min(top),
-        ),
+        base: Vec2::new(source::middle(values, width, 0.0), values.y.min(top)),
         width,
         on_solid: false,
     }

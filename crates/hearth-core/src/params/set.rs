@@ -122,7 +122,11 @@ pub(crate) fn model_first<'a>(
             }
         }
     }
-    if errors.is_empty() { Ok(()) } else { Err(errors) }
+    if errors.is_empty() {
+        Ok(())
+    } else {
+        Err(errors)
+    }
 }
 
 /// The error of an unknown id.

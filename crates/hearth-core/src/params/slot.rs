@@ -15,7 +15,9 @@ pub(super) trait Slots: Clone {
 
     /// The value of an entry; `None` if it is no field of this struct.
     fn value(&self, param: &Param) -> Option<Value> {
-        param.field.and_then(|field| Some(self.clone().slot(field)?.value()))
+        param
+            .field
+            .and_then(|field| Some(self.clone().slot(field)?.value()))
     }
 
     /// Writes a checked value, and returns whether it is a field of this struct.
@@ -36,7 +38,10 @@ pub(super) trait Slots: Clone {
     /// The values that both models have with the same domain, and the other defaults of `model`.
     fn in_model(&self, model: Model) -> Self {
         let mut values = Self::of_model(model);
-        for param in PARAMETERS.iter().filter(|param| param.domains[0].model.is_none()) {
+        for param in PARAMETERS
+            .iter()
+            .filter(|param| param.domains[0].model.is_none())
+        {
             if let Some(value) = self.value(param) {
                 values.put(param, value);
             }

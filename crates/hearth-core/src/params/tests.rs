@@ -222,7 +222,9 @@ fn a_parameter_without_effect_names_its_unmet_conditions_and_can_be_set() {
     let mut parameters = Parameters::default();
     let unmet = |parameters: &Parameters, id| {
         let param = Param::find(id).expect("it is of the table");
-        let ids = param.unmet_conditions(|id| parameters.get(id)).map(|&(id, _)| id);
+        let ids = param
+            .unmet_conditions(|id| parameters.get(id))
+            .map(|&(id, _)| id);
         ids.collect::<Vec<_>>()
     };
     assert_eq!(unmet(&parameters, "cool_colour"), ["palette"]);

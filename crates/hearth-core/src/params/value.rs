@@ -276,7 +276,10 @@ impl fmt::Display for ParamError {
             }
             ParamErrorKind::OfModel(model) => {
                 let model = model.name();
-                write!(f, "{id} = {value} is refused: only the {model} model has it")
+                write!(
+                    f,
+                    "{id} = {value} is refused: only the {model} model has it"
+                )
             }
             ParamErrorKind::OfSource => write!(
                 f,

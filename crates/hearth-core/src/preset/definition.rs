@@ -1,6 +1,6 @@
 //! The type of a preset, and the reader of their table.
 
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 
 use crate::params::{IN_DOMAIN, Input, Parameters};
 use crate::scene::{KIND, Scene};
@@ -27,6 +27,8 @@ pub struct Preset {
     values: Fields,
     /// The fields of each object.
     objects: Vec<Fields>,
+    /// The scene, once it is made.
+    scene: OnceLock<Scene>,
 }
 
 impl Preset {
@@ -68,11 +70,7 @@ impl Preset {
 
     /// The world of its [scene](Preset::scene), with its resolution, without sources and solids.
     pub fn world(&self) -> Parameters {
-        let mut world = Parameters::default();
-        let set = world.set_all(self.values());
-        debug_assert!(set.is_ok(), "preset {}: {set:?}", self.name);
-        world.complete(&|id| self.names(id), IN_DOMAIN);
-        world
+        self.scene().world().clone()
     }
 
     /// Whether it sets this parameter.
@@ -82,7 +80,15 @@ impl Preset {
 
     /// Its scene.
     pub fn scene(&self) -> Scene {
-        let mut scene = Scene::new(self.world());
+        self.scene.get_or_init(|| self.make()).clone()
+    }
+
+    fn make(&self) -> Scene {
+        let mut world = Parameters::default();
+        let set = world.set_all(self.values());
+        debug_assert!(set.is_ok(), "preset {}: {set:?}", self.name);
+        world.complete(&|id| self.names(id), IN_DOMAIN);
+        let mut scene = Scene::new(world);
         scene.clear();
         for fields in &self.objects {
             let added = scene.add(fields);

@@ -5,7 +5,8 @@
 
 use super::distance::Surface;
 use crate::params::{
-    AnyValue, Input, Model, PARAMETERS, Param, ParamError, Property, SOLID, SOLID_NAMES, Solid, Source, Table,
+    AnyValue, Input, Model, PARAMETERS, Param, ParamError, Property, SOLID, SOLID_NAMES, Solid,
+    Source, Table,
 };
 use std::sync::Arc;
 
@@ -33,8 +34,24 @@ static SOURCE: Kind = Kind {
     is_body: false,
     new: Values::new_source,
     names: &[
-        "name", "enabled", "shape", "solid", "x", "y", "angle", "width", "power", "rate", "speed",
-        "spread", "noise", "temperature", "oxygen", "birth_temperature", "life_min", "life_max",
+        "name",
+        "enabled",
+        "shape",
+        "solid",
+        "x",
+        "y",
+        "angle",
+        "width",
+        "power",
+        "rate",
+        "speed",
+        "spread",
+        "noise",
+        "temperature",
+        "oxygen",
+        "birth_temperature",
+        "life_min",
+        "life_max",
         "taper",
     ],
     table: &PARAMETERS,
@@ -118,12 +135,7 @@ impl Values {
     }
 
     /// Writes a property.
-    pub fn put(
-        &mut self,
-        entry: &Param,
-        model: Model,
-        input: Input<'_>,
-    ) -> Result<(), ParamError> {
+    pub fn put(&mut self, entry: &Param, model: Model, input: Input<'_>) -> Result<(), ParamError> {
         match self {
             Values::Source(source) => source.set(entry, model, input),
             Values::Solid(solid) => {

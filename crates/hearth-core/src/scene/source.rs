@@ -49,7 +49,10 @@ impl<'a> SceneSource<'a> {
 impl Scene {
     /// All sources, also those that are off, in the order of the objects.
     fn all_sources(&self) -> impl Iterator<Item = SceneSource<'_>> {
-        let own = self.objects.iter().filter_map(|object| object.values.source());
+        let own = self
+            .objects
+            .iter()
+            .filter_map(|object| object.values.source());
         let all = own.enumerate();
         all.map(|(index, own)| SceneSource::new(own, &self.world, index))
     }
@@ -80,7 +83,11 @@ impl Scene {
     pub fn read_first_source<T>(&self, read: impl FnOnce(&SceneSource<'_>) -> T) -> T {
         match self.first_source() {
             Some(source) => read(&source),
-            None => read(&SceneSource::new(&Source::new(self.model()), &self.world, 0)),
+            None => read(&SceneSource::new(
+                &Source::new(self.model()),
+                &self.world,
+                0,
+            )),
         }
     }
 

@@ -130,7 +130,12 @@ fn every_source_keeps_in_another_model_what_both_models_have() {
 fn the_first_source_is_the_first_of_those_that_are_there() {
     let mut scene = Scene::default();
     assert_eq!(scene.add(&[SOURCE, ("x", number(0.3))]), Ok(2));
-    let seeds = |scene: &Scene| scene.sources().map(|source| source.seed).collect::<Vec<_>>();
+    let seeds = |scene: &Scene| {
+        scene
+            .sources()
+            .map(|source| source.seed)
+            .collect::<Vec<_>>()
+    };
     let both = seeds(&scene);
     assert_ne!(both[0], both[1]);
     // Order alone decides which one is the first, and the seeds.

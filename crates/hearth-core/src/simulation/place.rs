@@ -43,7 +43,10 @@ impl SourcePlace {
         let size = 2.0 * (frame.half + frame.radius);
         Some(SourcePlace {
             base: frame.centre - Vec2::new(0.0, frame.extent().y),
-            width: fast_min((size.x * size.y).sqrt(), WIDEST * source.world.domain_height),
+            width: fast_min(
+                (size.x * size.y).sqrt(),
+                WIDEST * source.world.domain_height,
+            ),
             on_solid: true,
         })
     }

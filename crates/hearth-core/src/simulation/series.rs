@@ -52,9 +52,8 @@ impl Simulation {
     pub(super) fn record(&mut self, length: f64) {
         if let Some(recorder) = self.recorder.as_mut() {
             let power = self.solver.combustion().map_or(0.0, |fire| fire.power());
-            let nozzle = |source: &SceneSource<'_>| {
-                source.power > 0.0 && source.width <= MAX_NOZZLE_WIDTH
-            };
+            let nozzle =
+                |source: &SceneSource<'_>| source.power > 0.0 && source.width <= MAX_NOZZLE_WIDTH;
             let nozzles = self.scene.sources().filter(nozzle);
             let fastest = nozzles.map(|source| source.speed);
             let jet = if power > 0.0 {

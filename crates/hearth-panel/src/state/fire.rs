@@ -7,10 +7,10 @@
 use std::collections::{BTreeMap, VecDeque};
 
 use hearth_core::Scene;
-use hearth_core::scene::Object;
 use hearth_core::params::{
     AnyValue, Domain, Input, Kind, PARAMETERS, Param, ParamError, ParamErrorKind, Parameters, Scale,
 };
+use hearth_core::scene::Object;
 
 pub use crate::state::entry::Entry;
 use crate::state::objects::{Fields, OBJECTS, differ, update, value_in};
@@ -233,9 +233,9 @@ impl Fire {
         if self.pending.contains_key(OBJECTS) {
             return;
         }
-        let pending = PARAMETERS.iter().filter(|param| {
-            param.is_of_objects() && self.pending.contains_key(param.id)
-        });
+        let pending = PARAMETERS
+            .iter()
+            .filter(|param| param.is_of_objects() && self.pending.contains_key(param.id));
         let kept: Vec<_> = pending
             .map(|param| (param.id, self.objects.value(param).to_string()))
             .collect();

@@ -129,11 +129,7 @@ mod tests {
             [1500.0, 0.0, 1.0, 0.0],
         ] {
             let mut gas = mixture(&parameters, state);
-            assert_eq!(
-                react(&mut gas, &parameters, SOURCE, 0.01),
-                0.0,
-                "{state:?}"
-            );
+            assert_eq!(react(&mut gas, &parameters, SOURCE, 0.01), 0.0, "{state:?}");
         }
     }
 
@@ -163,12 +159,7 @@ mod tests {
         assert_eq!(lost(parameters.ambient_temperature), 0.0);
         let mut gas = mixture(&parameters, [400.0, 0.0, 1.0, 0.0]);
         for _ in 0..1000 {
-            react(
-                &mut gas,
-                &parameters,
-                SOURCE,
-                1.0 / 60.0,
-            );
+            react(&mut gas, &parameters, SOURCE, 1.0 / 60.0);
         }
         assert!(gas.state[0].x >= parameters.ambient_temperature);
     }

@@ -42,7 +42,12 @@ pub(super) struct Bed {
 impl Bed {
     /// Follows a source. One of another size is another source. Returns the water that it does not take
     /// over [kg/m].
-    pub(super) fn follow(&mut self, source: &SceneSource<'_>, scene: &Scene, solids: &Solids) -> f32 {
+    pub(super) fn follow(
+        &mut self,
+        source: &SceneSource<'_>,
+        scene: &Scene,
+        solids: &Solids,
+    ) -> f32 {
         let before = self.full;
         let on_solid = scene.solid_of(source);
         self.solid = source.solid_id();

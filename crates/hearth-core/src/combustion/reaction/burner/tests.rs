@@ -187,11 +187,7 @@ const SHAPES: [(&str, &str, &str); 6] = [
 ];
 
 /// A scene with a solid on which its source is.
-fn on_solid(
-    scene: &Scene,
-    place: [f64; 3],
-    (shape, outline, text): (&str, &str, &str),
-) -> Scene {
+fn on_solid(scene: &Scene, place: [f64; 3], (shape, outline, text): (&str, &str, &str)) -> Scene {
     let mut scene = scene.clone();
     assert_eq!(scene.set("source_shape", "solid"), Ok(()));
     assert_eq!(scene.set("source_solid", 7.0), Ok(()));

@@ -61,6 +61,7 @@ const METHODS = /** @type {const} */ ([
   'pause',
   'reset',
   'step',
+  'advance',
   'exportConfig',
   'importConfig',
   'toBlob',

@@ -223,7 +223,7 @@ class FireElement extends FireAttributes {
    * @template {ParameterId} Id
    * @overload
    * @param {Id} id
-   * @param {HearthParameters[Id] | null | undefined} value
+   * @param {HearthParameters[Id] | null} value
    * @returns {Promise<void>}
    */
   /**
@@ -233,8 +233,8 @@ class FireElement extends FireAttributes {
    * @returns {Promise<void>}
    */
   /**
-   * Sets one parameter, or several: all of them or none. `undefined` states nothing, `null` restores the default.
-   * Rejects with a RangeError that names the allowed values.
+   * Sets one parameter, or several: all of them or none. `null` restores the default. Among several, `undefined`
+   * states nothing. Rejects with a RangeError that names the allowed values.
    * @param {ParameterId | HearthValues} ids
    * @param {number | string | boolean | null} [value]
    * @returns {Promise<void>}
@@ -242,7 +242,9 @@ class FireElement extends FireAttributes {
    * @example <caption>Strong and windy</caption> fire.set({ fuel_power: 350, wind: 0.5 })
    */
   set(ids, value) {
-    return this.#session.change(['set', typeof ids === 'object' && ids ? ids : { [String(ids)]: value }]);
+    // A missing value is refused by the words for it.
+    const values = typeof ids === 'object' && ids ? ids : { [String(ids)]: value === undefined ? 'undefined' : value };
+    return this.#session.change(['set', values]);
   }
 
   /**
@@ -348,6 +350,19 @@ class FireElement extends FireAttributes {
    */
   step(steps = 1) {
     return this.#session.call('step', postable(steps));
+  }
+
+  /**
+   * Computes this time of fire, at most 1000 seconds, also while paused, then draws a frame. The last two steps are
+   * shorter where that is needed: a paused fire is then older by exactly that time. One that plays burns on
+   * from there by its clock. A fire that loads or warms up does so first.
+   * @param {number} seconds
+   * @returns {Promise<void>}
+   * @posted
+   * @example <caption>The next frame of a film</caption> fire.advance(1 / 30)
+   */
+  advance(seconds) {
+    return this.#session.call('advance', postable(seconds));
   }
 
   /**
@@ -569,7 +584,7 @@ for (const [property, id] of ID_OF_PROPERTY) {
     FireElement,
     property,
     (fire) => fire.get(/** @type {ParameterId} */ (id)),
-    (/** @type {any} */ fire, value) => fire.set(id, stated(fire, property, value)),
+    (/** @type {any} */ fire, value) => fire.set({ [id]: stated(fire, property, value) }),
   );
 }
 

@@ -16,8 +16,6 @@ const PROGRAM = `
   const before = { exit: process.exit, write: console.log };
   const { readFileSync } = await import('node:fs');
   const wasm = readFileSync(new URL('./wasm/hearth-sim_bg.wasm', FOLDER));
-  const wasmParts = Object.fromEntries(
-    ['classic', 'bodies'].map((name) => [name, readFileSync(new URL(\`./wasm/hearth-sim_\${name}.wasm\`, FOLDER))]));
   REMOVE
   let told;
   try {
@@ -53,7 +51,7 @@ const PROGRAM = `
 `;
 
 /** What the program gives without a feature. @param {string} feature @param {string} [given]  Options. */
-async function without(feature, given = 'wasm, wasmParts') {
+async function without(feature, given = 'wasm') {
   const [owner, name] = feature.includes('.') ? feature.split(/\.(?=[^.]*$)/) : ['globalThis', feature];
   const remove =
     feature &&

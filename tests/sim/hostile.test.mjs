@@ -14,6 +14,7 @@ test('hostile values are refused by name: createSimulation({ wasm }), and the ne
 /** @type {[named: RegExp, call: (sim: any, value: any) => unknown][]} */
 const ARGUMENTS = [
   [/steps/, (sim, value) => sim.step(value)],
+  [/seconds/, (sim, value) => sim.advance(value)],
   [/id|there is no parameter/, (sim, value) => sim.get(value)],
   [/values|there is no parameter/, (sim, value) => sim.set(value, 1)],
   [/wind/, (sim, value) => sim.set('wind', value)],
@@ -43,7 +44,7 @@ for (const [named, call] of ARGUMENTS) {
   });
 }
 
-for (const name of ['model', 'preset', 'seed', 'params', 'objects', 'wasmParts']) {
+for (const name of ['model', 'preset', 'seed', 'params', 'objects']) {
   test(`hostile values are refused by name: createSimulation({ ${name} })`, () =>
     assertRefuses((value) => createSimulation({ [name]: value }), RegExp(`${name}|there is no`)));
 }

@@ -3,6 +3,7 @@
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { inspect } from 'node:util';
 import { ARRAYS, PARAMETERS, createSimulation, everything, fires } from './library.mjs';
 
 /** What only the gas of the combustion model has. */
@@ -34,6 +35,30 @@ test('every array of the model has finite numbers for every particle', async () 
       .every((at, i) => (i % 2 === 0 ? Math.abs(at) <= Math.fround(width / 2) : at >= 0 && at <= Math.fround(height)));
     assert.ok(inside, 'every particle is in the domain');
   }
+});
+
+test('frames stand at exactly the time that is asked for', async () => {
+  for (const sim of await fires()) {
+    for (let frame = 1; frame <= 12; frame += 1) {
+      const before = sim.time;
+      sim.advance(1 / 30);
+      assert.equal(sim.time, before + 1 / 30);
+      assert.ok(Math.abs(sim.time - frame / 30) < 1e-14);
+    }
+    const { time } = sim;
+    sim.advance(0);
+    assert.equal(sim.time, time);
+    sim.free();
+  }
+});
+
+test('a console prints the state of a simulation, not how it is made', async () => {
+  const [sim] = await fires();
+  sim.advance(0.1);
+  assert.equal(String(sim), '[object Simulation]');
+  assert.match(inspect(sim), /^Simulation \(combustion, 0\.100 s, \d+ particles, \d+ kW\/m\)$/);
+  sim.free();
+  assert.equal(inspect(sim), 'Simulation (this simulation was freed)');
 });
 
 test('an id belongs to one particle for its life', async () => {

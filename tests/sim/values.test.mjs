@@ -4,6 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { DEFAULT, REFUSED, RULE } from '../value-rule.mjs';
 import { PRESETS, createSimulation, everything, fires } from './library.mjs';
 
 /** The error of a call, of this class. */
@@ -59,11 +60,52 @@ test('a simulation starts with its preset, options and params', async () => {
   assert.deepEqual(none.params, (await createSimulation()).params);
 });
 
-test('undefined states nothing, and null restores', async () => {
+test('one rule says what a value of another type is, wherever it is given', async () => {
+  const before = (await createSimulation()).params;
+  for (const [id, rows] of Object.entries(RULE)) {
+    for (const [value, becomes] of rows) {
+      const words = `${id} = ${JSON.stringify(value)}`;
+      const wanted = becomes === DEFAULT ? before[id] : becomes;
+      /** @type {[way: string, give: (sim: any) => any][]} */
+      const ways = [
+        ['set(id, value)', (sim) => sim.set(id, value)],
+        ['set({ id: value })', (sim) => sim.set({ [id]: value })],
+        ['params', () => createSimulation({ params: { [id]: value } })],
+      ];
+      for (const [way, give] of ways) {
+        const sim = await createSimulation();
+        if (becomes === DEFAULT) sim.set(id, rows[0][0]);
+        const made = await Promise.resolve(sim)
+          .then(give)
+          .catch((error) => error);
+        if (becomes === REFUSED) {
+          assert.ok(made instanceof RangeError, `${words} by ${way}: ${made}`);
+          assert.deepEqual([made.id, made.value], [id, value]);
+          assert.deepEqual(sim.params, before);
+        } else {
+          assert.ok(!(made instanceof Error), `${words} by ${way}: ${made}`);
+          assert.equal((made ?? sim).get(id), wanted, `${words} by ${way}`);
+        }
+        sim.free();
+      }
+    }
+  }
+});
+
+test('a parameter without a value is refused, and among several it states nothing', async () => {
+  for (const sim of await fires()) {
+    for (const act of [() => sim.set('wind'), () => sim.set('wind', undefined)]) {
+      const error = thrown(RangeError, act);
+      assert.deepEqual([error.id, error.value], ['wind', undefined]);
+      assert.match(error.message, /wind = "undefined" is refused: it must be a number from -3 to 3/);
+    }
+  }
+});
+
+test('undefined among several values states nothing, and null restores', async () => {
   for (const sim of await fires()) {
     sim.set({ gravity: 5, objects: [source(), source()] });
     const before = everything(sim);
-    sim.set('gravity', undefined);
     sim.set({ gravity: undefined, turbulence: undefined, objects: undefined });
     sim.changeObject(1, { x: undefined });
     sim.objects = undefined;
@@ -103,7 +145,8 @@ test('one invalid value changes nothing, and the error lists all', async () => {
 
 test('options are checked as values are', async () => {
   const wrong = [
-    [{ preset: 'sed' }, RangeError, /one of default, .*classic, .*seed/],
+    [{ preset: 'sed' }, RangeError, /did you mean "seed"/],
+    [{ preset: '__proto__' }, RangeError, /there are default, .*classic, .*seed/],
     [{ preset: 5 }, TypeError, /preset must be a text, not 5/],
     [{ model: 'fire' }, RangeError, /classic, combustion/],
     [{ seed: -1 }, RangeError, /0 to 4294967295/],

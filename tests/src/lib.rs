@@ -157,11 +157,20 @@ pub fn fingerprints() -> String {
         ),
         ("classic solids", around_solids(fires::with([]))),
         ("water", sprayed()),
+        ("candle in frames", in_frames("candle")),
+        ("classic in frames", in_frames("classic")),
     ];
     lit.chain(kept)
         .chain(around)
         .map(|(name, print)| format!("{name} {print:016x}\n"))
         .collect()
+}
+
+/// The fingerprint of a second of a scene in frames, whose last steps are shorter.
+fn in_frames(name: &str) -> u64 {
+    let mut fire = Simulation::new(Preset::find(name).map(Preset::scene).unwrap_or_default());
+    (0..30).for_each(|_| fire.advance(1.0 / 30.0));
+    fingerprint_of(fire, 0)
 }
 
 /// Fires around a burning solid of each fuel.
@@ -350,7 +359,7 @@ const FIRESIDE: &str = "fireside";
 /// The fingerprint of a scene that burns on from where it is kept; 0 where it does not.
 fn kept(name: &str, particles: Option<u32>) -> u64 {
     let bytes = include_bytes!("../../web/prewarmed/fireside.fire");
-    let mut scene = Preset::find(name).map_or_else(Scene::default, Preset::scene);
+    let mut scene = Preset::find(name).map(Preset::scene).unwrap_or_default();
     if let Some(number) = particles {
         let mut world = scene.world().clone();
         world.set_domain_particles(number);

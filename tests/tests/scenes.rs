@@ -30,7 +30,7 @@ const SOOT: f32 = 0.02;
 const BLUE: f32 = 0.3;
 
 fn scene(name: &str) -> Scene {
-    Preset::find(name).map_or_else(|| panic!("there is no scene {name}"), Preset::scene)
+    Preset::find(name).map_or_else(|error| panic!("{error}"), Preset::scene)
 }
 
 #[test]

@@ -39,6 +39,74 @@ fn a_reset_fire_repeats_itself() {
     assert_eq!(fire.particles(), first);
 }
 
+/// A small fire of each model.
+fn small() -> [Simulation; 2] {
+    let classic = Parameters::new(Model::Classic);
+    [classic, fires::combustion(&[("particles", 1000.0)])].map(Simulation::new)
+}
+
+#[test]
+fn frames_stand_at_exactly_the_time_that_is_asked_for() {
+    for mut fire in small() {
+        for rate in [24.0, 30.0, 60.0, 1000.0] {
+            fire.reset();
+            for frame in 1..=30 {
+                let before = fire.time();
+                fire.advance(1.0 / rate);
+                assert_eq!(fire.time(), before + 1.0 / rate);
+                assert!((fire.time() - f64::from(frame) / rate).abs() < 1e-14);
+            }
+        }
+        for none in [0.0, -0.1, f64::NAN] {
+            let before = (fire.time(), fire.particles());
+            fire.advance(none);
+            assert_eq!((fire.time(), fire.particles()), before);
+        }
+    }
+}
+
+#[test]
+fn the_last_steps_before_a_time_are_no_shorter_than_half_of_the_others() {
+    for mut fire in small() {
+        fire.advance(0.2);
+        for _ in 0..20 {
+            let (mut free, end) = (fire.clone(), fire.time() + 0.021);
+            while fire.time() < end {
+                free.clone_from(&fire);
+                free.step();
+                fire.step_towards(end, None, &mut |_| ());
+                let (length, longest) = (fire.step_length(), free.step_length());
+                assert!(length >= 0.499 * longest, "{length} s of {longest} s");
+                assert!(length <= 1.001 * longest, "{length} s of {longest} s");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_fire_in_frames_is_the_same_fire() {
+    // Frames that cut every step: as much is born, burns and is left as in whole steps.
+    for (fire, mut whole) in small().into_iter().zip(small()) {
+        let mut framed = fire.clone();
+        for _ in 0..200 {
+            framed.advance(0.01);
+        }
+        let mut again = fire;
+        for _ in 0..200 {
+            again.advance(0.01);
+        }
+        assert_eq!(framed.particles(), again.particles());
+        while whole.time() < 2.0 {
+            whole.step();
+        }
+        let counts = [&framed, &whole].map(|fire| fire.count() as f64);
+        assert!(
+            (counts[0] / counts[1] - 1.0).abs() < 0.05,
+            "{counts:?} particles"
+        );
+    }
+}
+
 #[test]
 fn readers_do_not_change_a_fire() {
     let mut read = Simulation::new(Parameters::new(Model::Classic));

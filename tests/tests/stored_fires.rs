@@ -21,7 +21,7 @@ fn stored(name: &str) -> Vec<u8> {
 }
 
 fn scene_of(name: &str) -> Scene {
-    Preset::find(name).map_or_else(|| panic!("there is no scene {name}"), Preset::scene)
+    Preset::find(name).map_or_else(|error| panic!("{error}"), Preset::scene)
 }
 
 /// The scene with this number of particles.

@@ -28,6 +28,7 @@ use crate::scene::Scene;
 use crate::series::{BIRTHS, DEATHS, Totals};
 use crate::solids::Solids;
 use crate::solver::Solver;
+use crate::time_step::fitted;
 
 use block_force::BlockForce;
 use emitter::Emitter;
@@ -54,7 +55,7 @@ pub(crate) struct Classic {
     solids: Solids,
     motion: Motion,
     substeps: u32,
-    /// Length of the last step if its work ended it early \[s\].
+    /// Length of the last step if it was shorter than the parameter \[s\].
     cut: Option<f32>,
 }
 
@@ -105,7 +106,7 @@ impl Solver for Classic {
         &mut self,
         scene: &Scene,
         random: &mut Random,
-        time: f64,
+        (time, left): (f64, f64),
         user: Option<&dyn BodyForce>,
         on_stage: &mut dyn FnMut(Stage),
     ) -> f64 {
@@ -135,8 +136,8 @@ impl Solver for Classic {
                 time,
             );
         }
-        let substeps =
-            Substeps::divide(values, self.motion.max_speed, self.motion.max_acceleration);
+        let length = fitted(values.time_step, left);
+        let substeps = Substeps::divide(values, length, &self.motion);
         let forces = forces::list(values, time, user);
         let (mut made, mut work) = (0, 0);
         let bounds = bounds(values);
@@ -150,7 +151,11 @@ impl Solver for Classic {
         }
         self.substeps = made;
         // Shorter steps keep the substeps stable; the fire burns more slowly.
-        self.cut = (made < substeps.count).then_some(made as f32 * substeps.length);
+        let length = match made < substeps.count {
+            true => made as f32 * substeps.length,
+            false => length,
+        };
+        self.cut = (length != values.time_step).then_some(length);
         f64::from(self.length(values))
     }
 

@@ -203,11 +203,11 @@ impl Solver for Combustion {
         &mut self,
         scene: &Scene,
         random: &mut Random,
-        time: f64,
+        times: (f64, f64),
         user: Option<&dyn BodyForce>,
         on_stage: &mut dyn FnMut(Stage),
     ) -> f64 {
-        f64::from(self.make_step(scene, random, time, user, on_stage))
+        f64::from(self.make_step(scene, random, times, user, on_stage))
     }
 
     /// Resamples the gas if the domain or the spacing of the particles changed.

@@ -6,7 +6,7 @@
 mod definition;
 mod resolution;
 
-pub use definition::Preset;
+pub use definition::{Preset, UnknownPreset};
 
 #[cfg(test)]
 mod tests {

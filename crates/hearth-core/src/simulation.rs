@@ -22,6 +22,7 @@ use crate::particle::Particle;
 use crate::random::Random;
 use crate::scene::{Pose, Scene};
 use crate::series::Recorder;
+use crate::time_step::SHORTEST;
 use model::AnySolver;
 
 pub use crate::particle::ParticleError;
@@ -82,10 +83,49 @@ impl Simulation {
         force: Option<&dyn BodyForce>,
         on_stage: &mut dyn FnMut(Stage),
     ) {
+        self.step_towards(f64::INFINITY, force, on_stage);
+    }
+
+    /// Makes steps until this number of seconds has passed: [`time`](Simulation::time) is then exactly the time
+    /// before plus `seconds`, because the last two steps are shorter where that is needed. A number that is not
+    /// above zero makes none.
+    ///
+    /// ```
+    /// # use hearth_core as hearth_fire;
+    /// let mut fire = hearth_fire::Simulation::new(hearth_fire::Parameters::default());
+    /// for frame in 1..=3 {
+    ///     fire.advance(1.0 / 30.0);
+    ///     assert!((fire.time() - f64::from(frame) / 30.0).abs() < 1e-12);
+    /// }
+    /// ```
+    pub fn advance(&mut self, seconds: f64) {
+        let end = self.time + seconds;
+        while self.time < end {
+            self.step_towards(end, None, &mut |_| ());
+        }
+    }
+
+    /// Makes one step as [`step_in_stages`](Simulation::step_in_stages) does, which is so short that one of the
+    /// next steps towards `end` \[s\] ends exactly there. [`advance`](Simulation::advance) makes such steps.
+    pub fn step_towards(
+        &mut self,
+        end: f64,
+        force: Option<&dyn BodyForce>,
+        on_stage: &mut dyn FnMut(Stage),
+    ) {
+        let left = end - self.time;
+        if left < SHORTEST {
+            self.time = self.time.max(end);
+            return;
+        }
         let (scene, random) = (&self.scene, &mut self.random);
-        let solver = &mut self.solver;
-        let length = solver.step(scene, random, self.time, force, on_stage);
-        self.time += length;
+        let times = (self.time, left);
+        let length = self.solver.step(scene, random, times, force, on_stage);
+        self.time = if length < f64::from(left as f32) {
+            self.time + length
+        } else {
+            end
+        };
         self.record(length);
     }
 

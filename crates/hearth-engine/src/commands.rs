@@ -198,8 +198,8 @@ commands! { 'a
     "reset" Reset {}
     /// Makes a number of steps, even if paused. The answer follows when they are drawn.
     "step" Step { steps: Whole<1, MAX_STEPS> }
-    /// Makes steps for a duration [s of fire]. The answer follows when they are drawn.
-    "burn" Burn { seconds: Positive<MAX_SECONDS> }
+    /// Makes steps for a duration [s of fire], even if paused. The answer follows when they are drawn.
+    "advance" Advance { seconds: Within<0, MAX_SECONDS> }
     /// Sets the duration of the warm-up of new fires. The answer follows when the fire is shown
     /// or off stage.
     "warm" Warm { seconds: Option<WarmSeconds> }

@@ -351,7 +351,7 @@ impl Engine {
                 fire.request_steps(steps.0, 0.0, request);
                 return Ok(Answer::Deferred);
             }
-            Command::Burn { seconds } => {
+            Command::Advance { seconds } => {
                 fire.request_steps(0, seconds.0, request);
                 return Ok(Answer::Deferred);
             }

@@ -1,6 +1,6 @@
 //! Untrusted values and objects applied to a scene.
 
-use crate::untrusted::{Untrusted, ValidationError, Values, one_of};
+use crate::untrusted::{Untrusted, ValidationError, Values};
 use hearth_core::params::{AnyValue, Input, Param, ParamError};
 use hearth_core::preset::Preset;
 use hearth_core::scene::{Object, Scene};
@@ -139,10 +139,12 @@ pub(crate) fn of_object(error: &ParamError, sent: Values<'_>) -> ValidationError
 /// The preset with this name.
 ///
 /// # Errors
-/// There is no preset with this name. The message lists all.
+/// There is no preset with this name.
 pub fn preset(name: &str) -> Result<&'static Preset, ValidationError> {
-    Preset::find(name).ok_or_else(|| {
-        let mut names = Preset::all().iter().map(|preset| preset.name);
-        one_of("preset", &Untrusted::Text(name.into()), &mut names)
+    Preset::find(name).map_err(|error| ValidationError {
+        id: "preset".into(),
+        value: Untrusted::Text(name.into()).summary(),
+        message: format!("{error}"),
+        range: None,
     })
 }

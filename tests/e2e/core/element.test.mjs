@@ -121,6 +121,23 @@ test('a fire that is removed and inserted again some tasks later goes on', async
   assert.deepEqual(tab.problems, []);
 });
 
+test('frames of a paused fire stand at exactly the time that a script asks for', async () => {
+  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
+  await tab.ready();
+  const [start, ...times] = await tab.fire(async (fire) => {
+    await fire.reset();
+    const times = [];
+    for (let frame = 0; frame <= 6; frame += 1) {
+      await fire.advance(frame === 0 ? 0.01 : 1 / 30);
+      times.push(fire.stats.time);
+    }
+    return times;
+  });
+  let exact = start;
+  for (const time of times) assert.equal(time, (exact += 1 / 30));
+  assert.deepEqual(tab.problems, []);
+});
+
 test('a fire that is destroyed while it reconnects is destroyed with its predecessor', async () => {
   const tab = await browser.open(FIRE, { beforeWorker });
   await tab.ready();

@@ -1,10 +1,11 @@
 /**
- * Values that only a page can resolve: automatic seeds and CSS colours.
+ * The rule for values of another type, and values that only a page can resolve: automatic seeds and CSS colours.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
 import { events, recording } from '../assertions.mjs';
+import { DEFAULT, REFUSED, RULE } from '../../value-rule.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -172,4 +173,48 @@ test('colours of a file and of an address are those of CSS too', async () => {
   await other.ready();
   assert.equal(await other.fire((fire) => fire.background), '#ffd700');
   assert.deepEqual([...tab.problems, ...other.problems], []);
+});
+
+test('one rule says what a value of another type is, wherever it is given', async () => {
+  const tab = await browser.open(`<hearth-fire ${SMALL}></hearth-fire>`);
+  await tab.ready();
+  const rows = Object.entries(RULE).flatMap(([id, all]) =>
+    // What the driver sends to a page is JSON.
+    all.filter(([value]) => !Number.isNaN(value)).map(([value, becomes]) => ({ id, value, becomes, other: all[0][0] })),
+  );
+  const found = await tab.fire(async (fire, rows) => {
+    const outcomes = [];
+    for (const { id, value, other } of rows) {
+      const property = id.replace(/_(.)/g, (_, letter) => letter.toUpperCase());
+      const attribute = id.replace('_', '-');
+      const initial = fire.get(id);
+      /** @type {[way: string, give: () => any][]} */
+      const ways = [
+        ['set(id, value)', () => fire.set(id, value)],
+        ['set({ id: value })', () => fire.set({ [id]: value })],
+        ['property', () => void (fire[property] = value)],
+      ];
+      if (typeof value === 'string') ways.push(['attribute', () => fire.setAttribute(attribute, value)]);
+      for (const [way, give] of ways) {
+        if (value === null) await fire.set(id, other);
+        const refused = await Promise.resolve(give()).then(
+          () => false,
+          (/** @type {any} */ error) => error.name === 'RangeError' && error.id === id,
+        );
+        await fire.set({});
+        outcomes.push({ id, value, way, refused, got: fire.get(id), initial });
+        fire.removeAttribute(attribute);
+        await fire.restore(id);
+      }
+    }
+    return outcomes;
+  }, rows);
+  for (const { id, value, way, refused, got, initial } of found) {
+    const [, becomes] = RULE[id].find(([given]) => JSON.stringify(given) === JSON.stringify(value)) ?? [];
+    const words = `${id} = ${JSON.stringify(value)} by ${way}`;
+    assert.equal(got, [REFUSED, DEFAULT].includes(/** @type {any} */ (becomes)) ? initial : becomes, words);
+    if (way.startsWith('set')) assert.equal(refused, becomes === REFUSED, words);
+  }
+  const missing = await tab.fire((fire) => Promise.all([fire.set('wind'), fire.set('wind', undefined)]).catch(String));
+  assert.match(missing, /wind = "undefined" is refused: it must be a number from -3 to 3/);
 });

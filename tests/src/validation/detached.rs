@@ -50,7 +50,7 @@ struct Light {
 }
 
 fn detached_light((name, top): (&str, f32)) -> Row {
-    let mut scene = Preset::find(name).map_or_else(Default::default, Preset::scene);
+    let mut scene = Preset::find(name).map(Preset::scene).unwrap_or_default();
     let spacing = HIGH * f64::from(scene.world().spacing());
     for (id, value) in [("spacing", spacing), ("max_particles", 30_000.0)] {
         if let Err(refusal) = scene.set(id, value) {

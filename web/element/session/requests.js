@@ -96,7 +96,9 @@ export class Requests {
     this.#send = send;
     this.#models = 0;
     // Steps can take long, and nothing depends on them.
-    const answers = this.#waiting.map(({ request, call }) => call[0] === 'step' || this.#pending.get(request)?.promise);
+    const answers = this.#waiting.map(
+      ({ request, call }) => ['step', 'advance'].includes(call[0]) || this.#pending.get(request)?.promise,
+    );
     this.#flush(Infinity);
     return Promise.allSettled(answers);
   }

@@ -280,7 +280,7 @@ export class FireSession {
       if (!document.hidden) await connection.observed;
       await this.call('warm').catch(() => {});
     } else if (still) {
-      await this.call('burn', STILL_AFTER).catch(() => {});
+      await this.call('advance', STILL_AFTER).catch(() => {});
     }
     if (!connection.live) return;
     this.view.show('shown');

@@ -167,10 +167,14 @@ fn values_quality_and_warm_up_change_the_picture() {
 #[test]
 fn wrong_values_are_refused_by_name_and_leave_no_file() {
     let folder = Folder::new("wrong-values");
-    let cases: [(&[&str], &[&str]); 17] = [
+    let cases: [(&[&str], &[&str]); 18] = [
         (
             &["no-such-scene"],
-            &["preset = \"no-such-scene\" is refused", "candle"],
+            &["there is no preset \"no-such-scene\"", "candle"],
+        ),
+        (
+            &["campfir"],
+            &["there is no preset \"campfir\"; did you mean \"campfire\"?"],
         ),
         (
             &["candle", "--set", "viscosity=-1"],

@@ -2,7 +2,7 @@
 
 use std::ops::Deref;
 
-use super::check::nearest_id;
+use super::check::nearest;
 use super::choices::{Choice, Model};
 use super::entry::Condition;
 use super::slot::Slots;
@@ -56,6 +56,14 @@ impl Parameters {
     }
 
     /// Sets the parameter `id`, or returns an error and changes nothing.
+    ///
+    /// ```
+    /// # use hearth_core as hearth_fire;
+    /// let mut parameters = hearth_fire::Parameters::default();
+    /// parameters.set("wind", 0.5)?;
+    /// parameters.set("palette", "copper")?;
+    /// # Ok::<(), hearth_fire::params::ParamError>(())
+    /// ```
     ///
     /// # Errors
     /// An unknown id, a parameter of another model or of sources, a value of the wrong kind or one outside the range.
@@ -137,7 +145,7 @@ fn unknown(id: &str, input: Input<'_>) -> ParamError {
         id: format!("{start}{dots}"),
         value: format!("{input}"),
         kind: ParamErrorKind::UnknownId {
-            nearest: nearest_id(id),
+            nearest: nearest(id, &mut PARAMETERS.iter().map(|param| param.id)),
         },
     }
 }

@@ -140,6 +140,24 @@ impl From<f64> for Input<'_> {
     }
 }
 
+impl From<f32> for Input<'_> {
+    fn from(number: f32) -> Self {
+        Input::Number(decimal::shortest(number))
+    }
+}
+
+impl From<u32> for Input<'_> {
+    fn from(number: u32) -> Self {
+        Input::Number(number.into())
+    }
+}
+
+impl From<i32> for Input<'_> {
+    fn from(number: i32) -> Self {
+        Input::Number(number.into())
+    }
+}
+
 impl From<bool> for Input<'_> {
     fn from(on: bool) -> Self {
         Input::Flag(on)
@@ -193,7 +211,7 @@ impl fmt::Display for Input<'_> {
 }
 
 /// The start of a text, and an ellipsis if it is long: a long text must not flood a console.
-pub(super) fn abbreviated(text: &str) -> (&str, &str) {
+pub(crate) fn abbreviated(text: &str) -> (&str, &str) {
     let end = text.char_indices().nth(40);
     match end.and_then(|(end, _)| text.get(..end)) {
         Some(start) => (start, "…"),

@@ -1,8 +1,9 @@
 //! The type of a preset, and the reader of their table.
 
+use std::fmt;
 use std::sync::{LazyLock, OnceLock};
 
-use crate::params::{IN_DOMAIN, Input, Parameters};
+use crate::params::{IN_DOMAIN, Input, Parameters, abbreviated, nearest};
 use crate::scene::{KIND, Scene};
 
 /// The table of presets. `cargo xtask codegen` writes it from the files of `scenes/`.
@@ -39,8 +40,12 @@ impl Preset {
     }
 
     /// The preset with this name.
-    pub fn find(name: &str) -> Option<&'static Preset> {
-        Preset::all().iter().find(|preset| preset.name == name)
+    ///
+    /// # Errors
+    /// There is none. The error names a similar one or, if no name is similar, all.
+    pub fn find(name: &str) -> Result<&'static Preset, UnknownPreset> {
+        let found = Preset::all().iter().find(|preset| preset.name == name);
+        found.ok_or_else(|| UnknownPreset::new(name))
     }
 
     /// Its name for people.
@@ -78,7 +83,16 @@ impl Preset {
         self.values().any(|(known, _)| known == id)
     }
 
-    /// Its scene.
+    /// Its scene: the values, with the first source and every other object.
+    ///
+    /// ```
+    /// # use hearth_core as hearth_fire;
+    /// use hearth_fire::{Simulation, preset::Preset};
+    ///
+    /// let campfire = Simulation::new(Preset::find("campfire")?.scene());
+    /// assert_eq!(campfire.scene().objects().count(), 7);
+    /// # Ok::<(), hearth_fire::preset::UnknownPreset>(())
+    /// ```
     pub fn scene(&self) -> Scene {
         self.scene.get_or_init(|| self.make()).clone()
     }
@@ -97,6 +111,42 @@ impl Preset {
         scene
     }
 }
+
+/// The error of an unknown preset.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownPreset {
+    /// The requested name, cut if it is long.
+    pub name: String,
+    /// A similar name, if there is one.
+    pub nearest: Option<&'static str>,
+}
+
+impl UnknownPreset {
+    #[cold]
+    fn new(name: &str) -> UnknownPreset {
+        let (start, dots) = abbreviated(name);
+        UnknownPreset {
+            name: format!("{start}{dots}"),
+            nearest: nearest(name, &mut Preset::all().iter().map(|preset| preset.name)),
+        }
+    }
+}
+
+impl fmt::Display for UnknownPreset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "there is no preset \"{}\"; ", self.name)?;
+        if let Some(nearest) = self.nearest {
+            return write!(f, "did you mean \"{nearest}\"?");
+        }
+        f.write_str("there are ")?;
+        for (at, preset) in Preset::all().iter().enumerate() {
+            write!(f, "{}{}", if at == 0 { "" } else { ", " }, preset.name)?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for UnknownPreset {}
 
 /// The presets of a table.
 fn read(table: &'static str) -> Vec<Preset> {

@@ -54,10 +54,10 @@ fn a_command_is_parsed_by_its_arguments() {
         ),
         ("step", vec![number(5.0)], Command::Step { steps: Whole(5) }),
         (
-            "burn",
+            "advance",
             vec![number(0.5)],
-            Command::Burn {
-                seconds: Positive(0.5),
+            Command::Advance {
+                seconds: Within(0.5),
             },
         ),
         (
@@ -140,7 +140,7 @@ fn unknown_names_and_wrong_types_are_refused() {
         ("check", vec![]),
         ("preset", vec![Untrusted::Missing, source()]),
         ("visible", vec![text("yes")]),
-        ("burn", vec![]),
+        ("advance", vec![]),
     ] {
         refused(name, &arguments);
     }
@@ -211,9 +211,9 @@ fn numbers_out_of_range_are_refused_with_their_range() {
         assert!(error.message.ends_with(allowed), "{error:?}");
     }
     let max = f64::from(MAX_SECONDS);
-    for bad in [-1.0, 0.0, max + 1.0, f64::NAN, f64::INFINITY] {
-        let error = refused("burn", &[number(bad)]);
-        let allowed = "must be a number above 0, up to 1000";
+    for bad in [-1.0, max + 1.0, f64::NAN, f64::INFINITY] {
+        let error = refused("advance", &[number(bad)]);
+        let allowed = "must be a number from 0 to 1000";
         assert!(error.message.ends_with(allowed), "{error:?}");
         assert_eq!(error.range, Some((0.0, max)));
     }

@@ -109,7 +109,10 @@ fn errors_name_the_invalid_field() {
             object(vec![("hearth", Untrusted::Number(2.0))]),
             "hearth = 2",
         ),
-        (object(vec![("preset", text("sead"))]), "seed"),
+        (
+            object(vec![("preset", text("sead"))]),
+            "did you mean \"seed\"?",
+        ),
         (
             object(vec![("preset", Untrusted::Number(1.0))]),
             "preset = 1",

@@ -1,11 +1,12 @@
 /**
  * `<hearth-fire>`: a fire as an HTML element.
  *
- * This class is the element's public interface. `cargo xtask codegen` derives from its JSDoc: the types, React's
- * types, the manifest, the reference of the methods, and what an iframe offers to its page. `@posted` offers a
- * member there; `@example` shows it in the reference. The code is in `element/`: attributes, properties and calls are
- * messages to the engine, and the engine's messages become promises and events. The engine validates
- * every value. Reading a value returns the last one that the engine accepted.
+ * This class is the element's public interface. The compiler declares its types for the package, without members that
+ * are internal. `cargo xtask codegen` derives from its JSDoc React's types, the manifest, the reference of the methods,
+ * and what an iframe offers to its page. `@posted` offers a member there; `@example` shows it in the reference. The
+ * code is in `element/`: attributes, properties and calls are messages to the engine, and the engine's messages become
+ * promises and events. The engine validates every value. Reading a value returns the last one that the engine
+ * accepted.
  *
  * The module can be imported without a `window`; it then defines no element.
  *
@@ -13,6 +14,7 @@
  * @typedef {import('./parameters.js').ParameterId} ParameterId
  * @typedef {import('./parameters.js').HearthObject} HearthObject
  * @typedef {import('./parameters.js').PresetName} PresetName
+ * @typedef {FireElement} HearthFire
  * @typedef {import('./element/types.js').HearthConfig} HearthConfig
  * @typedef {import('./element/types.js').HearthFreeSolid} HearthFreeSolid
  * @typedef {import('./element/types.js').HearthHistory} HearthHistory
@@ -44,18 +46,6 @@ import { VERSION } from './generated/version.js';
 /**
  * A fire, simulated by smoothed particle hydrodynamics.
  *
- * @fires {null} ready  The fire is shown or, out of sight, can be drawn.
- * @fires {null} play  The fire plays again.
- * @fires {null} pause  The fire is paused.
- * @fires {HearthChangeDetail} params-change  A parameter has changed, from any source.
- * @fires {HearthObjectsDetail} objects-change  An object was added, changed or removed.
- * @fires {HearthHistoryDetail} history-change  A step was made, undone or redone.
- * @fires {HearthQualityDetail} quality-change  The quality has changed, to fit the speed of the device or on request.
- * @fires {HearthSoundDetail} sound-change  The sound plays, waits for a gesture of the visitor, or has ended.
- * @fires {HearthStats} stats  Measurements of the fire, about four times a second.
- * @fires {HearthErrorDetail} error  A value is refused, a file could not be loaded, the fire has stopped, or the
- *   browser cannot show it.
- * @fires {null} restored  The fire is back after its graphics context was lost or its engine has stopped.
  * @slot poster  Content that is shown until the fire burns, and in browsers that cannot show it. The attribute `poster`
  *   applies if the slot is empty.
  * @csspart canvas  The canvas.
@@ -69,7 +59,7 @@ import { VERSION } from './generated/version.js';
  * @cssproperty --hearth-glow  The colour of the light.
  * @cssstate burning  The fire is visible and plays.
  */
-class HearthFire extends FireAttributes {
+class FireElement extends FireAttributes {
   /**
    * The version of this module.
    * @returns {string}
@@ -92,7 +82,7 @@ class HearthFire extends FireAttributes {
    */
   static engine = 'auto';
 
-  #session = new FireSession(this, () => [HearthFire.wasmUrl, HearthFire.engine]);
+  #session = new FireSession(this, () => [FireElement.wasmUrl, FireElement.engine]);
 
   /**
    * The named set of values that the fire starts from. A later change replaces every value.
@@ -233,7 +223,7 @@ class HearthFire extends FireAttributes {
    * @template {ParameterId} Id
    * @overload
    * @param {Id} id
-   * @param {HearthParameters[Id] | null | undefined} value
+   * @param {HearthParameters[Id] | null} value
    * @returns {Promise<void>}
    */
   /**
@@ -243,8 +233,8 @@ class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   /**
-   * Sets one parameter, or several: all of them or none. `undefined` states nothing, `null` restores the default.
-   * Rejects with a RangeError that names the allowed values.
+   * Sets one parameter, or several: all of them or none. `null` restores the default. Among several, `undefined`
+   * states nothing. Rejects with a RangeError that names the allowed values.
    * @param {ParameterId | HearthValues} ids
    * @param {number | string | boolean | null} [value]
    * @returns {Promise<void>}
@@ -252,7 +242,9 @@ class HearthFire extends FireAttributes {
    * @example <caption>Strong and windy</caption> fire.set({ fuel_power: 350, wind: 0.5 })
    */
   set(ids, value) {
-    return this.#session.change(['set', typeof ids === 'object' && ids ? ids : { [String(ids)]: value }]);
+    // A missing value is refused by the words for it.
+    const values = typeof ids === 'object' && ids ? ids : { [String(ids)]: value === undefined ? 'undefined' : value };
+    return this.#session.change(['set', values]);
   }
 
   /**
@@ -315,7 +307,9 @@ class HearthFire extends FireAttributes {
     if (ids.length > 0)
       return this.set(Object.fromEntries(ids.map((id) => [typeof id === 'string' ? id : typeof id, null])));
     this.#session.reflectPreset();
-    return this.#session.change(['preset', 'default']);
+    // The page states that seed.
+    const values = this.getAttribute('seed') === 'auto' ? { seed: 'auto' } : {};
+    return this.#session.change(['import', { values }], this.#session.history.sourceOfScene('property'));
   }
 
   /**
@@ -359,6 +353,19 @@ class HearthFire extends FireAttributes {
   }
 
   /**
+   * Computes this time of fire, at most 1000 seconds, also while paused, then draws a frame. The last two steps are
+   * shorter where that is needed: a paused fire is then older by exactly that time. One that plays burns on
+   * from there by its clock. A fire that loads or warms up does so first.
+   * @param {number} seconds
+   * @returns {Promise<void>}
+   * @posted
+   * @example <caption>The next frame of a film</caption> fire.advance(1 / 30)
+   */
+  advance(seconds) {
+    return this.#session.call('advance', postable(seconds));
+  }
+
+  /**
    * Resolves to the settings of the fire: the preset, unless it is the default one, and the values that differ from
    * it. As JSON they can be stored, sent, and loaded by `importConfig` or `src`.
    * @see Settings
@@ -378,7 +385,8 @@ class HearthFire extends FireAttributes {
    */
   importConfig(config) {
     try {
-      return this.#session.change(['import', reportedSettings(config, 'config', this.#session.reports)]);
+      const settings = reportedSettings(config, 'config', this.#session.reports);
+      return this.#session.change(['import', settings], this.#session.history.sourceOfScene('property'));
     } catch (error) {
       return quiet(Promise.reject(error));
     }
@@ -545,25 +553,27 @@ class HearthFire extends FireAttributes {
     await this.#session.close();
   }
 
+  /** @internal */
   connectedCallback() {
     upgradeProperties(this);
     if (this.getAttribute('seed') === 'auto') seedOf(this);
     this.#session.attach();
   }
 
-  /** The element has moved to another document, for instance another window. */
+  /** The element has moved to another document, for instance another window. @internal */
   adoptedCallback() {
     this.#session.mend();
   }
 
+  /** @internal */
   disconnectedCallback() {
     this.#session.detach();
   }
 
-  /** Without this callback, `moveBefore` would disconnect the element. */
+  /** Without this callback, `moveBefore` would disconnect the element. @internal */
   connectedMoveCallback() {}
 
-  /** @type {(name: string, old: string | null, value: string | null) => void} */
+  /** @internal @type {(name: string, old: string | null, value: string | null) => void} */
   attributeChangedCallback(name, _old, value) {
     this.#session.attribute(name, value);
   }
@@ -571,10 +581,10 @@ class HearthFire extends FireAttributes {
 
 for (const [property, id] of ID_OF_PROPERTY) {
   defineProperty(
-    HearthFire,
+    FireElement,
     property,
     (fire) => fire.get(/** @type {ParameterId} */ (id)),
-    (/** @type {any} */ fire, value) => fire.set(id, stated(fire, property, value)),
+    (/** @type {any} */ fire, value) => fire.set({ [id]: stated(fire, property, value) }),
   );
 }
 
@@ -585,11 +595,10 @@ function numbers({ x, y }) {
 }
 
 /** The class that another copy of this module has defined. */
-const other = /** @type {typeof HearthFire | undefined} */ (globalThis.customElements?.get('hearth-fire'));
+const other = /** @type {typeof FireElement | undefined} */ (globalThis.customElements?.get('hearth-fire'));
 if (other)
   console.warn(`<hearth-fire>: version ${other.version} is defined already; version ${VERSION} exports that class.`);
-else globalThis.customElements?.define('hearth-fire', HearthFire);
+else globalThis.customElements?.define('hearth-fire', FireElement);
 
 /** The class of the element, whichever copy of this module has defined it. */
-const Defined = other ?? HearthFire;
-export { Defined as HearthFire };
+export const HearthFire = other ?? FireElement;

@@ -61,12 +61,9 @@ export function maskOfText(text, font, width = 1) {
  */
 export function maskOfPath(path, box, width = 1) {
   if (typeof path !== 'string') throw refused('path', path, 'a text of SVG');
-  const sides = read('box', box, 'a list of four numbers: left, top, width and height', () =>
-    Array.isArray(box) && box.length === 4 ? [...box] : [],
-  );
-  if (sides.length !== 4 || !sides.every(Number.isFinite))
+  if (!Array.isArray(box) || box.length !== 4 || !box.every(Number.isFinite))
     throw refused('box', box, 'a list of four numbers: left, top, width and height');
-  return maskOf('path', path, sides, width, (context) => context.fill(new Path2D(path)));
+  return maskOf('path', path, box, width, (context) => context.fill(new Path2D(path)));
 }
 
 /**
@@ -79,35 +76,12 @@ export function maskOfPath(path, box, width = 1) {
 export function maskOfImage(image, width = 1) {
   const allowed = 'an image, a video or a canvas';
   if (typeof image !== 'object' || image === null) throw refused('image', image, allowed);
-  const { naturalWidth, naturalHeight, videoWidth, videoHeight, displayWidth, displayHeight, ...sized } = read(
-    'image',
-    image,
-    allowed,
-    () => sizesOf(image),
-  );
-  const across = naturalWidth ?? videoWidth ?? displayWidth ?? sized.width;
-  const up = naturalHeight ?? videoHeight ?? displayHeight ?? sized.height;
+  const sized = /** @type {{[side: string]: any}} */ (image);
+  const across = sized.naturalWidth ?? sized.videoWidth ?? sized.displayWidth ?? sized.width;
+  const up = sized.naturalHeight ?? sized.videoHeight ?? sized.displayHeight ?? sized.height;
   return maskOf('image', 'an image', [0, 0, across, up], width, (context) =>
     context.drawImage(image, 0, 0, across, up),
   );
-}
-
-/**
- * What is read of a value, whose own code may throw.
- * @template T
- * @param {string} id @param {unknown} value @param {string} allowed @param {() => T} act
- */
-function read(id, value, allowed, act) {
-  try {
-    return act();
-  } catch (cause) {
-    throw refused(id, value, allowed, cause);
-  }
-}
-
-/** @param {any} image @returns {{[side: string]: number}} */
-function sizesOf({ naturalWidth, naturalHeight, videoWidth, videoHeight, displayWidth, displayHeight, width, height }) {
-  return { naturalWidth, naturalHeight, videoWidth, videoHeight, displayWidth, displayHeight, width, height };
 }
 
 /** Throws for a width that a solid cannot have. @param {unknown} width */
@@ -131,22 +105,20 @@ function maskOf(id, value, [left, top, across, up], width, draw) {
   const rows = Math.max(Math.round(up * scale), 1);
   const context = contextOf(columns, rows);
   context.setTransform(columns / across, 0, 0, rows / up, (-left * columns) / across, (-top * rows) / up);
-  const mask = read(id, value, 'something whose pixels the page may read', () => {
+  let mask;
+  try {
     draw(context);
-    return opacityOf(context);
-  });
+    mask = opacityOf(context);
+  } catch (cause) {
+    throw refused(id, value, 'something whose pixels the page may read', cause);
+  }
   if (!mask) throw refused(id, value, 'something with opaque pixels');
   return { shape: 'mask', mask, width, height: Math.min(Math.max((width * up) / across, 0.002), 10) };
 }
 
 /** @param {string} id @param {unknown} value @param {string} allowed @param {unknown} [cause] */
 function refused(id, value, allowed, cause) {
-  let shown = `something of type ${typeof value}`;
-  try {
-    shown = String(value);
-  } catch {
-    // Its own code may throw.
-  }
+  const shown = typeof value === 'object' && value ? 'something of type object' : String(value);
   const words = shown.length > 40 ? `${shown.slice(0, 40)}…` : shown;
   return Object.assign(
     new RangeError(`${id} = ${JSON.stringify(words)} is refused: it must be ${allowed}`, { cause }),

@@ -94,12 +94,9 @@ function stayAboveKeyboard(host) {
 export async function mountPanel(options) {
   const { host, fire, page, script, embed, only } = optionsOf(options);
   for (const [name, address] of Object.entries({ page, script, embed }))
-    check(name, 'a text or a URL', () => /^(undefined|string)$/.test(typeof address) || address instanceof URL);
-  check(
-    'only',
-    'a list of ids',
-    () => only === undefined || (Array.isArray(only) && only.every((id) => typeof id === 'string')),
-  );
+    check(name, 'a text or a URL', /^(undefined|string)$/.test(typeof address) || address instanceof URL);
+  const areIds = only === undefined || (Array.isArray(only) && only.every((id) => typeof id === 'string'));
+  check('only', 'a list of ids', areIds);
   let ended = false;
   let restarts = 0;
   /** @type {import('./wasm/hearth-panel.js').Panel | undefined} */

@@ -14,12 +14,20 @@ export function loadedParts(module, all) {
 }
 
 /**
- * Checks that a module is a part. The build writes the name of each part into it.
+ * Checks that a module is a part of another. The build writes the hash of the other into both.
  * @param {WebAssembly.Module} module
- * @param {string} name
+ * @param {string} name of the part
+ * @param {WebAssembly.Module} base the other
+ * @throws {TypeError}
  */
-export function checkPart(module, name) {
-  if (WebAssembly.Module.customSections(module, `part:${name}`).length === 0) {
-    throw new TypeError(`it is not the part "${name}"`);
-  }
+export function checkPart(module, name, base) {
+  const build = buildOf(module, `part:${name}`);
+  if (build === undefined) throw new TypeError(`it is not the part "${name}"`);
+  if (build !== buildOf(base, 'build')) throw new TypeError('it is of another build; reload the page');
+}
+
+/** The hash in a section. @type {(module: WebAssembly.Module, section: string) => string | undefined} */
+function buildOf(module, section) {
+  const [data] = WebAssembly.Module.customSections(module, section);
+  return data && new Uint8Array(data).join();
 }

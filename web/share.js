@@ -3,14 +3,12 @@
  * compressed fragment.
  *
  * Pure functions for pages and servers. They take the settings of `exportConfig()`. They validate no
- * values: the fire that receives a URL's values does. The values of the model that does not burn are left out.
+ * values: the fire that receives a URL's values does.
  *
  * @typedef {object} Config
- * @property {number} [hearth]  The version of the format, 2.
+ * @property {number} [hearth]  The version of the format, 3.
  * @property {string} [preset]  The preset, unless it is the default one.
  * @property {{[id: string]: unknown}} [values]  The values that differ from the preset.
- * @property {{[id: string]: unknown}} [classic]  Those that the classic model has for itself while it does not burn.
- * @property {{[id: string]: unknown}} [combustion]  The same of the combustion model.
  * @property {object[]} [objects]  The objects, unless they are the preset's.
  * @property {string} [label]  A title for people.
  * @property {string} [description]  A description for people.
@@ -57,9 +55,10 @@ export function toQuery(config) {
  *   the fire's settings; and the page's own parameters with the element's own attributes
  */
 export function fromQuery(search, names = []) {
-  if (typeof search !== 'string' && !read('search', () => search instanceof URLSearchParams))
+  if (typeof search !== 'string' && !(search instanceof URLSearchParams))
     throw new TypeError(`search must be a text or URLSearchParams, not ${kindOf(search)}`);
-  const reserved = new Set([...OWN, ...read('names', () => [...names])]);
+  if (typeof names?.[Symbol.iterator] !== 'function') throw new TypeError(`names must be a list, not ${kindOf(names)}`);
+  const reserved = new Set([...OWN, ...names]);
   const others = new URLSearchParams();
   /** @type {[string, string][]} */
   const values = [];
@@ -70,7 +69,7 @@ export function fromQuery(search, names = []) {
     else values.push([name.replaceAll('-', '_'), value]);
   }
   // A name such as `__proto__` becomes an own key, which the fire refuses.
-  const config = { hearth: 2, ...(preset !== undefined && { preset }), values: Object.fromEntries(values) };
+  const config = { hearth: 3, ...(preset !== undefined && { preset }), values: Object.fromEntries(values) };
   return { config, others };
 }
 
@@ -183,12 +182,12 @@ function escaped(text) {
  */
 function checked(shown = {}) {
   if (!isObject(shown)) throw new TypeError(`shown must be an object, not ${kindOf(shown)}`);
-  const { width = 320, height = 400, attributes: own = {} } = read('shown', () => ({ ...shown }));
+  const { width = 320, height = 400, attributes: own = {} } = shown;
   for (const [name, size] of Object.entries({ width, height }))
     if (!(typeof size === 'number' && size > 0 && size < Infinity))
       throw new RangeError(`shown.${name} must be a positive number, not ${kindOf(size)}`);
   if (!isObject(own)) throw new TypeError(`shown.attributes must be an object, not ${kindOf(own)}`);
-  const named = read('shown.attributes', () => Object.entries(own));
+  const named = Object.entries(own);
   for (const [name, value] of named) {
     if (!OWN.includes(name))
       throw new RangeError(`shown.attributes: ${JSON.stringify(shortened(name))} is no attribute`);
@@ -199,26 +198,26 @@ function checked(shown = {}) {
 }
 
 /**
- * What settings have, each read once: the preset, and the values as attributes, the model first.
+ * What settings have: the preset, and the values as attributes, the model first.
  * @param {unknown} config
  * @returns {{preset?: string, attributes: [string, string][]}}
  * @throws {TypeError} they have another form
  */
 function settingsOf(config) {
   if (!isObject(config)) throw new TypeError(`config must be an object of settings, not ${kindOf(config)}`);
-  const { preset, values, objects } = read('config', () => ({ .../** @type {Config} */ (config) }));
+  const { preset, values, objects } = /** @type {Config} */ (config);
   if (preset !== undefined && typeof preset !== 'string')
     throw new TypeError(`config.preset must be a text, not ${kindOf(preset)}`);
   if (values !== undefined && !isObject(values))
     throw new TypeError(`config.values must be an object, not ${kindOf(values)}`);
   /** @type {[string, unknown][]} */
-  const named = read('config.values', () => Object.entries(values ?? {}));
+  const named = Object.entries(values ?? {});
   for (const [id, value] of named)
     if (!isPrimitive(value))
       throw new TypeError(`config.values.${shortened(id)} must be a number, a text or a flag, not ${kindOf(value)}`);
   if (objects !== undefined) {
-    if (!isList(objects)) throw new TypeError(`config.objects must be a list, not ${kindOf(objects)}`);
-    named.push(['objects', read('config.objects', () => JSON.stringify(objects))]);
+    if (!Array.isArray(objects)) throw new TypeError(`config.objects must be a list, not ${kindOf(objects)}`);
+    named.push(['objects', JSON.stringify(objects)]);
   }
   const attributes = named.map(
     ([id, value]) => /** @type {[string, string]} */ ([id.replaceAll('_', '-'), String(value)]),
@@ -228,7 +227,7 @@ function settingsOf(config) {
 
 /** Whether it is an object of fields. @param {unknown} value */
 function isObject(value) {
-  return typeof value === 'object' && value !== null && !isList(value);
+  return typeof value === 'object' && value !== null && !Array.isArray(value);
 }
 
 /** Whether an attribute can have it. @param {unknown} value */
@@ -236,41 +235,17 @@ function isPrimitive(value) {
   return ['string', 'number', 'boolean'].includes(typeof value);
 }
 
-/**
- * What is read of an argument, whose own code may throw.
- * @template T
- * @param {string} name
- * @param {() => T} act
- */
-function read(name, act) {
-  try {
-    return act();
-  } catch (cause) {
-    throw new TypeError(`${name} cannot be read`, { cause });
-  }
-}
-
 /** The text of an address. @param {string} name @param {unknown} address */
 function textOf(name, address) {
   if (typeof address === 'string') return address;
-  const text = read(name, () => (address instanceof URL ? address.href : undefined));
-  if (text !== undefined) return text;
+  if (address instanceof URL) return address.href;
   throw new TypeError(`${name} must be a text or a URL, not ${kindOf(address)}`);
-}
-
-/** Whether it is an array; a revoked proxy is none. @param {unknown} value @returns {value is any[]} */
-function isList(value) {
-  try {
-    return Array.isArray(value);
-  } catch {
-    return false;
-  }
 }
 
 /** A value in words, without its own code. @param {unknown} value */
 function kindOf(value) {
   if (['number', 'boolean', 'undefined'].includes(typeof value) || value === null) return String(value);
-  return isList(value) ? 'a list' : typeof value === 'string' ? 'a text' : `something of type ${typeof value}`;
+  return Array.isArray(value) ? 'a list' : typeof value === 'string' ? 'a text' : `something of type ${typeof value}`;
 }
 
 /** @param {string} name */

@@ -36,11 +36,6 @@ export interface SimulationOptions {
    * All simulations share one: that of the first call.
    */
   wasm?: string | URL | BufferSource | WebAssembly.Module;
-  /**
-   * The parts of the wasm that are not beside the module: the classic model; solids that burn, water and
-   * free solids. A browser fetches the others when a simulation needs them.
-   */
-  wasmParts?: { [part in 'classic' | 'bodies']?: string | URL | BufferSource | WebAssembly.Module };
 }
 
 /** Numbers in an array of any kind. */
@@ -131,9 +126,9 @@ export interface Simulation {
   readonly time: number;
   /** Particles alive. */
   readonly count: number;
-  /** Power of the combustion in the last step [kW/m]; undefined in the classic model. */
-  readonly power: number | undefined;
-  /** Length of a step [s]; in the combustion model, of the last one, the longest stable one. */
+  /** Power of the combustion in the last step [kW/m]; 0 in the classic model. */
+  readonly power: number;
+  /** Length of the last step [s]. */
   readonly stepLength: number;
   /** The value of every parameter. */
   readonly params: HearthParameters;
@@ -146,13 +141,18 @@ export interface Simulation {
 
   /** Makes this number of steps: one by default, at most 100,000 in a call. */
   step(steps?: number): void;
+  /**
+   * Makes steps until this number of seconds has passed, 1000 at most: `time` is then exactly the time before plus
+   * `seconds`, because the last two steps are shorter where that is needed.
+   */
+  advance(seconds: number): void;
   /** Starts again with the same values: time zero, the generator at its seed. */
   reset(): void;
 
   /** The value of one parameter; throws a RangeError for an unknown one. */
   get<Id extends ParameterId>(id: Id): HearthParameters[Id];
   /** Sets one parameter; throws a {@link SimulationRangeError}. Another seed or model starts again. */
-  set<Id extends ParameterId>(id: Id, value: HearthParameters[Id] | null | undefined): void;
+  set<Id extends ParameterId>(id: Id, value: HearthParameters[Id] | null): void;
   /** Sets all of these or none, the model first; throws a {@link SimulationRangeError}. */
   set(values: HearthValues): void;
   /** Restores the defaults of these or, without ids, of everything, the model too. */

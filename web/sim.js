@@ -11,16 +11,18 @@
  */
 
 import { freeSolidsOf } from './free-solids.js';
-import { add, addNow, loaded, loadedNames } from './sim/loading.js';
+import { loaded } from './sim/loading.js';
 import { PARTICLE, embersOf, fuelsOf, numbersOf } from './sim/particles.js';
-import { columns, fields, finite, known, refusal, text, whole } from './sim/values.js';
+import { between, columns, fields, finite, known, refusal, text, whole, words } from './sim/values.js';
 
 /** Most steps of one call: minutes of work. */
 const MAX_STEPS = 100_000;
+/** Longest time of one call [s]. */
+const MAX_SECONDS = 1000;
 /** Largest id of an object. */
 const MAX_ID = 1_000_000;
 
-const OPTIONS = ['model', 'preset', 'seed', 'params', 'objects', 'wasm', 'wasmParts'];
+const OPTIONS = ['model', 'preset', 'seed', 'params', 'objects', 'wasm'];
 
 /**
  * Makes a simulation with its sources lit. Rejects with a `RangeError` for values out of range.
@@ -31,15 +33,12 @@ export async function createSimulation(options = {}) {
   const values = [];
   /** @type {any} */
   let wasm;
-  /** @type {[string, any][]} */
-  let parts = [];
   /** @type {any} */
   let preset;
   for (const [name, value] of fields('options', options)) {
     known('option', name, OPTIONS);
     if (value === undefined) continue;
     if (name === 'wasm') wasm = value;
-    else if (name === 'wasmParts') parts = fields(name, value);
     else if (name === 'preset') preset = value;
     // Of a parameter and an object's property, the later one wins.
     else if (name === 'params') values.push(...fields(name, value));
@@ -50,17 +49,8 @@ export async function createSimulation(options = {}) {
   if (twice !== undefined) throw new TypeError(`${twice} is given twice: as an option and in params`);
   if (preset !== undefined) text('preset', preset);
   const [sent, columnsOfValues] = columns(values);
-  const { Fire } = await loaded(wasm, parts);
-  const make = () =>
-    new Simulation(() => new Fire(preset, sent, columnsOfValues, loadedNames), [['preset', preset], ...values], Fire);
-  for (;;) {
-    try {
-      return make();
-    } catch (missing) {
-      if (typeof missing !== 'string') throw missing;
-      await add(missing);
-    }
-  }
+  const { Fire } = await loaded(wasm);
+  return new Simulation(() => new Fire(preset, sent, columnsOfValues), [['preset', preset], ...values], Fire);
 }
 
 /** A fire, step by step. */
@@ -90,7 +80,7 @@ class Simulation {
     return this.#use((fire) => fire.count);
   }
 
-  /** Power that the burning gave in the last step [kW/m]; 0 in the classic model. */
+  /** Power of the combustion in the last step [kW/m]; 0 in the classic model. */
   get power() {
     return this.#use((fire) => fire.power);
   }
@@ -128,6 +118,15 @@ class Simulation {
     this.#use((fire) => fire.step(steps));
   }
 
+  /**
+   * Makes steps until this number of seconds has passed, exactly: the last two steps are shorter where that is needed.
+   * @param {number} seconds
+   */
+  advance(seconds) {
+    between('seconds', seconds, 0, MAX_SECONDS);
+    this.#use((fire) => fire.advance(seconds));
+  }
+
   /** Starts again with the same values: time zero, the generator at its seed. */
   reset() {
     this.#use((fire) => fire.reset());
@@ -144,22 +143,23 @@ class Simulation {
     this.#use((fire) => {
       fire.get(found, id);
       // The error of a restored unknown id names it.
-      if (!(id in found)) fire.set([id], [null], loadedNames);
+      if (!(id in found)) fire.set([id], [null]);
     });
     return found[id];
   }
 
   /**
-   * Sets one parameter, or several and `objects`: all of them or none. `undefined` states nothing, `null` restores
-   * the default.
+   * Sets one parameter, or several and `objects`: all of them or none. `null` restores the default. Among several,
+   * `undefined` states nothing.
    * @param {string | Values} ids
    * @param {unknown} [value]
    */
   set(ids, value) {
     /** @type {[string, any][]} */
     const values = typeof ids === 'string' ? [[ids, value]] : fields('values', ids);
-    const [sent, columnsOfValues] = columns(values);
-    this.#use((fire) => fire.set(sent, columnsOfValues, loadedNames), values);
+    const isMissing = typeof ids === 'string' && value === undefined;
+    const [sent, columnsOfValues] = columns(isMissing ? [[ids, words(value)]] : values);
+    this.#use((fire) => fire.set(sent, columnsOfValues), values);
   }
 
   /**
@@ -197,7 +197,7 @@ class Simulation {
   restore(...ids) {
     for (const id of ids) text('id', id);
     const nulls = ids.length > 0 ? ids.map(() => null) : undefined;
-    this.#use((fire) => fire.set(ids, nulls, loadedNames));
+    this.#use((fire) => fire.set(ids, nulls));
   }
 
   /** The number by which each particle is known from step to step. */
@@ -326,7 +326,7 @@ class Simulation {
    */
   spray(x, y, u = 0, v = -4, grams = 5) {
     for (const [name, value] of Object.entries({ x, y, u, v, grams })) finite(name, value);
-    this.#use((fire) => fire.spray(x, y, u, v, grams, loadedNames));
+    this.#use((fire) => fire.spray(x, y, u, v, grams));
   }
 
   /**
@@ -344,6 +344,14 @@ class Simulation {
     this.#fire = undefined;
   }
 
+  /** What Node's console prints. */
+  [Symbol.for('nodejs.util.inspect.custom')]() {
+    if (!this.#fire) return `Simulation (${this.#gone})`;
+    const { time, count, power } = this;
+    const state = [`${time.toFixed(3)} s`, `${count} particles`, `${power.toFixed()} kW/m`];
+    return `Simulation (${[this.get('model'), ...state].join(', ')})`;
+  }
+
   /**
    * Adds, changes or, without fields, removes an object.
    * @param {number | undefined} id
@@ -352,7 +360,7 @@ class Simulation {
    */
   #setObject(id, values) {
     const [sent, columnsOfValues] = values ? columns(values) : [];
-    return this.#use((fire) => fire.setObject(id, sent, columnsOfValues, loadedNames), values);
+    return this.#use((fire) => fire.setObject(id, sent, columnsOfValues), values);
   }
 
   /** A property of all particles; undefined if the model has none. @param {string} name @returns {any} */
@@ -384,11 +392,6 @@ class Simulation {
       return act();
     } catch (cause) {
       if (Array.isArray(cause)) throw refusal(cause, values);
-      // A new simulation waits for the part, a call cannot.
-      if (typeof cause === 'string' && this.#fire) {
-        addNow(cause);
-        return this.#guard(act, values);
-      }
       if (!(cause instanceof WebAssembly.RuntimeError)) throw cause;
       this.#fire = undefined;
       this.#gone = 'this simulation has stopped for good';
@@ -398,6 +401,9 @@ class Simulation {
     }
   }
 }
+
+// The class has a short name where a bundler makes it one.
+Object.defineProperty(Simulation.prototype, Symbol.toStringTag, { value: 'Simulation', configurable: true });
 
 if (Symbol.dispose) {
   Object.defineProperty(Simulation.prototype, Symbol.dispose, {

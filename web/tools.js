@@ -6,6 +6,7 @@
 
 import { element } from './element/controls/icon-button.js';
 import { editingOf, isOn } from './panel/editing.js';
+import { historyKey } from './panel/keys.js';
 import { objectsOf } from './panel/objects.js';
 import { addStyle, check, optionsOf } from './panel/style.js';
 import { bindSpeaker } from './sound/speaker.js';
@@ -48,7 +49,7 @@ const STATUS_MS = 5000;
  */
 export async function mountTools(options) {
   const { host, fire, page = false, closed = () => {} } = optionsOf(options);
-  check('closed', 'a function', () => typeof closed === 'function');
+  check('closed', 'a function', typeof closed === 'function');
   const { styled, removeStyle } = addStyle(host, new URL('./tools/tools.css', import.meta.url).href);
   await styled;
   const tools = new Toolbar(host, fire, closed);
@@ -111,7 +112,7 @@ class Toolbar {
     const context = this.#context;
     this.#pointers = new Pointers(context);
     this.#cross = new Cross(context, this.#pointers, this.#overlay);
-    const { history } = fire;
+    this.#editing.cancelDrawing = () => this.#pointers.cancelAll();
     this.#bar = new Bar({
       tool: (name) => this.#choose(name),
       select: (id) => {
@@ -125,8 +126,8 @@ class Toolbar {
       order: (front) => this.#edits.order(front),
       align: (to) => this.#align(to),
       plots: () => this.#instruments.plot(),
-      undo: () => this.#edits.attempt(() => history.undo()),
-      redo: () => this.#edits.attempt(() => history.redo()),
+      undo: () => this.#edits.attempt(() => this.#editing.undo()),
+      redo: () => this.#edits.attempt(() => this.#editing.redo()),
       close: closed,
     });
     this.#unbind = bindSpeaker(this.#bar.speaker, fire);
@@ -220,6 +221,7 @@ class Toolbar {
     this.#unbind();
     this.#cross.remove();
     this.#pointers.cancelAll();
+    this.#editing.cancelDrawing = () => false;
     this.#host.classList.remove('hearth-tools');
     for (const element of [this.#overlay.element, this.#bar.element, this.#bar.align, this.#status]) element.remove();
     this.#inserts.close();
@@ -326,22 +328,21 @@ class Toolbar {
     const act = this.#actionOf(event, target === this.#overlay.element);
     if (!act) return;
     event.preventDefault();
-    event.stopPropagation();
+    // A panel of this page may listen to the same keys.
+    event.stopImmediatePropagation();
     act();
   }
 
   /** @type {(event: KeyboardEvent, onLayer: boolean) => (() => void) | undefined} */
   #actionOf(event, onLayer) {
     const { key, shiftKey } = event;
-    const { history } = this.#fire;
     const { id: last } = this.#editing;
     const all = this.#selected;
     const selected = all.find(({ id }) => id === last);
     if (event.altKey) return undefined;
+    const move = historyKey(event);
+    if (move) return () => this.#edits.attempt(() => this.#editing[move]());
     if (event.ctrlKey || event.metaKey) {
-      if (key.toLowerCase() === 'z')
-        return () => this.#edits.attempt(() => (shiftKey ? history.redo() : history.undo()));
-      if (key.toLowerCase() === 'y') return () => this.#edits.attempt(() => history.redo());
       return key.toLowerCase() === 'd' && selected ? () => this.#edits.duplicate() : undefined;
     }
     const tool = TOOLS.find((candidate) => candidate.key === key.toLowerCase());
@@ -376,8 +377,8 @@ class Toolbar {
   }
 
   #escape() {
-    if (this.#pointers.active) {
-      this.#pointers.cancelAll();
+    if (this.#pointers.cancelAll()) {
+      // Nothing is drawn any more.
     } else if (this.#instruments.close()) {
       // The plots are hidden.
     } else if (this.#cross.shown) {

@@ -1,27 +1,25 @@
 /**
- * Derives what tools and users read about `<hearth-fire>` from the JSDoc of its class:
- * `web/hearth-fire.d.ts`, `web/react.d.ts`, `web/custom-elements.json`, the names of its own
- * attributes, the reference of its methods in `docs/element.md`, and what an iframe offers to its page:
- * `web/generated/iframe-methods.js`, `web/embed-client.d.ts`, and lists in `web/embed-client.js` and
- * `docs/iframe.md`. Prints the path of each file that was behind and is written.
+ * Derives what tools and users read about `<hearth-fire>` from the JSDoc of its class: the names of its own
+ * attributes, the reference of its methods in `docs/element.md`, and what an iframe offers to its page in
+ * `web/generated/iframe-methods.js`, `web/embed-client.js` and `docs/iframe.md`. Prints the path of each file that was
+ * behind and is written. `node element.mjs FOLDER` writes there what the package alone has: `react.d.ts` and
+ * `custom-elements.json`.
  *
- * The class states its methods, accessors, events (`@fires`), slots, parts, custom properties and
- * states; `HearthReflected` in `web/element/types.d.ts` states the properties that only live in
- * an attribute; `web/parameters.js` and `web/parameters.d.ts` state the parameters. An accessor with
- * `@attribute` reflects the attribute of its name with hyphens. A member with `@posted` answers messages of
- * the page around an iframe. `@example` and `@see` are for the reference. `HearthSourceElement` and
- * `HearthSolidElement` in `web/element/types.d.ts` state the children, and the objects of
- * `web/parameters.d.ts` their attributes.
+ * The class states its methods, accessors, slots, parts, custom properties and states. In `web/element/types.d.ts`,
+ * `HearthFireEvents` states the events, `HearthReflected` the properties that only live in an attribute, and
+ * `HearthSourceElement` and `HearthSolidElement` the children, whose attributes are the objects of
+ * `web/parameters.d.ts`. `web/parameters.js` and `web/parameters.d.ts` state the parameters. An accessor with
+ * `@attribute` reflects the attribute of its name with hyphens. A member with `@posted` answers messages of the page
+ * around an iframe. `@example` and `@see` are for the reference.
  */
 import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { API, SyntaxKind } from '../xtask/scripts/typescript.mjs';
-import { clientList, clientTypes, iframeMethods, reference as iframeReference } from './element/iframe.mjs';
+import { clientList, iframeMethods, reference as iframeReference } from './element/iframe.mjs';
 import { manifest } from './element/manifest.mjs';
 import { reference } from './element/reference.mjs';
-import { elementTypes, reactTypes } from './element/types.mjs';
-import { read } from './element/jsdoc.mjs';
+import { reactTypes } from './element/types.mjs';
 
 /**
  * @typedef {object} Property
@@ -32,7 +30,7 @@ import { read } from './element/jsdoc.mjs';
  * @property {boolean} readonly
  * @property {string} [attribute]
  * @property {string} [default]
- * @property {boolean} [posted]
+ * @property {boolean} posted
  * @property {string} doc
  *
  * @typedef {{name: string, type: string, optional: boolean, rest: boolean, doc: string}} Argument
@@ -57,12 +55,7 @@ import { read } from './element/jsdoc.mjs';
  * @property {string} doc  Of its property.
  * @property {string} about  The same with unit, defaults and ranges.
  *
- * @typedef {object} Child  An element that is a child of the element.
- * @property {string} tag
- * @property {string} type
- * @property {string} doc
- * @property {Named[]} members
- * @property {Named[]} attributes
+ * @typedef {{tag: string, type: string, doc: string, members: Named[], attributes: Named[]}} Child
  *
  * @typedef {object} Element  The description of the element.
  * @property {string} doc
@@ -74,12 +67,14 @@ import { read } from './element/jsdoc.mjs';
  * @property {Named[]} parts
  * @property {Named[]} cssProperties
  * @property {Named[]} states
- * @property {Child[]} children
- * @property {{[file: string]: string[]}} types  The names that each file of types declares.
+ * @property {Child[]} children  The elements that are children of the element.
+ * @property {string[]} types  The names of all types.
  */
 
 const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
 const WEB = path.join(ROOT, 'web');
+/** A field, a property of an interface, or what reads a property. */
+const PROPERTIES = [SyntaxKind.PropertyDeclaration, SyntaxKind.PropertySignature, SyntaxKind.GetAccessor];
 
 const api = new API({ cwd: ROOT });
 try {
@@ -105,23 +100,24 @@ try {
   };
   const element = await describe(declared, exported);
   const own = element.properties.flatMap(({ attribute }) => attribute ?? []);
-  const { OPTIONS } = await load('pages/url-parameters.js');
-  await refresh('web/hearth-fire.d.ts', elementTypes(element));
-  await refresh('web/react.d.ts', reactTypes(element));
-  await refresh('web/custom-elements.json', manifest(element));
-  await refresh(
-    'web/generated/attributes.js',
-    [
-      '// Generated from the class in web/hearth-fire.js by `cargo xtask codegen`; edit its JSDoc instead.\n',
-      '/** The attributes that are no parameters. */',
-      `export const OWN_ATTRIBUTES = [${own.map((name) => `"${name}"`).join(', ')}];\n`,
-    ].join('\n'),
-  );
-  await refresh('web/generated/iframe-methods.js', iframeMethods(element));
-  await refresh('web/embed-client.d.ts', clientTypes(element, OPTIONS));
-  await refreshPart('web/embed-client.js', ['// methods: begin', '// methods: end'], clientList(element));
-  await refreshPart('docs/element.md', marks('methods'), `\n${reference(element)}\n`);
-  await refreshPart('docs/iframe.md', marks('methods'), `\n${iframeReference(element)}\n`);
+  const [folder] = process.argv.slice(2);
+  if (folder) {
+    await writeFile(path.join(folder, 'react.d.ts'), reactTypes(element));
+    await writeFile(path.join(folder, 'custom-elements.json'), manifest(element));
+  } else {
+    await refresh(
+      'web/generated/attributes.js',
+      [
+        '// Generated from the class in web/hearth-fire.js by `cargo xtask codegen`; edit its JSDoc instead.\n',
+        '/** The attributes that are no parameters. */',
+        `export const OWN_ATTRIBUTES = [${own.map((name) => `"${name}"`).join(', ')}];\n`,
+      ].join('\n'),
+    );
+    await refresh('web/generated/iframe-methods.js', iframeMethods(element));
+    await refreshPart('web/embed-client.js', ['  // methods: begin\n', '  // methods: end'], clientList(element));
+    await refreshPart('docs/element.md', marks('methods'), `\n${reference(element)}\n`);
+    await refreshPart('docs/iframe.md', marks('methods'), `\n${iframeReference(element)}\n`);
+  }
 } finally {
   api.close();
 }
@@ -132,37 +128,44 @@ try {
  * @returns {Promise<Element>}
  */
 async function describe(declared, exported) {
-  const type = declared('hearth-fire.js', 'HearthFire');
+  const type = declared('hearth-fire.js', 'FireElement');
   const about = read(type);
   const named = (/** @type {string} */ tag) =>
-    about.all(tag).map(({ name, type: kind, text }) => ({ name, type: kind, doc: text }));
+    about.all(tag).map(({ text }) => {
+      const [, name, doc] = /^(\S+) (.*)$/.exec(text) ?? missing(tag, 'text');
+      return { name, type: '', doc };
+    });
   const members = [...type.members, ...declared('element/attributes/attributes.js', 'FireAttributes').members].filter(
     isPublic,
   );
   const reflected = [...declared('element/types.d.ts', 'HearthReflected').members];
-  const properties = [
-    ...members
-      .filter(({ kind }) => kind === SyntaxKind.PropertyDeclaration || kind === SyntaxKind.GetAccessor)
-      .map((member) => accessor(member, members)),
-    ...reflected.filter(({ kind }) => kind !== SyntaxKind.SetAccessor).map((member) => reflection(member, reflected)),
-  ];
+  const properties = [...members, ...reflected]
+    .filter(({ kind }) => PROPERTIES.includes(kind))
+    .map((member) => property(member, [...members, ...reflected], reflected.includes(member)));
   return {
     doc: about.doc,
     // A class names what it overrides a second time.
     properties: properties.filter(({ name }, at) => properties.findIndex((other) => other.name === name) === at),
     // The compiler lists an `@overload` as a method without a body.
-    methods: members.filter(({ kind, body }) => kind === SyntaxKind.MethodDeclaration && body).map(method),
+    methods: members
+      .filter(({ kind, body }) => kind === SyntaxKind.MethodDeclaration && body)
+      .map((last) =>
+        method(last, [...members.filter(({ name, body }) => name.text === last.name.text && !body), last]),
+      ),
     parameters: await parameters(declared('parameters.d.ts', 'HearthParameters').members),
-    events: named('fires'),
+    events: declared('element/types.d.ts', 'HearthFireEvents').members.map(member),
     slots: named('slot'),
     parts: named('csspart'),
     cssProperties: named('cssproperty'),
     states: named('cssstate'),
     children: ['source', 'solid'].map((kind) => child(kind, declared)),
-    types: Object.fromEntries(
-      ['element/types', 'parameters'].map((file) => [`./${file}.js`, exported(`${file}.d.ts`)]),
-    ),
+    types: [...exported('element/types.d.ts'), ...exported('parameters.d.ts')],
   };
+}
+
+/** A member of an interface. @param {any} node @returns {Named} */
+function member(node) {
+  return { name: node.name.text, type: typeOf(node), doc: read(node).doc };
 }
 
 /** @type {(kind: string, declared: (file: string, name: string) => any) => Child} */
@@ -181,16 +184,15 @@ function child(kind, declared) {
     type: 'boolean',
     doc: 'With `of`: it has the shape of the glyphs of that element.',
   };
-  const member = (/** @type {any} */ node) => ({
-    name: node.name.text,
-    // An attribute is a text where a property may be a list as well.
-    type: node.type.getText().replace(/^string \|.*/, 'string'),
-    doc: read(node).doc,
-  });
   const properties = declared('parameters.d.ts', `Hearth${name}`)
     .members.map(member)
     .filter((/** @type {Named} */ property) => property.name !== 'kind' && property.name !== 'id')
-    .map((/** @type {Named} */ property) => ({ ...property, name: property.name.replaceAll('_', '-') }));
+    .map((/** @type {Named} */ { name, type, doc }) => ({
+      name: name.replaceAll('_', '-'),
+      // An attribute is a text where a property may be a list as well.
+      type: type.replace(/^string \|.*/, 'string'),
+      doc,
+    }));
   // The element that is a solid, or the id of its object.
   for (const property of properties)
     if (property.name === 'solid') property.type = 'number | `#$' + '{string}` | `$' + '{number}`';
@@ -208,67 +210,51 @@ function isPublic({ name }) {
   return name && name.kind !== SyntaxKind.PrivateIdentifier && !/Callback$|^observedAttributes$/.test(name.text);
 }
 
-/** @type {(member: any, members: any[]) => Property} */
-function accessor(member, members) {
-  const name = member.name.text;
-  const about = read(member);
-  const field = member.kind === SyntaxKind.PropertyDeclaration;
-  const settable = field || members.some((other) => other.kind === SyntaxKind.SetAccessor && other.name.text === name);
+/** @type {(node: any, all: any[], reflects: boolean) => Property} */
+function property(node, all, reflects) {
+  const name = node.name.text;
+  const about = read(node);
+  const setter = all.find((other) => other.kind === SyntaxKind.SetAccessor && other.name.text === name);
+  const accepted = setter?.parameters[0].type;
   return {
     name,
-    type: about.first(field ? 'type' : 'returns')?.type ?? missing(name, field ? '@type' : '@returns'),
-    ofClass: (member.modifiers ?? []).some((/** @type {any} */ modifier) => modifier.kind === SyntaxKind.StaticKeyword),
-    readonly: !settable,
-    attribute: about.first('attribute') && hyphened(name),
+    type: typeOf(node),
+    accepts: accepted && flat(accepted.getText()),
+    ofClass: (node.modifiers ?? []).some((/** @type {any} */ modifier) => modifier.kind === SyntaxKind.StaticKeyword),
+    readonly: node.kind === SyntaxKind.GetAccessor && !setter,
+    attribute: reflects || about.first('attribute') ? hyphened(name) : undefined,
     default: about.first('default')?.text,
     posted: about.first('posted') !== undefined,
     doc: about.doc,
   };
 }
 
-/** @type {(member: any, members: any[]) => Property} */
-function reflection(member, members) {
-  const name = member.name.text;
-  const about = read(member);
-  const setter = members.find((other) => other.kind === SyntaxKind.SetAccessor && other.name.text === name);
-  return {
-    name,
-    type: member.type.getText(),
-    accepts: setter?.parameters[0].type.getText(),
-    ofClass: false,
-    readonly: false,
-    attribute: hyphened(name),
-    default: about.first('default')?.text,
-    doc: about.doc,
-  };
-}
-
-/** @type {(member: any) => Method} */
-function method(member) {
-  const name = member.name.text;
-  const comments = member.jsDoc ?? [];
-  const last = read(member);
+/** @type {(node: any, signatures: any[]) => Method} */
+function method(node, signatures) {
+  const name = node.name.text;
+  const last = read(node);
   return {
     name,
     posted: last.first('posted') !== undefined,
-    see: last.first('see')?.text,
+    see: last.first('see')?.name,
     examples: last.all('example').map(({ text }) => {
       const [, label, code] = /^<caption>(.*?)<\/caption> (.*)$/.exec(text) ?? missing(name, 'caption of @example');
       return { label, code };
     }),
-    signatures: comments.map((/** @type {any} */ _, /** @type {number} */ at) => {
-      const about = read(member, at);
+    signatures: signatures.map((signature, at) => {
+      const about = read(node, at);
+      const [template] = signature.typeParameters ?? [];
       return {
         doc: about.doc,
-        template: about.first('template'),
-        parameters: about.all('param').map((parameter) => ({
-          name: parameter.name,
-          doc: parameter.text,
-          optional: parameter.optional,
-          rest: parameter.type.startsWith('...'),
-          type: parameter.type.startsWith('...') ? `${parameter.type.slice(3)}[]` : parameter.type,
+        template: template && { name: template.name.text, type: flat(template.constraint.getText()) },
+        parameters: [...signature.parameters].map((parameter) => ({
+          name: parameter.name.text,
+          doc: about.all('param').find((tag) => tag.name === parameter.name.text)?.text ?? '',
+          optional: Boolean(parameter.questionToken),
+          rest: Boolean(parameter.dotDotDotToken),
+          type: typeOf(parameter).replace(/^\.\.\.(.*)/, '$1[]'),
         })),
-        returns: about.first('returns')?.type ?? missing(name, '@returns'),
+        returns: typeOf(signature),
       };
     }),
   };
@@ -280,8 +266,44 @@ async function parameters(members) {
   const typed = new Map(members.map((member) => [member.name.text, member]));
   return PARAMETERS.map((/** @type {any} */ parameter) => {
     const member = typed.get(parameter.id);
-    return { ...parameter, default: String(parameter.default), type: member.type.getText(), about: read(member).doc };
+    return { ...parameter, default: String(parameter.default), type: typeOf(member), about: read(member).doc };
   });
+}
+
+/**
+ * The JSDoc of a node as the compiler parses it: its last comment, or that at `at`.
+ * @param {any} node
+ * @param {number} [at]
+ */
+function read(node, at = -1) {
+  const comment = [...(node.jsDoc ?? [])].at(at);
+  const tags = [...(comment?.tags ?? [])].map((tag) => ({
+    tag: tag.tagName.text,
+    // Of a parameter, or of a section that `@see` names.
+    name: (tag.name ?? tag.nameExpression)?.getText(),
+    text: textIn(tag),
+  }));
+  return {
+    doc: textIn(comment),
+    all: (/** @type {string} */ tag) => tags.filter((entry) => entry.tag === tag),
+    first: (/** @type {string} */ tag) => tags.find((entry) => entry.tag === tag),
+  };
+}
+
+/** The text of a comment or of a tag. @param {any} node */
+function textIn(node) {
+  const parts = [...(node?.comment ?? [])];
+  return flat(parts.map((part) => (part.kind === SyntaxKind.JSDocText ? part.text : part.getText())).join(''));
+}
+
+/** A text as one line. @param {string} text */
+function flat(text) {
+  return text.replace(/\s+/g, ' ').trim();
+}
+
+/** The type that a node states. @param {any} node */
+function typeOf(node) {
+  return flat(node.type?.getText() ?? missing(node.name.text, 'type'));
 }
 
 /** Imports a script of `web/`. @param {string} file @returns {Promise<any>} */

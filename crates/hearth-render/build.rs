@@ -1,6 +1,5 @@
 //! Compiles the shader files of `shaders/`, a link to the folder of the repository and a folder of the package, to the module `shaders`: for each pass the source of its
-//! two stages, its samplers, and its uniforms as a Rust struct. Release builds minify the source,
-//! because pages download it.
+//! two stages, its samplers, and its uniforms as a Rust struct.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -20,11 +19,7 @@ fn main() -> Result<(), String> {
     println!("cargo::rerun-if-changed=build");
     println!("cargo::rerun-if-changed=src/constants.rs");
     let files = glsl::Files::read(folder)?;
-    let mut programs = glsl::programs(&files, &values::shared())?;
-    // Debug builds keep names and lines for tests and for messages of drivers.
-    if env::var("PROFILE").is_ok_and(|profile| profile == "release") {
-        glsl::shorten(&mut programs);
-    }
+    let programs = glsl::programs(&files, &values::shared())?;
     let out = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default());
     fs::write(out.join("shaders.rs"), write::module(&programs)).map_err(|error| error.to_string())
 }

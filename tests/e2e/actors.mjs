@@ -1,16 +1,16 @@
 /**
- * All that changes a fire: the page, the panel, the tools, steps, the history, children, and an engine that stops. A
- * seed decides what they do.
+ * All that changes a fire: the page, the panel, the tools, steps, scenes, the history, children, and an engine that
+ * stops. A seed decides what they do.
  */
 
-/** A fire with a panel and tools, and another fire, which shows what an engine makes of settings. */
+/** A fire with a panel, tools and a strip of scenes, and another fire, which shows what an engine makes of settings. */
 export const STAGE = `<style>
     .place { position: absolute; top: 0; width: 300px; height: 400px }
     #host { position: absolute; top: 0; left: 320px; width: 340px; height: 780px }
     #other { position: absolute; top: 500px; width: 60px; height: 80px }
   </style>
   <hearth-fire class="place" paused quality="low" max-pixels="2000"></hearth-fire>
-  <div class="place" id="tools"></div><div id="host"></div>
+  <div class="place" id="tools"></div><div id="host"></div><div id="strip"></div>
   <hearth-fire id="other" paused quality="low" max-pixels="2000"></hearth-fire>`;
 
 /** Runs in the worker of the engine: a call of `sparks` stops it. */
@@ -27,8 +27,8 @@ export function stopAtSparks() {
 export async function installActors() {
   const scope = /** @type {any} */ (window);
   const load = (/** @type {string} */ name) => import(`/web/${name}.js`);
-  const [wasm, { mountPanel }, { mountTools }, { editingOf }] = await Promise.all(
-    ['wasm/hearth-panel', 'panel', 'tools', 'panel/editing'].map(load),
+  const [wasm, { mountPanel }, { mountTools }, { editingOf }, { showStrip }] = await Promise.all(
+    ['wasm/hearth-panel', 'panel', 'tools', 'panel/editing', 'pages/scenes'].map(load),
   );
   const find = (/** @type {string} */ selector) => /** @type {any} */ (document.querySelector(selector));
   const all = (/** @type {string} */ selector) => /** @type {any[]} */ ([...document.querySelectorAll(selector)]);
@@ -43,6 +43,7 @@ export async function installActors() {
   };
   await mountPanel({ host: find('#host'), fire });
   await mountTools({ host: find('#tools'), fire });
+  showStrip(find('#strip'), fire, 'default', (/** @type {string} */ message) => log.push(`  strip: ${message}`));
   const editing = editingOf(fire);
   const canvas = find('#host canvas');
   /** What was done. @type {string[]} */
@@ -230,8 +231,13 @@ export async function installActors() {
     ].map((values) => () => call(fire, 'set', values())),
     () => call(fire, 'changeObject', pick(fire.objects)?.id ?? 1, { y: between(0, 0.9) }),
     () => call(fire, 'removeObject', pick(fire.objects)?.id ?? 1),
-    () => call(fire, 'importConfig', { preset: 'candle', values: { wind: 0.2 } }),
+  ];
+  /** A scene is a step by itself, and in a step a part of that. */
+  const scenes = [
+    () => click(`#strip [data-starts="${pick(SCENES)}"]`),
     () => call(fire, 'setAttribute', 'preset', pick(SCENES)),
+    () => call(fire, 'importConfig', { preset: 'candle', values: { wind: 0.2 } }),
+    () => call(fire, 'restore'),
   ];
   /** The actions of each actor. @type {{[actor: string]: (() => unknown)[]}} */
   const actions = {
@@ -251,7 +257,7 @@ export async function installActors() {
     ],
     // Some are not answered when the next one begins.
     steps: [1, 2, 3].map((count) => () => {
-      const acts = Array.from({ length: count }, () => pick([...calls, add]));
+      const acts = Array.from({ length: count }, () => pick([...calls, ...scenes, add]));
       return Promise.all(acts.map((act) => fire.history.step(act)));
     }),
     panel: [
@@ -281,6 +287,7 @@ export async function installActors() {
       ...clicks(TOOL, [name]),
       () => call(fire.history, name),
     ]),
+    scenes,
     restart: [restart, restart, reinsert],
   };
 

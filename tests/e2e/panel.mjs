@@ -276,7 +276,7 @@ export function sharedPage(browser) {
     await tab.fire(
       async (fire, values) => {
         await fire.restore();
-        await fire.importConfig({ hearth: 2, values });
+        await fire.importConfig({ hearth: 3, values });
         await fire.pause();
         // The answer follows the picture and the statistics of the new fire.
         await fire.step(1);

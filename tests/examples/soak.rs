@@ -17,7 +17,8 @@ use std::time::Instant;
 use hearth_core::params::Model;
 use hearth_core::preset::Preset;
 use hearth_core::random::Random;
-use hearth_core::{Parameters, Simulation};
+use hearth_core::{Scene, Simulation};
+use hearth_tests::fires::with_first_source;
 use hearth_tests::sweep::crowd::Crowd;
 use hearth_tests::sweep::heap::Heap;
 use hearth_tests::sweep::{self, Outcome};
@@ -121,10 +122,10 @@ fn scenes() -> u32 {
     let mut failed = 0;
     println!("Scenes: particles at a guard, steps of particles in a second of the clock, its time");
     for preset in Preset::all() {
-        let parameters = preset.parameters();
-        let clock = MINUTE / f64::from(parameters.time_scale);
+        let scene = with_first_source(preset.scene());
+        let clock = MINUTE / f64::from(scene.world().time_scale);
         let start = Instant::now();
-        let outcome = sweep::burn(&mut Simulation::new(parameters), MINUTE);
+        let outcome = sweep::burn(&mut Simulation::new(scene), MINUTE);
         let (work, time) = (outcome.work / clock, start.elapsed().as_secs_f64() / clock);
         let (name, clamped) = (preset.name, 100.0 * outcome.clamped);
         println!("{name:20}{clamped:8.3} %{work:12.0}{time:8.3} s");
@@ -222,9 +223,9 @@ fn visit(kinds: &[Visit], corner: u32, seed: u32) -> Finished {
     }
 }
 
-fn there_and_back(parameters: &Parameters) -> (String, Outcome) {
-    let outcome = sweep::there_and_back(parameters, SECONDS);
-    (sweep::described(parameters), outcome)
+fn there_and_back(scene: &Scene) -> (String, Outcome) {
+    let outcome = sweep::there_and_back(scene, SECONDS);
+    (sweep::described(scene), outcome)
 }
 
 fn through(crowd: Crowd) -> (String, Outcome) {

@@ -50,7 +50,7 @@ const OPAQUE = 0.002;
 function plume(side, layers) {
   const common = { kind: 'source', width: 0.2 };
   const settings = {
-    hearth: 2,
+    hearth: 3,
     values: {
       ...{ domain_width: 2, domain_height: 2, particles: 5000, ember_rate: 0, background: '#000', bloom: 0 },
       ...{ smoke_opacity: 2, smoke_life: 10, soot_life: 2, air_demand: 1, radiative_cooling: 1800, layers },

@@ -31,6 +31,12 @@ test('the library burns every preset to the same bits as the native program', as
     burnt.push([name, fingerprint(sim)]);
     sim.free();
   }
+  for (const name of ['candle', 'classic']) {
+    const sim = await createSimulation({ preset: name });
+    for (let frame = 0; frame < 30; frame += 1) sim.advance(1 / 30);
+    burnt.push([`${name} in frames`, fingerprint(sim)]);
+    sim.free();
+  }
   const lines = (await printed).trim().split('\n');
   const native = new Map(lines.map((line) => /** @type {any} */ (line.split(/ (?=\S+$)/))));
   for (const [name, print] of burnt) assert.equal(print, native.get(name), name);

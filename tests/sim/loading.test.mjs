@@ -126,24 +126,6 @@ test('the wasm can be a URL, bytes or a compiled module', async () => {
   }
 });
 
-test('a module that is no part is an error, and the next call loads the part', () => {
-  const script = `
-    import assert from 'node:assert/strict';
-    import { readFileSync } from 'node:fs';
-    const { createSimulation } = await import(${JSON.stringify(pathToFileURL(path.join(WEB, 'sim.js')).href)});
-    const empty = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]);
-    const bodies = readFileSync(${JSON.stringify(FILE.replace('_bg', '_bodies'))});
-    for (const classic of [empty, bodies]) {
-      await assert.rejects(createSimulation({ wasmParts: { classic } }), /it is not the part "classic"/);
-    }
-    const sim = await createSimulation({ model: 'classic' });
-    sim.step();
-    console.log(sim.count > 0);
-  `;
-  const printed = execFileSync(process.execPath, ['--input-type=module', '-e', script], { encoding: 'utf8' });
-  assert.equal(printed.trim(), 'true');
-});
-
 test('wasm that cannot be loaded is an error, and the next call can try again', () => {
   const script = `
     import assert from 'node:assert/strict';

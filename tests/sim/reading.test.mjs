@@ -3,6 +3,7 @@
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { inspect } from 'node:util';
 import { ARRAYS, PARAMETERS, createSimulation, everything, fires } from './library.mjs';
 
 /** What only the gas of the combustion model has. */
@@ -36,57 +37,28 @@ test('every array of the model has finite numbers for every particle', async () 
   }
 });
 
-test('a fire is hot, burns and emits embers; the classic one has neither power nor fuel', async () => {
-  const [combustion, classic] = await fires();
-  combustion.step(600);
-  assert.ok(combustion.power > 0);
-  assert.ok(combustion.temperatures().some((kelvin) => kelvin > 1000));
-  assert.ok(combustion.burnRates().some((rate) => rate > 0));
-  const embers = combustion.embers();
-  assert.ok(embers.count > 0);
-  for (const [name, width] of Object.entries({
-    positions: 2,
-    velocities: 2,
-    temperatures: 1,
-    sizes: 1,
-    ages: 1,
-    lifetimes: 1,
-  })) {
-    assert.equal(embers[name].length, width * embers.count, name);
+test('frames stand at exactly the time that is asked for', async () => {
+  for (const sim of await fires()) {
+    for (let frame = 1; frame <= 12; frame += 1) {
+      const before = sim.time;
+      sim.advance(1 / 30);
+      assert.equal(sim.time, before + 1 / 30);
+      assert.ok(Math.abs(sim.time - frame / 30) < 1e-14);
+    }
+    const { time } = sim;
+    sim.advance(0);
+    assert.equal(sim.time, time);
+    sim.free();
   }
-  assert.ok(embers.ages.every((age, i) => age >= 0 && age < embers.lifetimes[i]));
-  assert.ok(embers.temperatures.every((kelvin) => kelvin > 250 && kelvin < 2000));
-  assert.ok(embers.sizes.every((size) => size > 0 && size <= Math.fround(combustion.get('ember_size'))));
-  classic.step(200);
-  assert.equal(classic.power, undefined);
-  assert.equal(classic.embers().count, 0);
-  assert.deepEqual(Object.keys(classic.particles()), ['positions', 'velocities', 'temperatures', 'ages', 'lifetimes']);
 });
 
-test('particles stay in the order of birth', async () => {
-  const [combustion, classic] = await fires();
-  classic.step(300);
-  const ages = classic.ages();
-  // Those of one step are born at different times of it, in any order; a step lasts 4 ms.
-  const step = classic.stepLength;
-  assert.ok(
-    ages.every((age, i) => i === 0 || age <= ages[i - 1] + 1.01 * step),
-    'the oldest come first',
-  );
-  const lifetimes = classic.lifetimes();
-  classic.step();
-  const known = new Set(classic.lifetimes());
-  const survivors = lifetimes.filter((life) => known.has(life));
-  assert.ok(survivors.length > 0.9 * lifetimes.length);
-  assert.deepEqual(classic.lifetimes().slice(0, survivors.length), survivors);
-
-  combustion.step(200);
-  const before = combustion.positions();
-  combustion.step();
-  const height = combustion.get('domain_height');
-  const moved = combustion.positions().map((at, i) => Math.abs(at - before[i]));
-  const jumps = moved.filter((far) => far > 0.05 && far < 0.5 * height);
-  assert.equal(jumps.length, 0, 'in a step a particle moves a little, or over an edge');
+test('a console prints the state of a simulation, not how it is made', async () => {
+  const [sim] = await fires();
+  sim.advance(0.1);
+  assert.equal(String(sim), '[object Simulation]');
+  assert.match(inspect(sim), /^Simulation \(combustion, 0\.100 s, \d+ particles, \d+ kW\/m\)$/);
+  sim.free();
+  assert.equal(inspect(sim), 'Simulation (this simulation was freed)');
 });
 
 test('an id belongs to one particle for its life', async () => {
@@ -113,6 +85,31 @@ test('an id belongs to one particle for its life', async () => {
       Float64Array.from({ length: sim.count }, (_, at) => at),
     );
   }
+});
+
+test('embers, free solids, fuels and the power are read by name', async () => {
+  const [combustion, classic] = await fires();
+  combustion.step(600);
+  assert.ok(combustion.power > 0);
+  const { count, ...embers } = combustion.embers();
+  assert.ok(count > 0);
+  for (const [name, array] of Object.entries(embers))
+    assert.equal(array.length, (/^(positions|velocities)$/.test(name) ? 2 : 1) * count, name);
+  classic.step(20);
+  assert.deepEqual([classic.power, classic.embers().count], [undefined, 0]);
+  assert.deepEqual(Object.keys(classic.particles()), ['positions', 'velocities', 'temperatures', 'ages', 'lifetimes']);
+  const box = { kind: 'solid', shape: 'box', x: 0.3, y: 0.4, angle: 20, width: 0.2, height: 0.1, motion: 'free' };
+  const id = combustion.addObject({ ...box, fuel: 'wood' });
+  const [{ x, angle, mass, ...solid }] = combustion.freeSolids();
+  assert.ok(Math.abs(x - 0.3) < 1e-6 && Math.abs(angle - 20) < 1e-3 && mass > 0);
+  assert.deepEqual([solid.id, solid.object, solid.u, solid.asleep], [id, id, 0, false]);
+  assert.equal(combustion.fuels().length, 1);
+  combustion.ignite(id);
+  combustion.extinguish(id);
+  combustion.spray(0, 1, 0, -4, 60);
+  assert.throws(() => combustion.spray(Number.NaN, 1), RangeError);
+  const refused = { name: 'RangeError', message: /model = "classic" is refused: it must be combustion/ };
+  assert.throws(() => classic.spray(0, 0.5), refused);
 });
 
 test('readers return copies that later steps do not change', async () => {
@@ -151,73 +148,3 @@ test('zero steps change nothing', async () => {
   }
 });
 
-test('a free solid falls, turns and comes to rest', async () => {
-  for (const sim of await fires()) {
-    sim.set({ floor: 'solid', walls: 'solid' });
-    const id = sim.addObject({
-      kind: 'solid',
-      shape: 'box',
-      x: 0.3,
-      y: 0.4,
-      angle: 20,
-      width: 0.2,
-      height: 0.1,
-      motion: 'free',
-    });
-    const start = sim.freeSolids();
-    assert.equal(start.length, 1);
-    const [{ x, y, angle, u, v, asleep }] = start;
-    assert.ok(Math.abs(x - 0.3) < 1e-6 && Math.abs(y - 0.4) < 1e-6 && Math.abs(angle - 20) < 1e-3);
-    assert.deepEqual([start[0].id, u, v, asleep], [id, 0, 0, false]);
-    assert.ok(Math.abs(start[0].mass - 500 * 0.02) < 0.01, `${start[0].mass} kg/m`);
-    while (sim.time < 0.1) sim.step();
-    assert.ok(sim.freeSolids()[0].v < -0.5);
-    while (sim.time < 4) sim.step();
-    const [rest] = sim.freeSolids();
-    assert.ok(rest.asleep && Math.abs(rest.y - 0.05) < 0.003 && Math.abs(rest.angle) < 1, JSON.stringify(rest));
-    assert.equal(sim.objects.at(-1).y, 0.4);
-  }
-});
-
-test('a free solid that burns through is read as its object and a fragment', async () => {
-  const sim = await createSimulation({ params: { spacing: 0.06, max_particles: 1500, gravity: 0, fuel_power: 0 } });
-  const id = sim.addObject({
-    kind: 'solid',
-    shape: 'box',
-    y: 0.8,
-    width: 0.8,
-    height: 0.04,
-    motion: 'free',
-    fuel: 'paper',
-    load: 0.6,
-    moisture: 0,
-  });
-  const [whole] = sim.freeSolids();
-  assert.equal(whole.object, id);
-  const objects = structuredClone(sim.objects);
-  sim.ignite(0, 0.8, 0.07);
-  while (sim.freeSolids().length < 2 && sim.time < 3) sim.step();
-  const [original, fragment] = sim.freeSolids();
-  assert.deepEqual([original.id, original.object, fragment.object], [id, id, id]);
-  assert.ok(fragment.id > 1e6 && fragment.mass < 0.5 * whole.mass && original.mass < 0.5 * whole.mass);
-  assert.equal(sim.fuels().length, 1);
-  assert.deepEqual(sim.objects, objects);
-  sim.reset();
-  assert.deepEqual(sim.freeSolids(), [whole]);
-});
-
-test('a spray puts a fire out; values out of range and the classic model are refused with a message', async () => {
-  const [combustion, classic] = await fires();
-  combustion.set({ edges: 'open', floor: 'solid', ember_rate: 0 });
-  combustion.step(200);
-  assert.ok(combustion.power > 10);
-  for (let call = 0; call < 60; call += 1) {
-    combustion.spray(0, 1, 0, -4, 60);
-    combustion.step(8);
-  }
-  combustion.step(200);
-  assert.ok(combustion.power < 1, `${combustion.power} kW/m`);
-  assert.throws(() => combustion.spray(Number.NaN, 1), RangeError);
-  const refused = { name: 'RangeError', message: /model = "classic" is refused: it must be combustion/ };
-  assert.throws(() => classic.spray(0, 0.5), refused);
-});

@@ -1,14 +1,15 @@
 //! Fires to test with.
 
-use hearth_core::params::{Input, Model};
+use hearth_core::params::{Input, Model, ParamErrorKind};
 use hearth_core::random::Random;
-use hearth_core::{Parameters, Particle, Scene, Simulation, Vec2};
+use hearth_core::scene::SceneSource;
+use hearth_core::{Particle, Scene, Simulation, Vec2};
 
 /// The classic model's defaults with these values changed.
 ///
 /// # Panics
 /// If a value is invalid, because the test is wrong.
-pub fn with<'a>(values: impl IntoIterator<Item = (&'a str, Input<'a>)>) -> Parameters {
+pub fn with<'a>(values: impl IntoIterator<Item = (&'a str, Input<'a>)>) -> Scene {
     changed(Model::Classic, values)
 }
 
@@ -16,7 +17,7 @@ pub fn with<'a>(values: impl IntoIterator<Item = (&'a str, Input<'a>)>) -> Param
 ///
 /// # Panics
 /// As [`with`].
-pub fn with_numbers(values: &[(&str, f64)]) -> Parameters {
+pub fn with_numbers(values: &[(&str, f64)]) -> Scene {
     with(numbers(values))
 }
 
@@ -25,7 +26,7 @@ pub fn with_numbers(values: &[(&str, f64)]) -> Parameters {
 ///
 /// # Panics
 /// As [`with`].
-pub fn combustion(values: &[(&str, f64)]) -> Parameters {
+pub fn combustion(values: &[(&str, f64)]) -> Scene {
     let closed = [
         ("edges", Input::Text("periodic")),
         ("particles", Input::Number(1000.0)),
@@ -34,7 +35,7 @@ pub fn combustion(values: &[(&str, f64)]) -> Parameters {
 }
 
 /// A combustion fire that uses all that its model has.
-pub fn everything() -> Parameters {
+pub fn everything() -> Scene {
     combustion(&[
         ("gas_expansion", 1.0),
         ("kinematic_viscosity", 1e-3),
@@ -52,50 +53,85 @@ pub fn everything() -> Parameters {
 ///
 /// # Panics
 /// As [`with`].
-pub fn in_the_open(mut parameters: Parameters, max_particles: u32) -> Parameters {
+pub fn in_the_open(scene: impl Into<Scene>, max_particles: u32) -> Scene {
+    let mut scene = scene.into();
     for (id, value) in [
         ("edges", Input::Text("open")),
         ("spacing", Input::Number(0.04)),
         ("max_particles", Input::Number(max_particles.into())),
     ] {
-        if let Err(refusal) = parameters.set(id, value) {
+        if let Err(refusal) = scene.set(id, value) {
             panic!("{refusal}");
         }
     }
-    parameters
+    scene
 }
 
 /// The same on a solid floor.
 ///
 /// # Panics
 /// As [`with`].
-pub fn on_floor(mut parameters: Parameters) -> Parameters {
-    if let Err(refusal) = parameters.set("floor", Input::Text("solid")) {
+pub fn on_floor(scene: impl Into<Scene>) -> Scene {
+    let mut scene = scene.into();
+    if let Err(refusal) = scene.set("floor", Input::Text("solid")) {
         panic!("{refusal}");
     }
-    parameters
+    scene
 }
 
 fn numbers<'a>(values: &'a [(&'a str, f64)]) -> impl Iterator<Item = (&'a str, Input<'a>)> {
     values.iter().map(|&(id, value)| (id, Input::Number(value)))
 }
 
-fn changed<'a>(model: Model, values: impl IntoIterator<Item = (&'a str, Input<'a>)>) -> Parameters {
-    let mut parameters = Parameters::new(model);
+fn changed<'a>(model: Model, values: impl IntoIterator<Item = (&'a str, Input<'a>)>) -> Scene {
+    let mut scene = Scene::of_model(model);
     for (id, value) in values {
-        if let Err(refusal) = parameters.set(id, value) {
+        if let Err(refusal) = scene.set(id, value) {
             panic!("{refusal}");
         }
     }
-    parameters
+    scene
+}
+
+/// The first source of a scene.
+///
+/// # Panics
+/// If there is none, because the test is wrong.
+pub fn source(scene: &Scene) -> SceneSource<'_> {
+    match scene.first_source() {
+        Some(source) => source,
+        None => panic!("there is no source"),
+    }
+}
+
+/// Sets a value of a scene, unless its model has no such parameter.
+///
+/// # Panics
+/// As [`with`].
+pub fn set_in_model<'a>(scene: &mut Scene, id: &str, input: impl Into<Input<'a>>) {
+    match scene.set(id, input) {
+        Ok(()) => {}
+        Err(refusal) if matches!(refusal.kind, ParamErrorKind::OfModel(_)) => {}
+        Err(refusal) => panic!("{refusal}"),
+    }
+}
+
+/// A scene without its objects but the first source.
+pub fn with_first_source(mut scene: Scene) -> Scene {
+    let first = scene.first_source_id();
+    let others: Vec<u32> = scene.ids().filter(|id| Some(*id) != first).collect();
+    for id in others {
+        let removed = scene.remove(id);
+        debug_assert_eq!(removed, Ok(()));
+    }
+    scene
 }
 
 /// A scene with a polygon, a stroke and a mask around its source.
 ///
 /// # Panics
 /// If one of them is invalid, because the test is wrong.
-pub fn beside_outlines(parameters: Parameters) -> Scene {
-    let mut scene = Scene::new(parameters);
+pub fn beside_outlines(mut scene: Scene) -> Scene {
     for (shape, x, property, text) in [
         (
             "polygon",
@@ -121,8 +157,8 @@ pub fn beside_outlines(parameters: Parameters) -> Scene {
 }
 
 /// A fire that has burned for so many simulated seconds.
-pub fn burn(parameters: Parameters, seconds: f64) -> Simulation {
-    let mut fire = Simulation::new(parameters);
+pub fn burn(scene: impl Into<Scene>, seconds: f64) -> Simulation {
+    let mut fire = Simulation::new(scene);
     burn_on(&mut fire, seconds);
     fire
 }
@@ -144,7 +180,7 @@ pub fn watch(fire: &mut Simulation, seconds: f64, mut after_step: impl FnMut(&Si
 
 /// A closed box, 0.8 m wide and high, of combustion gas that no burner heats:
 /// nothing acts on it but itself, and what `values` switch on.
-pub fn closed_box(values: &[(&str, f64)]) -> Parameters {
+pub fn closed_box(values: &[(&str, f64)]) -> Scene {
     let closed = [
         ("domain_width", 0.8),
         ("domain_height", 0.8),
@@ -161,8 +197,9 @@ pub fn closed_box(values: &[(&str, f64)]) -> Parameters {
 ///
 /// # Panics
 /// Where a particle is refused: the test that made it is wrong.
-pub fn filled(parameters: Parameters, side: u32, shape: impl Fn(&mut Particle)) -> Simulation {
-    let size = Vec2::new(parameters.domain_width, parameters.domain_height);
+pub fn filled(scene: Scene, side: u32, shape: impl Fn(&mut Particle)) -> Simulation {
+    let world = scene.world();
+    let size = Vec2::new(world.domain_width, world.domain_height);
     let mut random = Random::new(11);
     let gas: Vec<Particle> = (0..side * side)
         .map(|i| {
@@ -174,7 +211,7 @@ pub fn filled(parameters: Parameters, side: u32, shape: impl Fn(&mut Particle)) 
             particle
         })
         .collect();
-    let mut fire = Simulation::new(parameters);
+    let mut fire = Simulation::new(scene);
     if let Err(refusal) = fire.set_particles(&gas) {
         panic!("{refusal}");
     }

@@ -16,7 +16,7 @@ use std::num::NonZero;
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-use hearth_core::params::{Input, PARAMETERS, Parameters};
+use hearth_core::params::{Input, PARAMETERS};
 use hearth_core::preset::Preset;
 use hearth_core::{IgnitionTarget, Particle, Scene, Simulation, Vec2};
 
@@ -131,7 +131,6 @@ pub fn fingerprints() -> String {
             )),
         ),
     ];
-    let others = others.map(|(name, parameters)| (name, Scene::from(parameters)));
     let beside = fires::in_the_open(fires::combustion(&[]), 900);
     let beside = [("outlines", fires::beside_outlines(beside))];
     let falling = fires::on_floor(fires::in_the_open(fires::combustion(&[]), 900));
@@ -158,6 +157,8 @@ pub fn fingerprints() -> String {
         ),
         ("classic solids", around_solids(fires::with([]))),
         ("water", sprayed()),
+        ("candle in frames", in_frames("candle")),
+        ("classic in frames", in_frames("classic")),
     ];
     lit.chain(kept)
         .chain(around)
@@ -165,13 +166,19 @@ pub fn fingerprints() -> String {
         .collect()
 }
 
+/// The fingerprint of a second of a scene in frames, whose last steps are shorter.
+fn in_frames(name: &str) -> u64 {
+    let mut fire = Simulation::new(Preset::find(name).map(Preset::scene).unwrap_or_default());
+    (0..30).for_each(|_| fire.advance(1.0 / 30.0));
+    fingerprint_of(fire, 0)
+}
+
 /// Fires around a burning solid of each fuel.
 fn burning_solids() -> impl Iterator<Item = (&'static str, Scene)> {
     ["wood", "paper", "coal", "wax", "cloth"]
         .into_iter()
         .map(|fuel| {
-            let settings = fires::in_the_open(fires::combustion(&[("source_height", 0.2)]), 1200);
-            let mut scene = Scene::new(settings);
+            let mut scene = fires::in_the_open(fires::combustion(&[("source_height", 0.2)]), 1200);
             let added = scene.add(&[
                 ("kind", Input::Text("solid")),
                 ("shape", Input::Text("line")),
@@ -186,8 +193,7 @@ fn burning_solids() -> impl Iterator<Item = (&'static str, Scene)> {
 }
 
 /// A fire onto which free solids of several shapes fall, one of which burns.
-fn free_solids(parameters: Parameters) -> Scene {
-    let mut scene = Scene::new(parameters);
+fn free_solids(mut scene: Scene) -> Scene {
     for (number, shape) in ["circle", "box", "line", "polygon", "box"]
         .into_iter()
         .enumerate()
@@ -217,7 +223,7 @@ fn free_solids(parameters: Parameters) -> Scene {
 /// The fingerprint of a stick that falls, burns and breaks; 0 if it does not.
 fn breaking() -> u64 {
     let unlit = fires::combustion(&[("fuel_power", 0.0)]);
-    let mut scene = Scene::new(fires::on_floor(fires::in_the_open(unlit, 900)));
+    let mut scene = fires::on_floor(fires::in_the_open(unlit, 900));
     let added = scene.add(&[
         ("kind", Input::Text("solid")),
         ("motion", Input::Text("free")),
@@ -246,10 +252,7 @@ fn breaking() -> u64 {
 /// evaporates, boils off or wets them.
 fn sprayed() -> u64 {
     let source = [("source_height", 0.1), ("source_width", 0.3)];
-    let mut scene = Scene::new(fires::on_floor(fires::in_the_open(
-        fires::combustion(&source),
-        900,
-    )));
+    let mut scene = fires::on_floor(fires::in_the_open(fires::combustion(&source), 900));
     for (x, name, value) in [(-0.25, "fuel", "wood"), (0.3, "thermal", "conducting")] {
         let added = scene.add(&[
             ("kind", Input::Text("solid")),
@@ -290,7 +293,7 @@ fn sprayed() -> u64 {
 /// The fingerprint of a rope that hangs, burns and lets go; 0 if it does not.
 fn hinged() -> u64 {
     let unlit = fires::combustion(&[("fuel_power", 0.0)]);
-    let mut scene = Scene::new(fires::on_floor(fires::in_the_open(unlit, 900)));
+    let mut scene = fires::on_floor(fires::in_the_open(unlit, 900));
     let number = |n: f64| Input::Number(n);
     let hook = [("kind", Input::Text("solid")), ("y", number(1.3))];
     let mut from = scene.add(&hook).unwrap_or_default();
@@ -326,8 +329,7 @@ fn hinged() -> u64 {
 }
 
 /// The fingerprint of a fire around solids of every shape, one of which moves.
-fn around_solids(parameters: Parameters) -> u64 {
-    let mut scene = Scene::new(parameters);
+fn around_solids(mut scene: Scene) -> u64 {
     for (shape, x) in [("circle", -0.2), ("box", 0.2), ("line", 0.0)] {
         let added = scene.add(&[
             ("kind", Input::Text("solid")),
@@ -357,11 +359,11 @@ const FIRESIDE: &str = "fireside";
 /// The fingerprint of a scene that burns on from where it is kept; 0 where it does not.
 fn kept(name: &str, particles: Option<u32>) -> u64 {
     let bytes = include_bytes!("../../web/prewarmed/fireside.fire");
-    let mut scene = Preset::find(name).map_or_else(Scene::default, Preset::scene);
+    let mut scene = Preset::find(name).map(Preset::scene).unwrap_or_default();
     if let Some(number) = particles {
-        let mut settings = scene.settings().clone();
-        settings.set_domain_particles(number);
-        scene.set_settings(settings);
+        let mut world = scene.world().clone();
+        world.set_domain_particles(number);
+        scene.set_world(world);
     }
     let mut fire = Simulation::new(scene);
     match fire.restore_burning(bytes) {

@@ -15,7 +15,7 @@ use hearth_core::params::{
     Choice, Edges, Floor, Input, Kind, Model, PARAMETERS, Param, Role, Walls,
 };
 use hearth_core::random::Random;
-use hearth_core::{Parameters, Particle, Simulation, Vec2};
+use hearth_core::{Particle, Scene, Simulation, Vec2};
 
 use crate::fires;
 
@@ -76,65 +76,73 @@ pub fn end(model: Model, param: &Param, upper: bool) -> f64 {
     }
 }
 
+/// The model's defaults in a closed domain.
+fn closed(model: Model) -> Scene {
+    let mut scene = Scene::of_model(model);
+    fires::set_in_model(&mut scene, "edges", "periodic");
+    scene
+}
+
 /// The model's defaults with fewer particles in the combustion model and a
 /// closed domain, so that it is quick.
-pub fn usual(model: Model) -> Parameters {
-    let mut parameters = Parameters::new(model);
-    set(&mut parameters, "edges", Input::Text("periodic"));
+pub fn usual(model: Model) -> Scene {
+    let mut scene = closed(model);
     let min = Input::Number(PARTICLES.0);
     let number = match model {
         Model::Classic => "max_particles",
         Model::Combustion => "particles",
     };
-    set(&mut parameters, number, min);
-    parameters
+    set(&mut scene, number, min);
+    scene
 }
 
 /// The defaults with one slider at its end.
-pub fn at_end(model: Model, param: &Param, upper: bool) -> Parameters {
-    let mut parameters = usual(model);
+pub fn at_end(model: Model, param: &Param, upper: bool) -> Scene {
+    let mut scene = usual(model);
     let end = end(model, param, upper);
-    set(&mut parameters, param.id, Input::Number(end));
-    parameters
+    set(&mut scene, param.id, Input::Number(end));
+    scene
 }
 
 /// Each slider at one of its ends, in a closed domain.
-pub fn corner(model: Model, random: &mut Random) -> Parameters {
-    let mut parameters = Parameters::new(model);
-    set(&mut parameters, "edges", Input::Text("periodic"));
+pub fn corner(model: Model, random: &mut Random) -> Scene {
+    let mut scene = closed(model);
     for param in swept(model) {
         let end = end(model, param, random.bits() & 1 == 1);
-        set(&mut parameters, param.id, Input::Number(end));
+        set(&mut scene, param.id, Input::Number(end));
     }
     if model == Model::Classic {
         let walls = Walls::NAMES[random.bits() as usize % Walls::NAMES.len()];
-        set(&mut parameters, "walls", Input::Text(walls));
+        set(&mut scene, "walls", Input::Text(walls));
     }
     let seed = f64::from(random.bits());
-    set(&mut parameters, "seed", Input::Number(seed));
-    parameters
+    set(&mut scene, "seed", Input::Number(seed));
+    scene
 }
 
 /// A corner of the combustion model in the open, in the air or on a floor.
-pub fn open_corner(random: &mut Random) -> Parameters {
-    let mut parameters = corner(Model::Combustion, random);
+pub fn open_corner(random: &mut Random) -> Scene {
+    let mut scene = corner(Model::Combustion, random);
     let floor = Floor::NAMES[random.bits() as usize % Floor::NAMES.len()];
-    set(&mut parameters, "floor", Input::Text(floor));
-    set(&mut parameters, "edges", Input::Text("open"));
-    parameters
+    set(&mut scene, "floor", Input::Text(floor));
+    set(&mut scene, "edges", Input::Text("open"));
+    scene
 }
 
 /// Every value that is not the default, as one line.
-pub fn described(parameters: &Parameters) -> String {
-    let mut text = format!("{:?}", parameters.model());
-    for (param, value) in parameters.changed() {
-        let _ = write!(text, " {}={value}", param.id);
+pub fn described(scene: &Scene) -> String {
+    let mut text = format!("{:?}", scene.model());
+    for param in PARAMETERS {
+        let (value, domain) = (scene.value(param), param.domain(scene.model()));
+        if domain.is_some_and(|domain| domain.default != value) {
+            let _ = write!(text, " {}={value}", param.id);
+        }
     }
     text
 }
 
-fn set(parameters: &mut Parameters, id: &str, input: Input<'_>) {
-    if let Err(refusal) = parameters.set(id, input) {
+fn set(scene: &mut Scene, id: &str, input: Input<'_>) {
+    if let Err(refusal) = scene.set(id, input) {
         panic!("{refusal}");
     }
 }
@@ -168,16 +176,16 @@ impl Outcome {
 
 /// Burns `seconds` at these values, then returns to the defaults and looks
 /// whether it recovers.
-pub fn there_and_back(parameters: &Parameters, seconds: f64) -> Outcome {
-    let model = parameters.model();
-    let mut fire = Simulation::new(parameters.clone());
+pub fn there_and_back(scene: &Scene, seconds: f64) -> Outcome {
+    let model = scene.model();
+    let mut fire = Simulation::new(scene.clone());
     let mut outcome = burn(&mut fire, seconds);
     if outcome.broken.is_none() {
         let mut usual = usual(model);
-        if parameters.edges == Edges::Open {
+        if scene.world().edges == Edges::Open {
             usual = fires::in_the_open(usual, 1500);
         }
-        fire.set_parameters(usual);
+        fire.set_scene(usual);
         outcome.broken = recovers(&mut fire).map(|fault| format!("afterwards, {fault}"));
     }
     outcome
@@ -286,7 +294,7 @@ fn recovers(fire: &mut Simulation) -> Option<String> {
         return Some(format!("limits still clamp particles, {clamped} times"));
     }
     let (power, count) = (energy / LOOKED_AT, particle_seconds / LOOKED_AT);
-    let nominal = f64::from(fire.parameters().fuel_power);
+    let nominal = f64::from(fire.scene().power());
     match model {
         // What the paper's test calls the default's number of particles.
         Model::Classic => (!(700.0..=1000.0).contains(&count))

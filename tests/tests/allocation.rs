@@ -9,8 +9,8 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use hearth_core::params::{Input, Model};
-use hearth_core::{Parameters, Scene, Simulation, Vec2};
-use hearth_tests::fires::{beside_outlines, everything, in_the_open, on_floor};
+use hearth_core::{Scene, Simulation, Vec2};
+use hearth_tests::fires::{beside_outlines, everything, in_the_open, on_floor, set_in_model};
 use hearth_tests::on_all_cores;
 
 struct Counting;
@@ -66,8 +66,8 @@ fn a_warm_fire_allocates_nothing() {
     let mut beside = beside_outlines(open.clone());
     let swaying = [("kind", "solid"), ("motion", "sway")].map(|(id, text)| (id, Input::Text(text)));
     assert!(beside.add(&swaying).is_ok());
-    let fires = [Parameters::new(Model::Classic), everything(), open].map(Scene::from);
-    let mut falling = Scene::from(on_floor(in_the_open(everything(), 1500)));
+    let fires = [Scene::of_model(Model::Classic), everything(), open];
+    let mut falling = on_floor(in_the_open(everything(), 1500));
     for height in [0.1, 0.25, 0.4, 2.0] {
         let free = [("kind", "solid"), ("motion", "free"), ("shape", "box")];
         let free = free.map(|(id, text)| (id, Input::Text(text)));
@@ -79,16 +79,11 @@ fn a_warm_fire_allocates_nothing() {
     let modes = [("fire", 1600), ("vorticity", 600)];
     let cases = scenes.flat_map(|scene| modes.map(|mode| (scene.clone(), mode)));
     on_all_cores(cases.collect(), |(mut scene, (mode, steps))| {
-        let mut parameters = scene.settings().clone();
-        assert_eq!(parameters.set("display_mode", Input::Text(mode)), Ok(()));
+        assert_eq!(scene.set("display_mode", mode), Ok(()));
         // As many embers at any time: the copies grow to the most that there were.
-        let life = f64::from(parameters.ember_life_max);
-        assert_eq!(
-            parameters.set("ember_life_min", Input::Number(life)),
-            Ok(())
-        );
-        let model = parameters.model();
-        scene.set_settings(parameters);
+        let life = f64::from(scene.world().ember_life_max);
+        set_in_model(&mut scene, "ember_life_min", life);
+        let model = scene.model();
         let solids = scene.solids().count();
         let (cold, warm) = allocations(scene, steps);
         assert!(cold > 0, "the count does not count");

@@ -8,18 +8,18 @@ mod hanging;
 mod saved;
 
 use hearth_core::params::Input;
-use hearth_core::{FreeSolid, Parameters, Scene, Simulation, Vec2};
+use hearth_core::{FreeSolid, Scene, Simulation, Vec2};
 use hearth_tests::fires::{burn_on, combustion, in_the_open, on_floor, watch, with_numbers};
 use hearth_tests::sweep::crowd::gas_inside;
 
 const GRAVITY: f32 = 9.81;
 
 /// Coarse open air without a source, on a floor.
-fn floor(values: &[(&str, f64)]) -> Parameters {
+fn floor(values: &[(&str, f64)]) -> Scene {
     let unlit = [("fuel_power", 0.0), ("ember_rate", 0.0)];
-    let mut settings = on_floor(in_the_open(combustion(&[&unlit, values].concat()), 1500));
-    assert_eq!(settings.set("spacing", Input::Number(0.06)), Ok(()));
-    settings
+    let mut scene = on_floor(in_the_open(combustion(&[&unlit, values].concat()), 1500));
+    assert_eq!(scene.set("spacing", 0.06), Ok(()));
+    scene
 }
 
 /// Adds a solid of that shape and motion.
@@ -46,16 +46,15 @@ fn free(fire: &Simulation, id: u32) -> FreeSolid {
 
 /// A scene of the classic model without any particle: bodies alone, quick.
 fn alone() -> Scene {
-    let mut settings = with_numbers(&[("time_step", 0.002)]);
-    assert_eq!(settings.set("walls", Input::Text("solid")), Ok(()));
-    let mut scene = Scene::new(settings);
+    let mut scene = with_numbers(&[("time_step", 0.002)]);
+    assert_eq!(scene.set("walls", "solid"), Ok(()));
     scene.clear();
     scene
 }
 
 #[test]
 fn five_boxes_stand_for_a_minute() {
-    for mut scene in [alone(), Scene::new(floor(&[]))] {
+    for mut scene in [alone(), floor(&[])] {
         let box_of = [("width", 0.1), ("height", 0.1), ("x", 0.0)];
         let ids: Vec<u32> = (0..5)
             .map(|number| {
@@ -82,7 +81,7 @@ fn five_boxes_stand_for_a_minute() {
 
 #[test]
 fn a_light_body_under_a_heavy_one_stays_on_the_floor() {
-    for mut scene in [alone(), Scene::new(floor(&[]))] {
+    for mut scene in [alone(), floor(&[])] {
         let sized = |y, width, height, density| {
             let place = [("y", y), ("width", width), ("height", height)];
             [&place[..], &[("density", density)]].concat()
@@ -231,7 +230,7 @@ fn bindings_read_each_free_body() {
 
 #[test]
 fn the_scene_keeps_the_start_and_a_changed_place_puts_a_body_there() {
-    for mut scene in [alone(), Scene::new(floor(&[]))] {
+    for mut scene in [alone(), floor(&[])] {
         let ball = [("x", 0.1), ("y", 0.5), ("width", 0.1)];
         let id = add(&mut scene, "circle", "free", &ball);
         let mut fire = Simulation::new(scene.clone());

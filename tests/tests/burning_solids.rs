@@ -1,6 +1,6 @@
 //! Laws of sources on solids: the whole outline burns, wherever the solid is.
 
-use hearth_core::params::{Input, Model, Parameters};
+use hearth_core::params::{Input, Model};
 use hearth_core::{Scene, Simulation, Vec2};
 use hearth_tests::fires::{burn_on, combustion, in_the_open, mean, watch, with_numbers};
 
@@ -8,11 +8,10 @@ use hearth_tests::fires::{burn_on, combustion, in_the_open, mean, watch, with_nu
 const ID: u32 = 5;
 
 /// A scene with its source on a solid with these numbers.
-fn on_solid(mut settings: Parameters, shape: &str, numbers: &[(&str, f64)]) -> Scene {
+fn on_solid(mut scene: Scene, shape: &str, numbers: &[(&str, f64)]) -> Scene {
     let solid = f64::from(ID);
-    assert_eq!(settings.set("source_shape", Input::Text("solid")), Ok(()));
-    assert_eq!(settings.set("source_solid", Input::Number(solid)), Ok(()));
-    let mut scene = Scene::new(settings);
+    assert_eq!(scene.set("source_shape", "solid"), Ok(()));
+    assert_eq!(scene.set("source_solid", solid), Ok(()));
     let mut fields = vec![
         ("kind", Input::Text("solid")),
         ("id", Input::Number(solid)),
@@ -73,7 +72,7 @@ fn power(fire: &mut Simulation, seconds: f64) -> f64 {
 }
 
 /// A closed domain and open air.
-fn in_both_edges(values: &[(&str, f64)]) -> [Parameters; 2] {
+fn in_both_edges(values: &[(&str, f64)]) -> [Scene; 2] {
     let closed = combustion(values);
     [closed.clone(), in_the_open(closed, 3000)]
 }
@@ -81,7 +80,7 @@ fn in_both_edges(values: &[(&str, f64)]) -> [Parameters; 2] {
 #[test]
 fn a_fire_on_a_solid_has_its_power_and_moves_with_the_solid() {
     for settings in in_both_edges(&[("fuel_power", 100.0), ("ember_rate", 0.0)]) {
-        let edges = settings.edges;
+        let edges = settings.world().edges;
         let place = [("x", -0.2), ("y", 0.5), ("width", 0.3), ("angle", 20.0)];
         let mut fire = Simulation::new(on_solid(settings, "line", &place));
         burn_on(&mut fire, 1.0);
@@ -144,7 +143,7 @@ fn a_source_on_a_solid_that_does_not_exist_is_its_line() {
 #[test]
 fn a_fire_follows_a_solid_that_sways_by_itself() {
     for settings in in_both_edges(&[("fuel_power", 100.0), ("ember_rate", 0.0)]) {
-        let edges = settings.edges;
+        let edges = settings.world().edges;
         let place = [("y", 0.5), ("sway", 0.3), ("period", 6.0)];
         let mut scene = on_solid(settings, "circle", &place);
         let sways = [("motion", Input::Text("sway"))];

@@ -1,4 +1,5 @@
-//! The `use` declarations between the files of a crate form no circle.
+//! The `use` declarations between the files of a crate form no circle, and the state of the panel
+//! uses no view.
 //!
 //! A `mod` declaration of a parent is not a use. Unit tests may use any file.
 
@@ -130,14 +131,12 @@ fn target<'a>(path: &str, modules: &'a Modules, exports: &BTreeMap<String, Strin
     }
 }
 
-/// The files of a crate that are in a circle.
-fn circles(source: &Path) -> io::Result<BTreeSet<PathBuf>> {
-    let mut all = Modules::new();
-    modules(source, "", &mut all)?;
+/// The modules that each module uses.
+fn arrows(all: &Modules) -> io::Result<BTreeMap<&str, BTreeSet<&str>>> {
     let mut exports = BTreeMap::new();
     if let Some(root) = all.get("") {
         for (_, path) in uses(&code(root)?).into_iter().filter(|(public, _)| *public) {
-            if let Some(path) = absolute("", &path, &all) {
+            if let Some(path) = absolute("", &path, all) {
                 let name = path.rsplit("::").next().unwrap_or_default().to_owned();
                 exports.insert(name, path);
             }
@@ -146,14 +145,22 @@ fn circles(source: &Path) -> io::Result<BTreeSet<PathBuf>> {
     let mut arrows: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for (module, file) in all.iter().filter(|(module, _)| !module.is_empty()) {
         for (_, path) in uses(&code(file)?) {
-            if let Some(path) = absolute(module, &path, &all) {
-                let to = target(&path, &all, &exports);
+            if let Some(path) = absolute(module, &path, all) {
+                let to = target(&path, all, &exports);
                 if to != module {
                     arrows.entry(module).or_default().insert(to);
                 }
             }
         }
     }
+    Ok(arrows)
+}
+
+/// The files of a crate that are in a circle.
+fn circles(source: &Path) -> io::Result<BTreeSet<PathBuf>> {
+    let mut all = Modules::new();
+    modules(source, "", &mut all)?;
+    let arrows = arrows(&all)?;
     let leads_back = |module: &str| {
         let (mut seen, mut next) = (BTreeSet::new(), vec![module]);
         while let Some(here) = next.pop() {
@@ -185,6 +192,27 @@ fn no_file_is_in_a_circle_of_uses() {
         }
     }
     assert!(found.is_empty(), "in circles: {found:#?}");
+}
+
+#[test]
+fn the_state_of_the_panel_uses_no_view() {
+    let mut all = Modules::new();
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/hearth-panel/src");
+    modules(&source, "", &mut all).expect("sources");
+    let arrows = arrows(&all).expect("sources");
+    assert!(arrows["panel"].contains("view::header"), "{arrows:?}");
+    for (module, uses) in arrows {
+        let above = uses.iter().find(|other| {
+            let layer = other.split("::").next();
+            ["panel", "update", "view", "web"]
+                .map(Some)
+                .contains(&layer)
+        });
+        assert!(
+            !module.starts_with("state") || above.is_none(),
+            "{module} uses {above:?}"
+        );
+    }
 }
 
 #[test]

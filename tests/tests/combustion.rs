@@ -168,7 +168,7 @@ fn fuel_burns_only_where_it_is_hot_and_has_oxygen() {
         burn_on(&mut gas, 0.3);
         0.2 - mean(gas.fuels().unwrap_or_default())
     };
-    let ignition = closed_box(&[]).ignition_temperature;
+    let ignition = closed_box(&[]).world().ignition_temperature;
     assert!(burnt(ignition - 10.0, 1.0).abs() < 1e-6);
     assert!(burnt(800.0, 0.0).abs() < 1e-6);
     assert!(burnt(ignition + 10.0, 1.0) > 0.15);

@@ -98,10 +98,10 @@ fn any_fire_conserves_particles_and_mass() {
         &[("seam", 0.2), ("fuel_power", 600.0), ("shifting", 1.0)],
         &[("seam", 0.0), ("ember_rate", 1000.0)],
     ] {
-        let parameters = combustion(values);
+        let mut fire = Simulation::new(combustion(values));
+        let parameters = fire.parameters();
         let air = f64::from(parameters.ambient_density);
         let area = f64::from(parameters.domain_width) * f64::from(parameters.domain_height);
-        let mut fire = Simulation::new(parameters);
         let count = fire.count();
         for _ in 0..4 {
             burn_on(&mut fire, 0.4);
@@ -165,14 +165,15 @@ fn diffusion_conserves_heat_and_matter_and_creates_no_extremes() {
 
 #[test]
 fn a_closed_adiabatic_box_gains_the_heat_of_combustion() {
-    let parameters = closed_box(&[("gas_expansion", 1.0), ("burn_time", 0.05)]);
+    let scene = closed_box(&[("gas_expansion", 1.0), ("burn_time", 0.05)]);
+    let parameters = scene.world();
     let (rise, demand) = (
         f64::from(parameters.flame_rise),
         f64::from(parameters.air_demand),
     );
     let area = f64::from(parameters.domain_width * parameters.domain_height);
     let mass = f64::from(parameters.ambient_density) * area / f64::from(SIDE * SIDE);
-    let mut gas = filled(parameters, SIDE, |particle| {
+    let mut gas = filled(scene, SIDE, |particle| {
         let at = particle.position;
         particle.temperature = 750.0 + 100.0 * chance(at, 1);
         particle.fuel = 0.15 + 0.1 * chance(at, 2);
@@ -202,7 +203,7 @@ fn a_closed_adiabatic_box_gains_the_heat_of_combustion() {
 fn all_fuel_burns() {
     let mut fire = Simulation::new(Parameters::new(Model::Combustion));
     burn_on(&mut fire, 1.0);
-    let nominal = f64::from(fire.parameters().fuel_power);
+    let nominal = f64::from(fire.scene().power());
     let (mut burnt, from) = (0.0, fire.time());
     watch(&mut fire, 4.0, |fire| {
         let report = fire.report();

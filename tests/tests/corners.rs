@@ -5,7 +5,7 @@
 
 use hearth_core::params::{Input, Model, PARAMETERS, Param};
 use hearth_core::random::Random;
-use hearth_core::{Parameters, Simulation};
+use hearth_core::{Scene, Simulation};
 use hearth_tests::{fires, on_all_cores, sweep};
 
 /// Simulated time of a corner \[s\].
@@ -93,7 +93,7 @@ fn the_open_fire_goes_on_when_a_parameter_jumps_to_either_end_and_back() {
         assert_eq!(fire.set(param.id, end), Ok(()));
         let outcome = sweep::burn(&mut fire, JUMP);
         assert_eq!(outcome.fault(), None, "{} at {end}", param.id);
-        fire.set_parameters(usual.clone());
+        fire.set_scene(usual.clone());
         let outcome = sweep::burn(&mut fire, JUMP);
         assert_eq!(outcome.fault(), None, "{} back from {end}", param.id);
     });
@@ -115,21 +115,21 @@ fn the_printed_equations_stay_finite_alone_and_combined() {
 }
 
 /// Burns at the defaults, then at `extreme` values, then at the defaults again.
-fn driven_to_extremes(defaults: Parameters, extreme: &[(&str, Input<'_>)]) -> Simulation {
+fn driven_to_extremes(defaults: Scene, extreme: &[(&str, Input<'_>)]) -> Simulation {
     let mut fire = Simulation::new(defaults.clone());
     sweep::burn(&mut fire, SECONDS);
     let mut parameters = defaults.clone();
     assert_eq!(parameters.set_all(extreme.iter().copied()), Ok(()));
-    fire.set_parameters(parameters);
+    fire.set_scene(parameters);
     sweep::burn(&mut fire, SECONDS);
-    fire.set_parameters(defaults);
+    fire.set_scene(defaults);
     fire
 }
 
 #[test]
 fn a_fire_beyond_the_speed_limit_recovers() {
     let mut fire = driven_to_extremes(
-        Parameters::new(Model::Classic),
+        Scene::of_model(Model::Classic),
         &[
             ("gas_constant", Input::Number(6.0)),
             ("buoyancy", Input::Number(1.0)),

@@ -232,7 +232,7 @@ fn the_volumes_of_the_instances_fill_the_gas() {
 
 #[test]
 fn displays_do_not_change_a_fire() {
-    for parameters in [combustion(&[]), Parameters::new(Model::Classic)] {
+    for parameters in [combustion(&[]), Scene::of_model(Model::Classic)] {
         let mut left = Simulation::new(parameters.clone());
         let mut watched = Simulation::new(parameters);
         let mut instances = Vec::new();

@@ -1,7 +1,7 @@
 //! Laws of solids that burn: what they give off is what they lose, and fire spreads by the
 //! equations.
 
-use hearth_core::params::{Input, Parameters};
+use hearth_core::params::Input;
 use hearth_core::{BurningSolid, BurningState, IgnitionTarget, Scene, Simulation, Vec2};
 use hearth_tests::fires::{burn_on, closed_box, combustion, in_the_open, watch};
 
@@ -9,16 +9,15 @@ use hearth_tests::fires::{burn_on, closed_box, combustion, in_the_open, watch};
 const ID: u32 = 2;
 
 /// Open air without a source.
-fn open(values: &[(&str, f64)]) -> Parameters {
+fn open(values: &[(&str, f64)]) -> Scene {
     let unlit = [("fuel_power", 0.0), ("ember_rate", 0.0)];
-    let mut settings = in_the_open(combustion(&[&unlit, values].concat()), 5000);
-    assert_eq!(settings.set("spacing", Input::Number(0.03)), Ok(()));
-    settings
+    let mut scene = in_the_open(combustion(&[&unlit, values].concat()), 5000);
+    assert_eq!(scene.set("spacing", 0.03), Ok(()));
+    scene
 }
 
 /// A scene with a solid of that shape and fuel.
-fn with_solid(settings: Parameters, shape: &str, fuel: &str, numbers: &[(&str, f64)]) -> Scene {
-    let mut scene = Scene::new(settings);
+fn with_solid(mut scene: Scene, shape: &str, fuel: &str, numbers: &[(&str, f64)]) -> Scene {
     let mut fields = vec![
         ("kind", Input::Text("solid")),
         ("shape", Input::Text(shape)),
@@ -107,9 +106,9 @@ fn what_a_solid_gives_off_is_what_it_loses() {
 #[test]
 fn the_gas_gets_the_fuel_and_the_heat_that_a_solid_loses() {
     // No gas leaves, radiates or burns: what is given off stays fuel.
-    let settings = closed_box(&[("ignition_temperature", 900.0)]);
+    let scene = closed_box(&[("ignition_temperature", 900.0)]);
     let numbers = [("y", 0.4), ("width", 0.2), ("load", 5.0), ("moisture", 0.0)];
-    let mut fire = Simulation::new(with_solid(settings, "circle", "wood", &numbers));
+    let mut fire = Simulation::new(with_solid(scene, "circle", "wood", &numbers));
     let area = 0.64 - 0.01 * std::f64::consts::PI;
     let density = f64::from(fire.parameters().ambient_density);
     let particle = density * area / fire.count() as f64;
@@ -230,10 +229,10 @@ fn a_burnt_solid_has_that_state_and_the_next_one_can_be_lit() {
 
 #[test]
 fn fire_goes_out_for_want_of_oxygen() {
-    let mut settings = closed_box(&[("gravity", 9.81), ("radiative_cooling", 500.0)]);
-    assert_eq!(settings.set("ember_rate", Input::Number(0.0)), Ok(()));
+    let mut scene = closed_box(&[("gravity", 9.81), ("radiative_cooling", 500.0)]);
+    assert_eq!(scene.set("ember_rate", 0.0), Ok(()));
     let numbers = [("y", 0.3), ("width", 0.25), ("load", 20.0)];
-    let mut fire = Simulation::new(with_solid(settings, "circle", "wood", &numbers));
+    let mut fire = Simulation::new(with_solid(scene, "circle", "wood", &numbers));
     assert_eq!(fire.ignite(IgnitionTarget::Object(ID)), Ok(()));
     burn_on(&mut fire, 1.0);
     assert_eq!(solid(&fire).state, BurningState::Burning);

@@ -7,7 +7,7 @@
 use std::time::{Duration, Instant};
 use std::{env, fs, io, thread};
 
-use hearth_core::params::{Input, PARAMETERS, Value};
+use hearth_core::params::{AnyValue, Input, PARAMETERS};
 use hearth_core::preset::Preset;
 use hearth_core::random::Random;
 use hearth_core::scene::{KINDS, MAX_OBJECTS};
@@ -222,20 +222,45 @@ fn untrusted(json: &Json) -> Untrusted {
     }
 }
 
-/// Every value of a scene is one that its own table accepts, and the scene has a legal size.
+/// Every value of a scene is one that its own table accepts and reads back, and the scene has a legal size.
 fn is_valid(scene: &Scene) {
     assert!(scene.sources().count() <= MAX_OBJECTS);
     assert!(scene.solids().count() <= MAX_OBJECTS);
-    let mut copy = scene.settings().clone();
-    for param in PARAMETERS {
-        let present = param.get(scene.settings());
-        let words = present.to_string();
-        let input = match present {
-            Value::Flag(on) => Input::Flag(on),
-            other => other.as_number().map_or(Input::Text(&words), Input::Number),
-        };
-        assert_eq!(copy.set(param.id, input), Ok(()));
-        assert_eq!(param.get(&copy), present, "{}", param.id);
+    let mut copy = Scene::of_model(scene.model());
+    copy.clear();
+    let used = PARAMETERS
+        .iter()
+        .filter(|param| param.domain(scene.model()).is_some());
+    for param in used {
+        if let Some(value) = scene.world().get(param.id) {
+            let words = value.to_string();
+            assert_eq!(copy.set(param.id, input(value, &words)), Ok(()));
+        }
+    }
+    for object in scene.objects() {
+        let words: Vec<_> = object
+            .properties()
+            .map(|property| (property.0, property.2, property.2.to_string()))
+            .collect();
+        let properties = words
+            .iter()
+            .filter(|(.., words)| !words.is_empty())
+            .map(|(name, value, words)| (*name, input(*value, words)));
+        let identity = [
+            ("kind", Input::Text(object.kind.name)),
+            ("id", Input::Number(object.id.into())),
+        ];
+        let fields: Vec<_> = identity.into_iter().chain(properties).collect();
+        assert_eq!(copy.add(&fields), Ok(object.id));
+    }
+    assert_eq!(&copy, scene);
+}
+
+/// A value as a page sends it, given its text.
+fn input<'a>(value: AnyValue<'_>, words: &'a str) -> Input<'a> {
+    match value {
+        AnyValue::Flag(on) => Input::Flag(on),
+        other => other.as_number().map_or(Input::Text(words), Input::Number),
     }
 }
 
@@ -331,10 +356,8 @@ fn a_damaged_fire_burns_on_within_its_bounds_or_is_refused_and_changes_nothing()
     const STORED: &[u8] = include_bytes!("../../web/prewarmed/fireside.fire");
     /// The bytes of the header after those that identify the fire.
     const COUNTS: std::ops::Range<usize> = 16..56;
-    let mut parameters = Preset::find("fireside").expect("the scene").parameters();
-    parameters
-        .set("max_particles", Input::Number(500.0))
-        .expect("a number");
+    let mut scene = Preset::find("fireside").expect("the scene").scene();
+    scene.set("max_particles", 500.0).expect("a number");
     cases(1500, |random| {
         let mut bytes = STORED.to_vec();
         for _ in 0..below(random, 6) {
@@ -358,7 +381,7 @@ fn a_damaged_fire_burns_on_within_its_bounds_or_is_refused_and_changes_nothing()
                 break;
             }
         }
-        let mut fire = Simulation::new(parameters.clone());
+        let mut fire = Simulation::new(scene.clone());
         let before = (fire.positions(), fire.time());
         if fire.restore_burning(&bytes).is_ok() {
             let outcome = sweep::burn(&mut fire, 0.02);

@@ -5,10 +5,11 @@ use std::fmt::Write as _;
 
 use hearth_core::params::Input;
 use hearth_core::random::Random;
-use hearth_core::scene::{KINDS, MAX_OBJECTS};
+use hearth_core::scene::KINDS;
 use hearth_core::{Scene, Simulation};
 use hearth_settings::untrusted::Untrusted;
 use hearth_settings::{Change, Settings, objects};
+use hearth_tests::fires::set_in_model;
 use hearth_tests::sweep::crowd::gas_inside;
 
 /// Longest refusal in bytes.
@@ -56,7 +57,7 @@ fn assert_refused(scene: &Scene, id: Option<u32>, fields: &[Named<'_>]) {
     let words: Vec<String> = refused.iter().flatten().map(ToString::to_string).collect();
     assert!(!words.is_empty(), "{fields:?} are accepted");
     let sent = sent(fields);
-    let list = [("objects".to_owned(), objects(scene, None, true))];
+    let list = [("objects".to_owned(), objects(scene))];
     let settings = Settings::default()
         .after(&Change::Set(&list))
         .unwrap_or_else(|errors| panic!("{errors:?}"));
@@ -97,78 +98,6 @@ fn every_property_refuses_what_is_no_value_of_it() {
             }
         }
     }
-}
-
-#[test]
-fn objects_that_a_scene_cannot_hold_are_refused() {
-    let solid = text("kind", "solid");
-    let mut scene = Scene::default();
-    assert_eq!(scene.add(&[solid]), Ok(2));
-    for id in [2.0, 1.0, 0.0, -1.0, 1e9, 1.5, f64::NAN, f64::INFINITY] {
-        assert_refused(&scene, None, &[solid, number("id", id)]);
-    }
-    assert_refused(&scene, None, &[solid, text("id", "3")]);
-    for kind in ["", "Solid", "\u{202e}dilos"] {
-        assert_refused(&scene, None, &[text("kind", kind)]);
-    }
-    assert_refused(&scene, None, &[]);
-    for id in [0, 3, 1_000_000_000, u32::MAX] {
-        assert_refused(&scene, Some(id), &[number("x", 0.0)]);
-    }
-    for kind in ["solid", "source"] {
-        let kind = text("kind", kind);
-        let mut full = scene.clone();
-        for _ in 1..MAX_OBJECTS {
-            assert!(full.add(&[kind]).is_ok());
-        }
-        assert_refused(&full, None, &[kind]);
-    }
-}
-
-#[test]
-fn outlines_in_another_form_are_refused() {
-    let mut scene = Scene::default();
-    assert_eq!(scene.add(&[text("kind", "solid")]), Ok(2));
-    let many = "0,0 ".repeat(POINTS + 1);
-    let long = format!("0,0 1,1{}", " ".repeat(20_000));
-    for points in [
-        "0,0",
-        "0,0 1",
-        "nan,0 1,1",
-        "inf,0 0,1",
-        "1e99,0 0,1",
-        "10.1,0 0,1",
-        "0;0 1;1",
-        &many,
-        &long,
-    ] {
-        assert_refused(&scene, Some(2), &[("points", Input::Text(points))]);
-    }
-    let wide = format!("257x1:{}", "P".repeat(257));
-    for mask in [
-        "0x0:",
-        "0x1:P",
-        "1x1:A",
-        "1x1:PP",
-        "2x2:P",
-        "1x1:*",
-        "-1x-1:P",
-        "1e9x1e9:P",
-        &wide,
-    ] {
-        assert_refused(&scene, Some(2), &[("mask", Input::Text(mask))]);
-    }
-    // Four masks of the most pixels, and no fifth.
-    let opaque = format!("256x256:{}", "_".repeat(16));
-    let fields = [
-        text("kind", "solid"),
-        text("shape", "mask"),
-        ("mask", Input::Text(&opaque)),
-    ];
-    for _ in 0..4 {
-        assert!(scene.add(&fields).is_ok());
-    }
-    assert_refused(&scene, None, &fields);
 }
 
 /// Points of an outline as a function of their index.
@@ -220,18 +149,17 @@ fn a_fire_with_any_valid_object_stays_finite() {
         ("classic", "open"),
     ] {
         for object in &objects {
-            let mut settings = Scene::default().settings().clone();
+            let mut scene = Scene::default();
             for (id, name) in [("model", model), ("edges", edges)] {
-                assert_eq!(settings.set(id, Input::Text(name)), Ok(()));
+                set_in_model(&mut scene, id, name);
             }
             for (id, value) in [
                 ("max_particles", 400.0),
                 ("particles", 400.0),
                 ("spacing", 0.06),
             ] {
-                assert_eq!(settings.set(id, Input::Number(value)), Ok(()));
+                set_in_model(&mut scene, id, value);
             }
-            let mut scene = Scene::new(settings);
             let place = [text("kind", "solid"), text("thermal", "conducting")];
             let first = [&place, &object[..]].concat();
             // Over the source, and another that closes on it.

@@ -2,8 +2,8 @@
 //! the vertical through it, and the height and the light of the flame. Measuring changes nothing.
 
 use hearth_core::params::{Input, Model};
-use hearth_core::{Parameters, Scene, Simulation, Vec2};
-use hearth_tests::fires::{burn, closed_box, combustion, filled, in_the_open, on_floor};
+use hearth_core::{Parameters, Simulation, Vec2};
+use hearth_tests::fires::{burn, closed_box, combustion, filled, in_the_open, on_floor, source};
 
 /// Numbers of the fire, and of each place.
 const OF_FIRE: usize = 6;
@@ -68,7 +68,7 @@ fn still_air_has_the_air_temperature_and_a_flame_is_hot() {
     assert_eq!(places(&away)[0][..3], [281.0, fire.parameters().wind, 0.0]);
 
     // The mean over a second: a flame turns.
-    let base = fire.parameters().source_height;
+    let base = source(fire.scene()).y;
     let (mut numbers, mut flame, mut looks) = (Vec::new(), [0.0; OF_PLACE], 0.0);
     while fire.time() < 2.5 {
         fire.step();
@@ -122,7 +122,7 @@ fn nothing_is_read_that_is_not_there() {
     let empty = classic.measure(Vec2::new(0.59, 1.79));
     assert!(places(&empty)[0][..7].iter().all(|number| number.is_nan()));
 
-    let mut scene = Scene::new(on_floor(in_the_open(combustion(&[]), 2000)));
+    let mut scene = on_floor(in_the_open(combustion(&[]), 2000));
     let fields = [
         ("kind", Input::Text("solid")),
         ("shape", Input::Text("box")),

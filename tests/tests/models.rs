@@ -70,45 +70,6 @@ fn a_fire_after_a_change_of_model_and_back_is_a_new_fire() {
     assert_eq!(fire.particles(), burn(combustion(&[]), 0.3).particles());
 }
 
-#[test]
-fn each_model_keeps_its_own_values_and_shares_the_rest() {
-    let number = |fire: &Simulation, id: &str| {
-        let value = fire.parameters().get(id).map(|value| value.to_string());
-        value.and_then(|text| text.parse::<f64>().ok())
-    };
-    let mut fire = Simulation::new(combustion(&[]));
-    set(&mut fire, "buoyancy", 1.5);
-    set(&mut fire, "fuel_power", 300.0);
-    set(&mut fire, "gravity", 5.0);
-    switch(&mut fire, "classic");
-    assert_eq!(number(&fire, "buoyancy"), Some(0.12));
-    assert_eq!(number(&fire, "gravity"), Some(5.0));
-    // A parameter that the model does not use can be read and set.
-    assert_eq!(number(&fire, "fuel_power"), Some(300.0));
-    set(&mut fire, "fuel_power", 400.0);
-    set(&mut fire, "buoyancy", 0.5);
-    set(&mut fire, "max_particles", 150.0);
-    switch(&mut fire, "combustion");
-    assert_eq!(number(&fire, "buoyancy"), Some(1.5));
-    assert_eq!(number(&fire, "fuel_power"), Some(400.0));
-    assert_eq!(number(&fire, "max_particles"), Some(6000.0));
-    switch(&mut fire, "classic");
-    assert_eq!(number(&fire, "buoyancy"), Some(0.5));
-    assert_eq!(number(&fire, "max_particles"), Some(150.0));
-}
-
-#[test]
-fn a_value_is_checked_against_the_range_of_its_model() {
-    let mut fire = Simulation::new(combustion(&[]));
-    assert!(fire.set("buoyancy", Input::Number(1.5)).is_ok());
-    assert!(fire.set("max_particles", Input::Number(150.0)).is_err());
-    assert!(fire.set("walls", Input::Text("solid")).is_ok());
-    switch(&mut fire, "classic");
-    assert!(fire.set("buoyancy", Input::Number(1.5)).is_err());
-    assert!(fire.set("max_particles", Input::Number(150.0)).is_ok());
-    assert!(fire.set("fuel_power", Input::Number(601.0)).is_err());
-}
-
 /// Mean temperature \[K\] where the flames stand, right over the burner: of a
 /// place there, not of a particle, of which hot places have fewer.
 fn warmth(fire: &Simulation) -> f64 {

@@ -3,24 +3,20 @@
 mod views;
 
 use hearth_core::params::Input;
-use hearth_core::{Parameters, Particle, Simulation, Vec2};
+use hearth_core::{Particle, Scene, Simulation, Vec2};
 use hearth_tests::fires::{self, on_floor};
 
 /// A fire in the open with these numbers changed: coarse, which is quick.
-fn open(values: &[(&str, f64)]) -> Parameters {
-    let mut parameters = fires::in_the_open(fires::combustion(&[]), 3000);
+fn open(values: &[(&str, f64)]) -> Scene {
+    let mut scene = fires::in_the_open(fires::combustion(&[]), 3000);
     for &(id, value) in values {
-        set(&mut parameters, id, Input::Number(value));
+        assert_eq!(scene.set(id, value), Ok(()));
     }
-    parameters
+    scene
 }
 
-fn set(parameters: &mut Parameters, id: &str, input: Input<'_>) {
-    assert_eq!(parameters.set(id, input), Ok(()));
-}
-
-fn burn(parameters: Parameters, seconds: f64) -> Simulation {
-    let mut fire = Simulation::new(parameters);
+fn burn(scene: Scene, seconds: f64) -> Simulation {
+    let mut fire = Simulation::new(scene);
     burn_on(&mut fire, seconds);
     fire
 }

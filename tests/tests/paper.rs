@@ -3,7 +3,7 @@
 
 use hearth_core::params::Model;
 use hearth_core::{Parameters, Particle, Simulation};
-use hearth_tests::fires::{burn, with_numbers as with};
+use hearth_tests::fires::{burn, source, with_numbers as with};
 
 /// The mean of a figure of the burning fire over some seconds and seeds.
 fn mean_of(values: &[(&str, f64)], figure: impl Fn(&[Particle]) -> f32) -> f32 {
@@ -84,9 +84,9 @@ fn heat_raises_the_fire_and_extra_weight_lowers_it() {
 #[test]
 fn every_particle_reddens_before_it_dies() {
     let fire = burn(Parameters::new(Model::Classic), 3.0);
-    let p = fire.parameters().clone();
+    let (p, source) = (fire.parameters(), source(fire.scene()));
     for particle in fire.particles() {
-        let cooled = p.maximum_temperature - p.cooling_rate * particle.age;
+        let cooled = source.birth_temperature - p.cooling_rate * particle.age;
         let expected = cooled.max(p.ambient_temperature);
         // The age and the temperature are summed step by step; a particle is
         // born within a step and cools from its end on.
@@ -203,8 +203,8 @@ fn without_taper_lifetimes_are_uniform_over_the_source() {
         .filter(|p| p.age < 0.25)
         .collect();
     let mean = newborn.iter().map(|p| p.lifetime).sum::<f32>() / newborn.len() as f32;
-    let p = fire.parameters();
-    let (low, high) = (p.lifetime_min, p.lifetime_max);
+    let source = source(fire.scene());
+    let (low, high) = (source.life_min, source.life_max);
     // Five standard errors of the mean of a uniform distribution.
     let allowed = 5.0 * (high - low) / 12_f32.sqrt() / (newborn.len() as f32).sqrt();
     assert!(

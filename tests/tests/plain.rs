@@ -11,10 +11,10 @@ use std::fmt::Debug;
 use glam::DVec2;
 use hearth_core::params::{Input, Model};
 use hearth_core::random::Random;
-use hearth_core::{Parameters, Particle, Simulation, Vec2};
+use hearth_core::{Parameters, Particle, Scene, Simulation, Vec2};
 use hearth_tests::plain::{Classic, Combustion, Crowd, Plain, Sum};
 
-use scenes::{Scene, Spread, classic, combustion, corner, scene};
+use scenes::{Case, Spread, case, classic, combustion, corner};
 
 /// Rounding of one part of a step, as a share of the terms that a figure is the sum
 /// of. A number in single precision is exact to 6e-8, a sum of fifty pairs to 1e-6.
@@ -42,17 +42,17 @@ enum Oracle {
 }
 
 impl Oracle {
-    fn new(scene: &Scene) -> Oracle {
-        match scene.parameters.model() {
-            Model::Classic => Oracle::Classic(Classic::new(&scene.particles)),
-            Model::Combustion => Oracle::Combustion(Combustion::new(&scene.particles)),
+    fn new(case: &Case) -> Oracle {
+        match case.scene.model() {
+            Model::Classic => Oracle::Classic(Classic::new(&case.particles)),
+            Model::Combustion => Oracle::Combustion(Combustion::new(&case.particles)),
         }
     }
 
-    fn step(&mut self, parameters: &Parameters) {
+    fn step(&mut self, scene: &Scene) {
         match self {
-            Oracle::Classic(classic) => classic.step(parameters),
-            Oracle::Combustion(gas) => gas.step(parameters),
+            Oracle::Classic(classic) => classic.step(scene.world()),
+            Oracle::Combustion(gas) => gas.step(scene),
         }
     }
 
@@ -209,16 +209,16 @@ impl Difference<'_> {
 }
 
 /// One step, more of them that each start where the fast solver is, and all in a row.
-fn agree(scene: &Scene, steps: u32) {
-    let name = scene.name.as_str();
-    let mut fire = Simulation::new(scene.parameters.clone());
-    assert_eq!(fire.set_particles(&scene.particles), Ok(()), "{name}");
-    let (mut beside, mut alone) = (Oracle::new(scene), Oracle::new(scene));
+fn agree(case: &Case, steps: u32) {
+    let name = case.name.as_str();
+    let mut fire = Simulation::new(case.scene.clone());
+    assert_eq!(fire.set_particles(&case.particles), Ok(()), "{name}");
+    let (mut beside, mut alone) = (Oracle::new(case), Oracle::new(case));
     let mut parts = 0;
     for step in 1..=steps {
         fire.step();
         let compare = |oracle: &Oracle, parts: u32| {
-            let allowed = allowed(parts, &scene.parameters);
+            let allowed = allowed(parts, case.scene.world());
             let difference = Difference {
                 scene: name,
                 step,
@@ -227,15 +227,15 @@ fn agree(scene: &Scene, steps: u32) {
             };
             difference.look(&fire, oracle);
         };
-        beside.step(&scene.parameters);
+        beside.step(&case.scene);
         compare(&beside, beside.parts());
         parts += beside.parts();
         if parts <= MOST_PARTS {
-            alone.step(&scene.parameters);
+            alone.step(&case.scene);
             compare(&alone, parts);
         }
         // Where most have left, others would be born.
-        if fire.count() < scene.particles.len() / 2 {
+        if fire.count() < case.particles.len() / 2 {
             return;
         }
         beside.take_over(&fire.particles());
@@ -262,7 +262,7 @@ fn classic_gas_follows_the_equations() {
                 Spread::Clumped,
             ),
         ] {
-            agree(&scene(classic(walls, values), count, spread, seed), 10);
+            agree(&case(classic(walls, values), count, spread, seed), 10);
         }
     }
 }
@@ -284,7 +284,7 @@ fn a_few_particles_follow_the_equations() {
                     ("time_step", 0.002),
                 ],
             );
-            agree(&scene(parameters, count, Spread::Even, count as u32), 8);
+            agree(&case(parameters, count, Spread::Even, count as u32), 8);
         }
     }
 }
@@ -318,7 +318,7 @@ fn each_printed_form_follows_its_equation() {
             for form in &chosen {
                 parameters.set(form, Input::Flag(true)).expect(form);
             }
-            agree(&scene(parameters, 307, Spread::Even, seed), 10);
+            agree(&case(parameters, 307, Spread::Even, seed), 10);
         }
     }
 }
@@ -349,7 +349,7 @@ fn combustion_gas_follows_the_equations() {
         (&rolls, 704, Spread::Clumped),
     ];
     for (seed, (values, count, spread)) in (1..).zip(scenes) {
-        agree(&scene(combustion(values), count, spread, seed), 10);
+        agree(&case(combustion(values), count, spread, seed), 10);
     }
 }
 
@@ -363,9 +363,9 @@ fn both_models_follow_the_equations_at_corners_of_all_ranges() {
             let count = match model {
                 Model::Classic => 251,
                 // From half to twice as many as asked for, and no multiple of four.
-                Model::Combustion => parameters.particles.min(800) as usize + 5,
+                Model::Combustion => parameters.world().particles.min(800) as usize + 5,
             };
-            agree(&scene(parameters, count, Spread::Even, seed), 5);
+            agree(&case(parameters, count, Spread::Even, seed), 5);
         }
     }
 }

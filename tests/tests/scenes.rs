@@ -5,11 +5,12 @@
 use std::fs;
 use std::path::Path;
 
-use hearth_core::params::{Input, Model};
+use hearth_core::params::Model;
 use hearth_core::preset::Preset;
-use hearth_core::{Parameters, Particle, Simulation};
+use hearth_core::{Particle, Scene, Simulation};
 use hearth_settings::Settings;
 use hearth_settings::untrusted::Untrusted;
+use hearth_tests::fires::{source, with_first_source};
 use hearth_tests::sweep;
 use serde_json::Value;
 
@@ -28,8 +29,8 @@ const SOOT: f32 = 0.02;
 /// Minimum rate of burning of blue gas [1/s].
 const BLUE: f32 = 0.3;
 
-fn scene(name: &str) -> Parameters {
-    Preset::find(name).map_or_else(|| panic!("there is no scene {name}"), Preset::parameters)
+fn scene(name: &str) -> Scene {
+    Preset::find(name).map_or_else(|error| panic!("{error}"), Preset::scene)
 }
 
 #[test]
@@ -38,10 +39,10 @@ fn every_scene_glows_is_stable_and_costs_little_more_than_twice_the_default() {
     let mut default_work = f64::INFINITY;
     // The default scene is the first.
     for preset in Preset::all() {
-        let parameters = preset.parameters();
-        let seconds = SECONDS * f64::from(parameters.time_scale);
-        let has_soot = parameters.model() == Model::Combustion;
-        let mut fire = Simulation::new(parameters);
+        let scene = with_first_source(preset.scene());
+        let seconds = SECONDS * f64::from(scene.world().time_scale);
+        let has_soot = scene.model() == Model::Combustion;
+        let mut fire = Simulation::new(scene);
         let outcome = sweep::burn(&mut fire, seconds);
         assert_eq!(outcome.fault(), None, "{}", preset.name);
         assert!(
@@ -73,14 +74,14 @@ fn every_scene_glows_is_stable_and_costs_little_more_than_twice_the_default() {
 
 /// Mean distance of the particles from the middle, and their mean height above the source
 /// \[m\].
-fn shape(parameters: Parameters) -> (f32, f32) {
+fn shape(scene: Scene) -> (f32, f32) {
     let (mut width, mut height) = (0.0, 0.0);
-    let mut fire = Simulation::new(parameters);
+    let mut fire = Simulation::new(scene);
     for _ in 0..4 {
         assert_eq!(sweep::burn(&mut fire, 1.0).fault(), None);
         let particles = fire.particles();
         let count = particles.len() as f32;
-        let source = fire.parameters().source_height;
+        let source = source(fire.scene()).y;
         width += particles.iter().map(|p| p.position.x.abs()).sum::<f32>() / count;
         height += particles.iter().map(|p| p.position.y - source).sum::<f32>() / count;
     }
@@ -88,9 +89,10 @@ fn shape(parameters: Parameters) -> (f32, f32) {
 }
 
 /// Mean distance to the nearest other particle, in spacings of particles at rest.
-fn gaps(parameters: Parameters) -> f32 {
-    let rest = (parameters.particle_mass / parameters.rest_density).sqrt();
-    let mut fire = Simulation::new(parameters);
+fn gaps(scene: Scene) -> f32 {
+    let mut fire = Simulation::new(scene);
+    let world = fire.parameters();
+    let rest = (world.particle_mass / world.rest_density).sqrt();
     assert_eq!(sweep::burn(&mut fire, 3.0).fault(), None);
     let places = fire.positions();
     let nearest = places.iter().enumerate().map(|(i, a)| {
@@ -119,7 +121,7 @@ fn the_viscosity_of_the_paper_widens_the_fire_as_printed_and_narrows_it_correcte
     let mut viscous = scene("paper-viscosity");
     let (printed, _) = shape(viscous.clone());
     assert!(printed > 1.4 * width, "{printed} {width}");
-    let set = viscous.set("printed_viscosity", Input::Flag(false));
+    let set = viscous.set("printed_viscosity", false);
     assert_eq!(set, Ok(()));
     let (corrected, _) = shape(viscous);
     assert!(corrected < 0.9 * width, "{corrected} {width}");
@@ -153,7 +155,7 @@ fn every_scene_file_is_its_preset() {
     for preset in Preset::all() {
         let text = fs::read_to_string(folder.join(format!("{}.json", preset.name)));
         let file: Value = serde_json::from_str(&text.expect("a file")).expect("JSON");
-        assert_eq!(file["hearth"], 2, "{}", preset.name);
+        assert_eq!(file["hearth"], 3, "{}", preset.name);
         assert_eq!(
             read(&file).scene(),
             Settings::starting_from(preset).scene(),

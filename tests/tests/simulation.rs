@@ -2,7 +2,7 @@
 //! forces, live parameters.
 
 use hearth_core::params::{Input, Model};
-use hearth_core::{Parameters, Particle, Simulation, Vec2};
+use hearth_core::{Parameters, Particle, Scene, Simulation, Vec2};
 use hearth_tests::fires::{self, with};
 
 fn burn(fire: &mut Simulation, steps: u32) {
@@ -19,7 +19,7 @@ fn particle(x: f32, y: f32, vx: f32, vy: f32) -> Particle {
 }
 
 /// No source to speak of and no lift: what is put in moves by itself.
-fn still(walls: &str) -> Parameters {
+fn still(walls: &str) -> Scene {
     with([
         ("walls", Input::Text(walls)),
         ("gravity", Input::Number(0.0)),
@@ -37,6 +37,74 @@ fn a_reset_fire_repeats_itself() {
     assert_eq!((fire.count(), fire.time()), (0, 0.0));
     burn(&mut fire, 300);
     assert_eq!(fire.particles(), first);
+}
+
+/// A small fire of each model.
+fn small() -> [Simulation; 2] {
+    let classic = Parameters::new(Model::Classic);
+    [classic, fires::combustion(&[("particles", 1000.0)])].map(Simulation::new)
+}
+
+#[test]
+fn frames_stand_at_exactly_the_time_that_is_asked_for() {
+    for mut fire in small() {
+        for rate in [24.0, 30.0, 60.0, 1000.0] {
+            fire.reset();
+            for frame in 1..=30 {
+                let before = fire.time();
+                fire.advance(1.0 / rate);
+                assert_eq!(fire.time(), before + 1.0 / rate);
+                assert!((fire.time() - f64::from(frame) / rate).abs() < 1e-14);
+            }
+        }
+        for none in [0.0, -0.1, f64::NAN] {
+            let before = (fire.time(), fire.particles());
+            fire.advance(none);
+            assert_eq!((fire.time(), fire.particles()), before);
+        }
+    }
+}
+
+#[test]
+fn the_last_steps_before_a_time_are_no_shorter_than_half_of_the_others() {
+    for mut fire in small() {
+        fire.advance(0.2);
+        for _ in 0..20 {
+            let (mut free, end) = (fire.clone(), fire.time() + 0.021);
+            while fire.time() < end {
+                free.clone_from(&fire);
+                free.step();
+                fire.step_towards(end, None, &mut |_| ());
+                let (length, longest) = (fire.step_length(), free.step_length());
+                assert!(length >= 0.499 * longest, "{length} s of {longest} s");
+                assert!(length <= 1.001 * longest, "{length} s of {longest} s");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_fire_in_frames_is_the_same_fire() {
+    // Frames that cut every step: as much is born, burns and is left as in whole steps.
+    for (fire, mut whole) in small().into_iter().zip(small()) {
+        let mut framed = fire.clone();
+        for _ in 0..200 {
+            framed.advance(0.01);
+        }
+        let mut again = fire;
+        for _ in 0..200 {
+            again.advance(0.01);
+        }
+        assert_eq!(framed.particles(), again.particles());
+        while whole.time() < 2.0 {
+            whole.step();
+        }
+        let counts = [&framed, &whole].map(|fire| fire.count() as f64);
+        assert!(
+            (counts[0] / counts[1] - 1.0).abs() < 0.05,
+            "{counts:?} particles"
+        );
+    }
 }
 
 #[test]
@@ -230,8 +298,8 @@ fn step_lengths_add_up_to_the_time() {
 
 #[test]
 fn a_user_force_accelerates_both_models() {
-    let pushed = |parameters: &Parameters, strength: f32| {
-        let mut fire = Simulation::new(parameters.clone());
+    let pushed = |scene: &Scene, strength: f32| {
+        let mut fire = Simulation::new(scene.clone());
         while fire.time() < 0.2 {
             fire.step_with(|_, _| Vec2::new(strength, 0.0));
         }
@@ -240,7 +308,7 @@ fn a_user_force_accelerates_both_models() {
     // 5 m/s² for 0.2 s. The seam would hold the air, so the box is closed.
     let air = fires::closed_box(&[]);
     assert!((pushed(&air, 5.0) - 1.0).abs() < 0.05);
-    let classic = Parameters::new(Model::Classic);
+    let classic = Scene::of_model(Model::Classic);
     assert!(pushed(&classic, 5.0) > pushed(&classic, 0.0) + 0.3);
 }
 

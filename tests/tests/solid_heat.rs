@@ -11,7 +11,7 @@ const CAPACITY: f64 = 20.0;
 
 /// A closed box of gas around a disc that conducts heat.
 fn scene(values: &[(&str, f64)], temperature: f64) -> Scene {
-    let mut scene = Scene::new(fires::closed_box(values));
+    let mut scene = fires::closed_box(values);
     let added = scene.add(&[
         ("kind", Input::Text("solid")),
         ("y", Input::Number(0.4)),
@@ -67,12 +67,12 @@ fn a_solid_gains_what_the_gas_loses_but_for_its_radiation() {
 
 #[test]
 fn a_solid_warms_in_a_flame_and_cools_after_it() {
-    let mut settings = fires::combustion(&[]);
+    let mut scene = fires::combustion(&[]);
     for (id, name) in [("edges", "open"), ("floor", "solid")] {
-        assert_eq!(settings.set(id, Input::Text(name)), Ok(()));
+        assert_eq!(scene.set(id, name), Ok(()));
     }
-    let mut scene = Scene::new(settings);
-    let base = f64::from(scene.settings().source_height);
+    let mut fire = Simulation::new(scene.clone());
+    let base = f64::from(fires::source(&scene).y);
     let fields = [
         ("kind", Input::Text("solid")),
         ("y", Input::Number(base + 0.2)),
@@ -81,7 +81,6 @@ fn a_solid_warms_in_a_flame_and_cools_after_it() {
         ("heat_capacity", Input::Number(CAPACITY)),
     ];
     assert_eq!(scene.add(&fields), Ok(2));
-    let mut fire = fires::burn(scene.settings().clone(), 0.0);
     fire.set_scene(scene);
     assert_eq!(temperature(&fire), AIR);
     fires::burn_on(&mut fire, 4.0);
@@ -89,7 +88,7 @@ fn a_solid_warms_in_a_flame_and_cools_after_it() {
     assert!(hot > 400.0, "{hot} K");
     let flame = fire.temperatures().into_iter().fold(0.0, f32::max);
     assert!(hot < f64::from(flame), "{hot} K in a flame of {flame} K");
-    assert_eq!(fire.set("fuel_power", Input::Number(0.0)), Ok(()));
+    assert_eq!(fire.set("fuel_power", 0.0), Ok(()));
     fires::burn_on(&mut fire, 4.0);
     assert!(temperature(&fire) < hot - 20.0, "{} K", temperature(&fire));
 }

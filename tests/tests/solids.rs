@@ -5,19 +5,20 @@ mod inside;
 
 use hearth_core::params::Input;
 use hearth_core::{Scene, Simulation};
+use hearth_tests::fires::set_in_model;
 
 type Numbers<'a> = &'a [(&'a str, f64)];
 
-/// A scene in a closed domain of 3000 particles, with these choices and numbers of the settings.
+/// A scene in a closed domain of 3000 particles, with these choices and, if its model has them, numbers.
 fn scene(choices: &[(&str, &'static str)], numbers: Numbers<'_>) -> Scene {
-    let mut settings = Scene::default().settings().clone();
+    let mut scene = Scene::default();
     for &(id, name) in [("edges", "periodic")].iter().chain(choices) {
-        assert_eq!(settings.set(id, Input::Text(name)), Ok(()));
+        assert_eq!(scene.set(id, name), Ok(()));
     }
     for &(id, value) in [("particles", 3000.0)].iter().chain(numbers) {
-        assert_eq!(settings.set(id, Input::Number(value)), Ok(()));
+        set_in_model(&mut scene, id, value);
     }
-    Scene::new(settings)
+    scene
 }
 
 /// Adds a solid and returns its id.

@@ -2,8 +2,8 @@
 //! without a burst or a hole.
 
 use hearth_core::params::Input;
-use hearth_core::{Parameters, Scene, Simulation, Source, Vec2};
-use hearth_tests::fires::{burn, burn_on, combustion, mean, watch, with_numbers};
+use hearth_core::{Scene, Simulation, SourcePlace, Vec2};
+use hearth_tests::fires::{burn, burn_on, combustion, mean, source, watch, with_numbers};
 
 /// Mean power and mean number of particles over so many seconds.
 fn means(fire: &mut Simulation, seconds: f64) -> (f64, f64) {
@@ -103,8 +103,8 @@ fn a_source_beyond_the_side_burns_at_the_side() {
         combustion(&[("source_x", 3.0)]),
         with_numbers(&[("source_x", 3.0)]),
     ] {
-        let source = Source::of(&parameters).base.x;
-        assert!(source > 0.2 && source < 0.5 * parameters.domain_width);
+        let source = SourcePlace::of(&source(&parameters)).base.x;
+        assert!(source > 0.2 && source < 0.5 * parameters.world().domain_width);
         let mut fire = burn(parameters, 1.0);
         burn_on(&mut fire, 0.5);
         assert!(fire.temperatures().iter().any(|&kelvin| kelvin > 900.0));
@@ -114,7 +114,7 @@ fn a_source_beyond_the_side_burns_at_the_side() {
 #[test]
 fn a_turned_source_emits_at_right_angles_to_its_width() {
     for (model, angle) in [("classic", -90.0), ("classic", 45.0), ("combustion", -90.0)] {
-        let mut settings = Parameters::default();
+        let mut settings = Scene::default();
         let values = [
             ("model", Input::Text(model)),
             ("source_angle", Input::Number(angle)),
@@ -143,12 +143,11 @@ fn a_turned_source_emits_at_right_angles_to_its_width() {
 
 #[test]
 fn classic_sources_share_the_places_of_a_fire_that_is_full() {
-    let settings = with_numbers(&[
+    let mut scene = with_numbers(&[
         ("max_particles", 300.0),
         ("source_width", 0.2),
         ("source_x", -0.4),
     ]);
-    let mut scene = Scene::from(settings);
     for x in [0.0, 0.4] {
         let added = scene.add(&[
             ("kind", Input::Text("source")),

@@ -4,9 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use hearth_core::burning::BurningError;
-use hearth_core::params::Input;
 use hearth_core::preset::Preset;
-use hearth_core::{Parameters, Scene, Simulation};
+use hearth_core::{Scene, Simulation};
+use hearth_tests::fires::{source, with_first_source};
 
 /// The scenes that are stored.
 const STORED: [&str; 1] = ["fireside"];
@@ -21,15 +21,15 @@ fn stored(name: &str) -> Vec<u8> {
 }
 
 fn scene_of(name: &str) -> Scene {
-    Preset::find(name).map_or_else(|| panic!("there is no scene {name}"), Preset::scene)
+    Preset::find(name).map_or_else(|error| panic!("{error}"), Preset::scene)
 }
 
-/// The scene with changed settings.
-fn changed(name: &str, change: impl FnOnce(&mut Parameters)) -> Scene {
+/// The scene with this number of particles.
+fn resampled(name: &str, particles: u32) -> Scene {
     let mut scene = scene_of(name);
-    let mut settings = scene.settings().clone();
-    change(&mut settings);
-    scene.set_settings(settings);
+    let mut world = scene.world().clone();
+    world.set_domain_particles(particles);
+    scene.set_world(world);
     scene
 }
 
@@ -39,11 +39,9 @@ fn a_stored_fire_of_other_values_is_refused() {
         let bytes = stored(name);
         let mut own = Simulation::new(scene_of(name));
         assert_eq!(own.restore_burning(&bytes), Ok(()), "{name}");
-        let other = changed(name, |settings| {
-            let set = settings.set("fuel_power", Input::Number(123.0));
-            assert_eq!(set, Ok(()));
-        });
-        let without_solids = Scene::new(scene_of(name).settings().clone());
+        let mut other = scene_of(name);
+        assert_eq!(other.set("fuel_power", 123.0), Ok(()));
+        let without_solids = with_first_source(scene_of(name));
         for other in [other, without_solids] {
             let refused = Simulation::new(other).restore_burning(&bytes);
             assert_eq!(refused, Err(BurningError::OtherValues));
@@ -56,9 +54,9 @@ fn a_stored_fire_is_tall_at_every_quality() {
     for name in STORED {
         let bytes = stored(name);
         for particles in [500, 1200, 3000, 6700] {
-            let scene = changed(name, |settings| settings.set_domain_particles(particles));
-            let floor = hearth_core::Burner::of(scene.settings()).bottom;
-            let height = scene.settings().domain_height;
+            let scene = resampled(name, particles);
+            let floor = hearth_core::Burner::of(&source(&scene)).bottom;
+            let height = scene.world().domain_height;
             let mut fire = Simulation::new(scene);
             let restored = fire.restore_burning(&bytes);
             assert_eq!(restored, Ok(()), "{name} at {particles}");

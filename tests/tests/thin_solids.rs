@@ -1,6 +1,6 @@
 //! Laws of solids thinner than the reach of the kernel: the gas of the two sides does not interact.
 
-use hearth_core::params::{Input, Parameters};
+use hearth_core::params::Input;
 use hearth_core::{Particle, Scene, Simulation, Vec2};
 use hearth_tests::fires;
 
@@ -25,7 +25,7 @@ fn cloud(plate: bool) -> Simulation {
         ("thermal_buoyancy", 0.0),
         ("max_particles", 100.0),
     ];
-    let mut scene = Scene::new(fires::with_numbers(&still));
+    let mut scene = fires::with_numbers(&still);
     if plate {
         add_plate(&mut scene, 0.5);
     }
@@ -71,9 +71,8 @@ fn particles_behind_a_plate_are_no_neighbours_in_a_display() {
 #[test]
 fn another_number_of_particles_mixes_nothing_through_a_plate() {
     let calm = [("fuel_power", 0.0), ("particles", 1500.0)];
-    let air: Parameters = fires::combustion(&calm);
-    let kelvin = air.ambient_temperature;
-    let mut scene = Scene::new(air);
+    let mut scene = fires::combustion(&calm);
+    let kelvin = scene.world().ambient_temperature;
     add_plate(&mut scene, 0.45);
     add_plate(&mut scene, 1.35);
     let mut fire = Simulation::new(scene);

@@ -1,11 +1,11 @@
 //! Turbulence stirs, in both models, by chance and yet the same each time.
 
 use hearth_core::params::Model;
-use hearth_core::{Parameters, Particle, Simulation};
+use hearth_core::{Particle, Scene, Simulation};
 use hearth_tests::fires::{burn, burn_on, combustion, watch, with_numbers};
 
 /// A fire of either model with these values.
-fn of(model: Model, values: &[(&str, f64)]) -> Parameters {
+fn of(model: Model, values: &[(&str, f64)]) -> Scene {
     match model {
         Model::Classic => with_numbers(values),
         Model::Combustion => combustion(values),

@@ -4,7 +4,7 @@
 mod fires;
 mod gas;
 
-use hearth_core::params::{Input, Parameters};
+use hearth_core::params::Input;
 use hearth_core::{Scene, Simulation, SprayTotals, Vec2};
 use hearth_tests::fires::{combustion, in_the_open, on_floor};
 
@@ -12,16 +12,15 @@ use hearth_tests::fires::{combustion, in_the_open, on_floor};
 const ID: u32 = 2;
 
 /// Open air on a floor without a source.
-fn open(values: &[(&str, f64)]) -> Parameters {
+fn open(values: &[(&str, f64)]) -> Scene {
     let unlit = [("fuel_power", 0.0), ("ember_rate", 0.0)];
-    let mut settings = on_floor(in_the_open(combustion(&[&unlit, values].concat()), 5000));
-    assert_eq!(settings.set("spacing", Input::Number(0.03)), Ok(()));
-    settings
+    let mut scene = on_floor(in_the_open(combustion(&[&unlit, values].concat()), 5000));
+    assert_eq!(scene.set("spacing", 0.03), Ok(()));
+    scene
 }
 
 /// A scene with a solid of these texts and numbers.
-fn with_solid(settings: Parameters, texts: &[(&str, &str)], numbers: &[(&str, f64)]) -> Scene {
-    let mut scene = Scene::new(settings);
+fn with_solid(mut scene: Scene, texts: &[(&str, &str)], numbers: &[(&str, f64)]) -> Scene {
     let mut fields = vec![("kind", Input::Text("solid"))];
     fields.extend(texts.iter().map(|&(name, text)| (name, Input::Text(text))));
     fields.extend(numbers.iter().map(|&(name, x)| (name, Input::Number(x))));

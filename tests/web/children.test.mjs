@@ -8,6 +8,8 @@ import { test } from 'node:test';
 let frames = [];
 /** Calls of observers of attributes. @type {(() => void)[]} */
 let observers = [];
+/** The elements that are observed. @type {Set<any>} */
+const observed = new Set();
 
 /** An element of the fake page. */
 class FakeElement {
@@ -57,10 +59,17 @@ Object.assign(globalThis, {
   requestAnimationFrame: (act) => frames.push(act),
   cancelAnimationFrame: () => {},
   MutationObserver: class {
+    targets = [];
     constructor(act) {
       observers.push(() => act([{ target: new FakeElement(), attributeName: 'id' }]));
     }
-    observe() {}
+    observe(target) {
+      this.targets.push(target);
+      observed.add(target);
+    }
+    disconnect() {
+      for (const target of this.targets.splice(0)) observed.delete(target);
+    }
   },
 });
 const { Children } = await import('../../web/element/children/children.js');
@@ -262,4 +271,15 @@ test('an invalid target and a text that is too long are refused', () => {
   assert.match(page.warnings[0], /<hearth-solid>: of = headline is refused: it must be # and the id of an element/);
   solid.removeAttribute('of');
   assert.equal(page.warnings.length, 1);
+});
+
+test('a child that leaves the fire is observed no longer', () => {
+  const page = new Page();
+  observed.clear();
+  const [first, second] = ['a', 'b'].map((id) => page.append('hearth-solid', { id }));
+  page.children.update();
+  assert.deepEqual([...observed], [first, second]);
+  page.elements = [second];
+  page.children.update();
+  assert.deepEqual([...observed], [second]);
 });

@@ -5,7 +5,7 @@ import { pageLink } from '../../web/share.js';
 
 const PAGE = 'https://fire.example/index.html';
 const CONFIG = {
-  hearth: 2,
+  hearth: 3,
   preset: 'campfire',
   values: {},
   objects: [{ kind: 'solid', points: '0,0 1,1 '.repeat(400) }],
@@ -133,4 +133,11 @@ test('the last changes of a fire survive one reload at the same address', async 
   assert.deepEqual(await open(PAGE), { shown: [], refused: [] });
   keepLast(changes);
   assert.deepEqual(await open(`${PAGE}?scene=forge`), { shown: [], refused: [] });
+});
+
+test('a page that the browser has kept goes on, and leaves no changes to a later visit', async () => {
+  await open(PAGE);
+  keepLast({ wind: 0.5 });
+  tab.dispatchEvent(Object.assign(new Event('pageshow'), { persisted: true }));
+  assert.deepEqual(await open(PAGE), { shown: [], refused: [] });
 });

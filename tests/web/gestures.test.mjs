@@ -198,6 +198,31 @@ test('a drag that is cancelled puts the object back', async () => {
   assert.equal(tools.fire.objects[1].x, 0);
 });
 
+test('undo and redo while a tool draws cancel what it draws, and no step', async () => {
+  for (const move of ['undo', 'redo']) {
+    const tools = await toolsOf();
+    const at = [
+      [-0.3, 1],
+      [-0.2, 1.1],
+    ];
+    const first = await tools.drag('box', at);
+    const both = await tools.drag('circle', at);
+    const cases = { box: both, line: both, polygon: both, brush: both, select: both, erase: both };
+    for (const [tool, wanted] of Object.entries(cases)) {
+      tools.pointers.begin(tool, 1, { x: -0.3, y: 1 }, tools.how());
+      await tools.fire.settled();
+      tools.pointers.move(1, { x: 0.1, y: 1.3 }, tools.how());
+      await tools.fire.settled();
+      await tools.editing[move]();
+      await tools.fire.settled();
+      tools.pointers.end(1, { x: 0.1, y: 1.3 }, tools.how());
+      await tools.fire.settled();
+      assert.deepEqual(tools.fire.objects, wanted, tool);
+    }
+    assert.deepEqual(await tools.undo(), first);
+  }
+});
+
 test('several objects are selected, moved, aligned and removed together, each as one step', async () => {
   const tools = await toolsOf([box({ x: -0.2, y: 1.2 }), box({ x: 0.15, y: 1.025, height: 0.15 })]);
   const { editing, edits } = tools;

@@ -1,7 +1,8 @@
-/** Why an engine has stopped: the text and the place of a panic, no memory, or a script's error. */
+/** The loop of an engine: why an engine has stopped, and which calls wait for a part of the wasm. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { reasonOf, runEngine } from '../../web/engine/loop.js';
+import { base } from './parts.mjs';
 
 const trap = new WebAssembly.RuntimeError('unreachable');
 const engine = (/** @type {string} */ panic) => ({ panic: () => panic });
@@ -32,42 +33,75 @@ test('other errors keep their words, even if the wasm can no longer be called', 
   assert.equal(reasonOf(new TypeError('a defect'), engine('')).why, 'TypeError: a defect');
 });
 
-test('a fire burns without its children if their code does not arrive, and the list of children is refused', async () => {
+/** A loop whose engine needs `part` where `needs` says so; with the calls that ran and the events. */
+function loop(/** @type {string} */ part, /** @type {(name: string, start: any) => boolean} */ needs) {
+  /** @type {string[]} */
   const ran = [];
+  /** @type {any[]} */
   const posted = [];
   Object.assign(globalThis, { requestAnimationFrame: () => 1, cancelAnimationFrame: () => {} });
   const Engine = class {
-    call(sent) {
-      const [, , name, start] = sent;
-      if (name === 'children' || start?.children) throw 'children';
+    /** @type {(sent: any[], loaded: Set<string>) => boolean} */
+    call([, , name, start], loaded) {
+      if (!loaded.has(part) && needs(name, start)) throw part;
       ran.push(name);
       return false;
     }
   };
   const canvas = { getContext: () => null, addEventListener: () => {}, removeEventListener: () => {} };
-  // A module that the build has divided.
-  const module = new WebAssembly.Module(
-    new Uint8Array([
-      0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 5, 1, 1, 48, 0, 0, 10, 4, 1, 2, 0, 11,
-    ]),
-  );
-  const engine = runEngine(/** @type {any} */ (Engine), /** @type {any} */ (canvas), {
+  const run = runEngine(/** @type {any} */ (Engine), /** @type {any} */ (canvas), {
     post: (message) => posted.push(message),
     show: () => true,
-    module,
+    module: new WebAssembly.Module(base(1)),
     extend: () => {},
     fail: assert.fail,
   });
-  engine.call([1, 0, 'add', { children: true }]);
-  engine.call([1, 1, 'set', {}]);
-  engine.call([1, 2, 'children', []]);
+  return { run, ran, posted };
+}
+
+test('a fire burns without its children if their code does not arrive, and the list of children is refused', () => {
+  const { run, ran, posted } = loop('children', (name, start) => name === 'children' || start?.children);
+  run.call([1, 0, 'add', { children: true }]);
+  run.call([1, 1, 'set', {}]);
+  run.call([1, 2, 'children', []]);
   assert.deepEqual(posted, [{ type: 'part', part: 'children' }]);
-  engine.add({ part: 'children', why: 'it gave 404' });
+  run.add({ part: 'children', why: 'it gave 404' });
   assert.deepEqual(ran, ['add', 'set']);
-  engine.add({ part: 'children', why: 'it gave 404' });
+  run.add({ part: 'children', why: 'it gave 404' });
   const [{ id, message }] = posted.at(-1).errors;
   assert.deepEqual(
     [posted.at(-1).request, id, message],
     [2, 'children', 'The code for children could not be loaded: it gave 404'],
   );
+});
+
+test('a fire plays, pauses, hides and is resized while a call waits for a part, and the others keep their order', () => {
+  const { run, ran } = loop('bodies', (name) => name === 'preset');
+  run.call([1, 0, 'add', {}]);
+  run.call([1, 1, 'preset', 'house-of-cards']);
+  for (const name of ['set', 'pause', 'visible', 'step', 'resize', 'play']) run.call([1, 2, name]);
+  // Other fires do not wait.
+  run.call([2, 0, 'add', {}]);
+  assert.deepEqual(ran.splice(0), ['add', 'pause', 'visible', 'resize', 'play', 'add']);
+  run.add({ part: 'bodies', module: new WebAssembly.Module(base(1)) });
+  assert.deepEqual(ran, ['preset', 'set', 'step']);
+});
+
+test('a removal drops what waits for a part, and another fire asks for it again', () => {
+  const { run, ran, posted } = loop('bodies', (name, start) => name === 'preset' || start?.bodies);
+  run.call([1, 0, 'add', {}]);
+  run.call([1, 1, 'preset', 'house-of-cards']);
+  run.call([1, 2, 'set', {}]);
+  run.call([1, 3, 'remove']);
+  assert.deepEqual(ran.splice(0), ['add', 'remove']);
+  run.call([2, 0, 'add', { bodies: true }]);
+  // Before its `add` there is nothing to pause.
+  run.call([2, 1, 'pause']);
+  run.call([2, 2, 'remove']);
+  run.call([3, 0, 'add', { bodies: true }]);
+  run.call([3, 1, 'pause']);
+  assert.deepEqual(ran.splice(0), ['remove']);
+  assert.equal(posted.length, 3);
+  run.add({ part: 'bodies', module: new WebAssembly.Module(base(1)) });
+  assert.deepEqual(ran, ['add', 'pause']);
 });

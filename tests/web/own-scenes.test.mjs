@@ -4,7 +4,7 @@ import { beforeEach, test } from 'node:test';
 import { damageOfScenes, deleteScene, ownScenes, renameScene, saveScene } from '../../web/panel/own-scenes.js';
 
 const KEY = 'hearth-scenes';
-const CONFIG = /** @type {any} */ ({ hearth: 2, values: { wind: 1 } });
+const CONFIG = /** @type {any} */ ({ hearth: 3, values: { wind: 1 } });
 const scene = (/** @type {string} */ name) => ({ name, config: CONFIG, picture: '' });
 
 /** @type {Map<string, string>} */
@@ -22,7 +22,7 @@ const damaged = () => [...kept].filter(([key]) => key !== KEY).map(([, text]) =>
 for (const [about, text, readable] of /** @type {[string, string, string[]]} */ ([
   ['half a list', JSON.stringify([scene('A'), scene('B')]).slice(0, -20), []],
   ['no JSON', 'My fires', []],
-  ['no list', '{"A": {"hearth": 2}}', []],
+  ['no list', '{"A": {"hearth": 3}}', []],
   ['nothing at all', 'null', []],
   ['a number', '7', []],
   ['a text', '"A"', []],

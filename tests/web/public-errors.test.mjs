@@ -7,15 +7,9 @@ import { mountPanel } from '../../web/panel.js';
 import { elementCode, fromFragment, fromQuery, iframeCode, pageLink, toQuery } from '../../web/share.js';
 import { STEP_NUMBERS, Synthesis } from '../../web/sound.js';
 import { mountTools } from '../../web/tools.js';
-import { answers, assertRefused, hostileValues } from '../hostile.mjs';
+import { assertRefuses } from '../hostile.mjs';
 
 const URL = 'https://fire.example/';
-const hostile = {
-  toString() {
-    throw new Error('mine');
-  },
-};
-
 for (const [config, words] of /** @type {[any, RegExp][]} */ ([
   [undefined, /config must be an object.*undefined/],
   [null, /config must be an object.*null/],
@@ -26,11 +20,9 @@ for (const [config, words] of /** @type {[any, RegExp][]} */ ([
   [{ objects: { 0: {} } }, /config\.objects must be a list.*object/],
   [{ values: 7 }, /config\.values must be an object.*7/],
   [{ values: [1] }, /config\.values must be an object.*list/],
-  [{ values: { wind: hostile } }, /config\.values\.wind must be a number.*object/],
   [{ values: { wind: Symbol('a') } }, /config\.values\.wind must be a number.*symbol/],
   [{ values: { wind: null } }, /config\.values\.wind must be a number.*null/],
   [{ preset: 3 }, /config\.preset must be a text.*3/],
-  [{ preset: hostile }, /config\.preset must be a text.*object/],
 ])) {
   test(`settings of another form are refused by name: ${words}`, async () => {
     for (const write of [toQuery, elementCode])
@@ -44,8 +36,8 @@ for (const [call, words] of /** @type {[(...values: any[]) => unknown, RegExp][]
   [() => maskOfPath('M0 0', /** @type {any} */ (null)), /^box = "null".*four numbers/],
   [() => maskOfPath('M0 0', /** @type {any} */ ([0, 0, 1])), /^box = .*four numbers/],
   [() => maskOfPath('M0 0', [0, 0, NaN, 1]), /^box = .*four numbers/],
-  [() => maskOfPath(/** @type {any} */ (hostile), [0, 0, 1, 1]), /^path = "something of type object".*text/],
-  [() => maskOfPath('M0 0', [0, 0, 1, 1], /** @type {any} */ (hostile)), /^width = .*0\.002 to 10/],
+  [() => maskOfPath(/** @type {any} */ ({}), [0, 0, 1, 1]), /^path = "something of type object".*text/],
+  [() => maskOfPath('M0 0', [0, 0, 1, 1], /** @type {any} */ ({})), /^width = .*0\.002 to 10/],
   [() => maskOfPath('M0 0', [0, 0, 1, 1], 11), /^width = "11".*0\.002 to 10/],
   [() => maskOfText(/** @type {any} */ (undefined), '1em serif'), /^text = "undefined".*text/],
   [() => maskOfText('A', /** @type {any} */ (null)), /^font = "null".*CSS font/],
@@ -58,12 +50,7 @@ for (const [call, words] of /** @type {[(...values: any[]) => unknown, RegExp][]
   });
 }
 
-const EMPTY = ['{}', 'an object without a prototype'];
-const OBJECTS = [...EMPTY, 'a date', 'a throwing toString', 'a throwing iterator'];
-const TEXTS = ["''", "'x'", 'a long text'];
-const NUMBERS = ['-0', '-1', '1.5', '1e300'];
 const config = { values: { wind: 1 } };
-const long = { values: { note: 'x'.repeat(3000) } };
 const sound = () => new Synthesis();
 const samples = () => new Float32Array(8);
 /** Where a panel or a toolbar begins to use the page, its arguments have passed. */
@@ -87,137 +74,57 @@ const masks = (/** @type {() => unknown} */ make) => {
   }
 };
 
-/** Each argument of each public function that needs no browser: its call, and what it takes of the hostile values. */
-/** @type {[name: string, named: RegExp, call: (value: any) => any, taken: string[]][]} */
+/** Each argument of each public function that needs no browser. @type {[named: RegExp, call: (value: any) => any][]} */
 const ARGUMENTS = [
-  ['toQuery(config)', /config/, (value) => toQuery(value), [...OBJECTS, 'a throwing toJSON']],
-  ['toQuery({preset})', /preset/, (preset) => toQuery({ preset }), ['undefined', ...TEXTS]],
-  [
-    'toQuery({values})',
-    /config/,
-    (values) => toQuery({ values }),
-    ['undefined', ...EMPTY, 'a date', 'a throwing iterator'],
-  ],
-  [
-    'toQuery({values: {wind}})',
-    /wind/,
-    (wind) => toQuery({ values: { wind } }),
-    ['NaN', 'Infinity', 'true', ...NUMBERS, ...TEXTS],
-  ],
-  ['toQuery({objects})', /objects/, (objects) => toQuery({ objects }), ['undefined', '[]', 'a long list']],
-  ['elementCode(config)', /config/, (value) => elementCode(value), [...OBJECTS, 'a throwing toJSON']],
-  ['elementCode(, scriptUrl)', /scriptUrl/, (value) => elementCode(config, value), ['undefined', ...TEXTS]],
-  [
-    'elementCode(, , shown)',
-    /shown/,
-    (value) => elementCode(config, undefined, value),
-    ['undefined', ...EMPTY, 'a date', 'a throwing toString', 'a throwing toJSON', 'a throwing iterator'],
-  ],
-  [
-    'elementCode(, , {width})',
-    /shown\.width/,
-    (width) => elementCode(config, undefined, { width }),
-    ['undefined', '1.5', '1e300'],
-  ],
-  [
-    'elementCode(, , {attributes})',
-    /shown\.attributes/,
-    (attributes) => elementCode(config, undefined, { attributes }),
-    ['undefined', ...EMPTY, 'a date', 'a throwing iterator'],
-  ],
-  [
-    'iframeCode(, , {attributes: {fit}})',
-    /shown\.attributes/,
-    (fit) => iframeCode(config, URL, { attributes: { fit } }),
-    ['NaN', 'Infinity', 'true', ...NUMBERS, ...TEXTS],
-  ],
-  ['pageLink(config)', /config/, (value) => pageLink(value, URL), [...OBJECTS, 'a throwing toJSON']],
-  [
-    'pageLink({label}) as a fragment',
-    /config/,
-    (label) => pageLink({ ...long, label }, URL),
-    [
-      'undefined',
-      'null',
-      'NaN',
-      'Infinity',
-      'true',
-      ...NUMBERS,
-      ...TEXTS,
-      'a symbol',
-      'a function',
-      '[]',
-      'a long list',
-      ...OBJECTS,
-    ],
-  ],
-  ['pageLink(, base)', /base/, (value) => pageLink(config, value), []],
-  ['iframeCode(, embedUrl)', /embedUrl/, (value) => iframeCode(config, value), []],
-  ['fromQuery(search)', /search/, (value) => fromQuery(value), TEXTS],
-  ['fromQuery(, names)', /names/, (value) => fromQuery('', value), ['undefined', ...TEXTS, '[]', 'a long list']],
-  ['fromFragment(hash)', /hash/, (value) => fromFragment(value), TEXTS],
-  ['maskOfText(text)', /text/, (value) => masks(() => maskOfText(value, '1em serif')), TEXTS],
-  ['maskOfText(, font)', /font/, (value) => masks(() => maskOfText('A', value)), TEXTS],
-  ['maskOfText(, , width)', /width/, (value) => masks(() => maskOfText('A', '1em serif', value)), ['undefined', '1.5']],
-  ['maskOfPath(path)', /path/, (value) => masks(() => maskOfPath(value, [0, 0, 1, 1])), TEXTS],
-  ['maskOfPath(, box)', /box/, (value) => masks(() => maskOfPath('M0 0', value)), []],
-  ['maskOfPath(, [left])', /box/, (value) => masks(() => maskOfPath('M0 0', [value, 0, 1, 1])), NUMBERS],
-  [
-    'maskOfPath(, , width)',
-    /width/,
-    (value) => masks(() => maskOfPath('M0 0', [0, 0, 1, 1], value)),
-    ['undefined', '1.5'],
-  ],
-  ['maskOfImage(image)', /image/, (value) => masks(() => maskOfImage(value)), []],
-  [
-    'maskOfImage(, width)',
-    /width/,
-    (value) => masks(() => maskOfImage(/** @type {any} */ ({ width: 1, height: 1 }), value)),
-    ['undefined', '1.5'],
-  ],
-  ['new Synthesis(options)', /option/, (value) => new Synthesis(value), ['undefined', ...EMPTY, 'a throwing iterator']],
-  ['new Synthesis({rate})', /rate/, (rate) => new Synthesis({ rate }), ['undefined']],
-  ['new Synthesis({seed})', /seed/, (seed) => new Synthesis({ seed }), ['undefined', '-0']],
-  ['new Synthesis({volume})', /volume/, (volume) => new Synthesis({ volume }), ['undefined', '-0']],
-  ['new Synthesis({crackle})', /crackle/, (crackle) => new Synthesis({ crackle }), ['undefined', '-0']],
-  ['new Synthesis({halfWidth})', /halfWidth/, (halfWidth) => new Synthesis({ halfWidth }), ['undefined', '1.5']],
-  ['new Synthesis({air})', /air/, (air) => new Synthesis({ air }), ['undefined', 'true']],
-  ['Synthesis.mix(volume)', /volume/, (value) => sound().mix(value, 1), ['-0']],
-  ['Synthesis.mix(, crackle)', /crackle/, (value) => sound().mix(1, value), ['-0']],
-  ['Synthesis.trim(seconds)', /seconds/, (value) => sound().trim(value), ['-0', '1.5', '1e300', 'Infinity']],
-  ['Synthesis.push(series)', /series/, (value) => sound().push(value), ['[]']],
-  [
-    'Synthesis.push([number])',
-    /series/,
-    (value) => sound().push(Array(STEP_NUMBERS).fill(value)),
-    ['null', '-0', '1.5', 'true', "''", '[]'],
-  ],
-  ['Synthesis.push(, speed)', /speed/, (value) => sound().push([], value), ['undefined', '1.5']],
-  ['Synthesis.render(left)', /left/, (value) => sound().render(value, samples()), []],
-  ['Synthesis.render(, right)', /right/, (value) => sound().render(samples(), value), []],
-  ['connectFire(iframe)', /iframe/, (value) => connectFire(value), []],
-  ['mountPanel(options)', /host|options/, (value) => mountPanel(value), []],
-  ['mountPanel({host})', /host/, (value) => mountPanel(/** @type {any} */ ({ host: value, fire })), []],
-  ['mountPanel({fire})', /fire/, (value) => mountPanel(/** @type {any} */ ({ host, fire: value })), []],
-  ['mountPanel({page})', /page/, (page) => mounts(mountPanel, { host, fire, page }), ['undefined', ...TEXTS]],
-  ['mountPanel({script})', /script/, (script) => mounts(mountPanel, { host, fire, script }), ['undefined', ...TEXTS]],
-  ['mountPanel({embed})', /embed/, (embed) => mounts(mountPanel, { host, fire, embed }), ['undefined', ...TEXTS]],
-  ['mountPanel({only})', /only/, (only) => mounts(mountPanel, { host, fire, only }), ['undefined', '[]']],
-  ['mountTools(options)', /host|options/, (value) => mountTools(value), []],
-  ['mountTools({host})', /host/, (value) => mountTools(/** @type {any} */ ({ host: value, fire })), []],
-  ['mountTools({fire})', /fire/, (value) => mountTools(/** @type {any} */ ({ host, fire: value })), []],
-  [
-    'mountTools({closed})',
-    /closed/,
-    (closed) => mounts(mountTools, { host, fire, closed }),
-    ['undefined', 'a function'],
-  ],
+  [/config/, (value) => toQuery(value)],
+  [/preset/, (preset) => toQuery({ preset })],
+  [/wind/, (wind) => toQuery({ values: { wind } })],
+  [/config/, (value) => elementCode(value)],
+  [/scriptUrl/, (value) => elementCode(config, value)],
+  [/shown/, (value) => elementCode(config, undefined, value)],
+  [/shown\.width/, (width) => elementCode(config, undefined, { width })],
+  [/shown\.attributes/, (attributes) => elementCode(config, undefined, { attributes })],
+  [/shown\.attributes/, (fit) => iframeCode(config, URL, { attributes: { fit } })],
+  [/config/, (value) => pageLink(value, URL)],
+  [/base/, (value) => pageLink(config, value)],
+  [/embedUrl/, (value) => iframeCode(config, value)],
+  [/search/, (value) => fromQuery(value)],
+  [/hash/, (value) => fromFragment(value)],
+  [/text/, (value) => masks(() => maskOfText(value, '1em serif'))],
+  [/font/, (value) => masks(() => maskOfText('A', value))],
+  [/width/, (value) => masks(() => maskOfText('A', '1em serif', value))],
+  [/path/, (value) => masks(() => maskOfPath(value, [0, 0, 1, 1]))],
+  [/box/, (value) => masks(() => maskOfPath('M0 0', value))],
+  [/box/, (value) => masks(() => maskOfPath('M0 0', [value, 0, 1, 1]))],
+  [/image/, (value) => masks(() => maskOfImage(value))],
+  [/option/, (value) => new Synthesis(value)],
+  [/rate/, (rate) => new Synthesis({ rate })],
+  [/seed/, (seed) => new Synthesis({ seed })],
+  [/volume/, (volume) => new Synthesis({ volume })],
+  [/crackle/, (crackle) => new Synthesis({ crackle })],
+  [/halfWidth/, (halfWidth) => new Synthesis({ halfWidth })],
+  [/air/, (air) => new Synthesis({ air })],
+  [/volume/, (value) => sound().mix(value, 1)],
+  [/crackle/, (value) => sound().mix(1, value)],
+  [/seconds/, (value) => sound().trim(value)],
+  [/series/, (value) => sound().push(value)],
+  [/series/, (value) => sound().push(Array(STEP_NUMBERS).fill(value))],
+  [/speed/, (value) => sound().push([], value)],
+  [/left/, (value) => sound().render(value, samples())],
+  [/right/, (value) => sound().render(samples(), value)],
+  [/iframe/, (value) => connectFire(value)],
+  [/host|options/, (value) => mountPanel(value)],
+  [/host/, (value) => mountPanel(/** @type {any} */ ({ host: value, fire }))],
+  [/fire/, (value) => mountPanel(/** @type {any} */ ({ host, fire: value }))],
+  [/page/, (page) => mounts(mountPanel, { host, fire, page })],
+  [/only/, (only) => mounts(mountPanel, { host, fire, only })],
+  [/host|options/, (value) => mountTools(value)],
+  [/host/, (value) => mountTools(/** @type {any} */ ({ host: value, fire }))],
+  [/fire/, (value) => mountTools(/** @type {any} */ ({ host, fire: value }))],
 ];
 
-for (const [name, named, call, taken] of ARGUMENTS) {
-  test(`hostile values are refused by name: ${name}`, async () => {
-    assertRefused(await answers(call, hostileValues()), named, taken);
-  });
+for (const [named, call] of ARGUMENTS) {
+  test(`hostile values are refused by name: ${call}`, () => assertRefuses(call, named));
 }
 
 test('the sound of a series is finite at the ends of all ranges', () => {

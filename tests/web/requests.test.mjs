@@ -49,6 +49,14 @@ test('of very many sets in one task the engine gets few, and every promise settl
   );
 });
 
+test('a fire pauses while the engine answers no set', () => {
+  const { requests, sent, connect } = engine();
+  connect();
+  for (let at = 0; at < 2000; at += 1) requests.call('set', { wind: at });
+  requests.call('pause');
+  assert.equal(sent.at(-1)?.[1][0], 'pause');
+});
+
 test('a set settles as the later one that replaces it', async () => {
   const { requests, connect, answer } = engine();
   connect();

@@ -32,18 +32,18 @@ for (const [way, take] of /** @type {[string, (text: string) => unknown][]} */ (
   ['a link', async (text) => fromFragment(await fragment(text))],
 ])) {
   test(`settings of 390 KB pass, and of more than 400 KB are refused with the limit: ${way}`, async () => {
-    for (const length of [70_000, 390_000]) assert.deepEqual(await take(json(length)), { hearth: 2 });
+    for (const length of [70_000, 390_000]) assert.deepEqual(await take(json(length)), { hearth: 3 });
     await assert.rejects(async () => take(json(LIMIT + 1)), /400/);
   });
 }
 
 test('settings hold what a source has for the other model', () => {
-  const file = { hearth: 2, values: {}, objects: [{ kind: 'source' }, { kind: 'source', classic: { rate: 1300 } }] };
+  const file = { hearth: 3, values: {}, objects: [{ kind: 'source' }, { kind: 'source', classic: { rate: 1300 } }] };
   assert.deepEqual(settings(file), file);
 });
 
 test('what is copied as JSON is taken, or is refused', async () => {
-  const config = (/** @type {number} */ length) => /** @type {any} */ ({ hearth: 2, label: 'x'.repeat(length) });
+  const config = (/** @type {number} */ length) => /** @type {any} */ ({ hearth: 3, label: 'x'.repeat(length) });
   assert.ok(settings(await textOf('json', config(390_000), {})));
   await assert.rejects(textOf('json', config(LIMIT), {}), /400 KB/);
 });

@@ -22,10 +22,10 @@ const OTHERS = {
 
 /** Settings that a fire might export, and hostile ones. */
 const CONFIGS = [
-  { hearth: 2, values: {} },
-  ...PRESETS.map(({ name }) => ({ hearth: 2, preset: name, values: {} })),
-  { hearth: 2, preset: 'seed', values: { model: 'combustion', max_particles: 3000 } },
-  { hearth: 2, values: Object.fromEntries(PARAMETERS.map((entry) => [entry.id, OTHERS[entry.kind](entry)])) },
+  { hearth: 3, values: {} },
+  ...PRESETS.map(({ name }) => ({ hearth: 3, preset: name, values: {} })),
+  { hearth: 3, preset: 'seed', values: { model: 'combustion', max_particles: 3000 } },
+  { hearth: 3, values: Object.fromEntries(PARAMETERS.map((entry) => [entry.id, OTHERS[entry.kind](entry)])) },
 ];
 const HOSTILE = '"\'><script>alert(1)</script>&amp;\u{1f525} \n=#?%00';
 
@@ -59,8 +59,8 @@ describe('an address', () => {
   });
 
   test('holds the scene and changed values by attribute names, and nothing else', async () => {
-    assert.equal(toQuery({ hearth: 2, values: {} }), '');
-    const config = { hearth: 2, preset: 'seed', values: { viscosity: 0.02, max_particles: 400 } };
+    assert.equal(toQuery({ hearth: 3, values: {} }), '');
+    const config = { hearth: 3, preset: 'seed', values: { viscosity: 0.02, max_particles: 400 } };
     assert.equal(toQuery(config), 'scene=seed&viscosity=0.02&max-particles=400');
     assert.equal(
       await pageLink(config, 'https://fire.example/a/?viscosity=9&paused&lang=de#there'),
@@ -69,7 +69,7 @@ describe('an address', () => {
   });
 
   test('is read with question mark or without, by ids too, and by the preset’s other name', () => {
-    const expected = { hearth: 2, preset: 'seed', values: { source_width: '0.3' } };
+    const expected = { hearth: 3, preset: 'seed', values: { source_width: '0.3' } };
     for (const search of [
       '?scene=seed&source-width=0.3',
       'preset=seed&source_width=0.3',
@@ -104,7 +104,7 @@ describe('an address', () => {
   });
 
   test('escapes every character', async () => {
-    const config = { hearth: 2, preset: HOSTILE, values: { background: HOSTILE, 'a&b=c': HOSTILE } };
+    const config = { hearth: 3, preset: HOSTILE, values: { background: HOSTILE, 'a&b=c': HOSTILE } };
     const link = await pageLink(config, EMBED);
     assert.match(link, /^[\w:/.?=&%+-]*$/);
     assert.deepEqual(fromQuery(new URL(link).search).config, config);
@@ -114,11 +114,11 @@ describe('an address', () => {
 describe('code to paste', () => {
   test('holds the script, and of each value its attribute', () => {
     const values = { model: 'classic', max_particles: 400, printed_kernel: true, printed_euler: false };
-    const code = elementCode({ hearth: 2, preset: 'seed', values }, SCRIPT);
+    const code = elementCode({ hearth: 3, preset: 'seed', values }, SCRIPT);
     assert.ok(code.startsWith(`<script type="module" src="${SCRIPT}"></script>\n`));
     const { style, ...attributes } = attributesOf(code, 'hearth-fire');
     assert.match(style, /width.*height/);
-    const element = elementCode({ hearth: 2, preset: 'seed', values });
+    const element = elementCode({ hearth: 3, preset: 'seed', values });
     assert.ok(element.startsWith('<hearth-fire ') && code.endsWith(`\n${element}`));
     assert.deepEqual(attributes, {
       preset: 'seed',
@@ -130,7 +130,7 @@ describe('code to paste', () => {
   });
 
   test('of an iframe holds the whole address', async () => {
-    const config = { hearth: 2, preset: 'seed', values: { background: '#204060' } };
+    const config = { hearth: 3, preset: 'seed', values: { background: '#204060' } };
     const { src, width, height } = attributesOf(await iframeCode(config, EMBED), 'iframe');
     assert.equal(src, await pageLink(config, EMBED));
     assert.ok(Number(width) > 0 && Number(height) > 0);
@@ -138,7 +138,7 @@ describe('code to paste', () => {
 
   test('shows the fire as its page does: its size and its own attributes', async () => {
     const shown = { width: 940, height: 800, attributes: { warm: '', interactive: '', fit: 'contain', align: '"<' } };
-    const config = { hearth: 2, preset: 'seed', values: {} };
+    const config = { hearth: 3, preset: 'seed', values: {} };
     const { preset, style, ...attributes } = attributesOf(elementCode(config, undefined, shown), 'hearth-fire');
     assert.deepEqual(
       [preset, style, attributes],
@@ -154,7 +154,7 @@ describe('code to paste', () => {
   });
 
   test('escapes every character of a value', async () => {
-    const config = { hearth: 2, preset: HOSTILE, values: { background: HOSTILE } };
+    const config = { hearth: 3, preset: HOSTILE, values: { background: HOSTILE } };
     const code = elementCode(config, `${SCRIPT}?${HOSTILE}`);
     const { preset, background } = attributesOf(code, 'hearth-fire');
     assert.deepEqual([preset, background], [HOSTILE, HOSTILE]);
@@ -169,7 +169,7 @@ describe('code to paste', () => {
   test('does not write unknown parameters into a page', () => {
     for (const name of ['onclick', 'viscosty', 'a b', 'style', '__proto__', 'constructor', '"><script>']) {
       const values = Object.fromEntries([[name, 'alert(1)']]);
-      const write = () => elementCode({ hearth: 2, values }, SCRIPT);
+      const write = () => elementCode({ hearth: 3, values }, SCRIPT);
       assert.throws(write, (error) => error instanceof RangeError && /not a parameter/.test(error.message));
     }
   });
@@ -177,11 +177,11 @@ describe('code to paste', () => {
 
 test('objects are JSON in an address and in HTML', () => {
   const objects = [{ kind: 'source' }, { kind: 'source', id: 7, x: 0.3 }];
-  const query = toQuery({ hearth: 2, values: {}, objects });
+  const query = toQuery({ hearth: 3, values: {}, objects });
   assert.deepEqual(JSON.parse(new URLSearchParams(query).get('objects')), objects);
   assert.deepEqual(JSON.parse(fromQuery(query).others.get('objects')), objects);
   assert.match(elementCode({ objects }), /objects="\[\{&quot;kind&quot;:&quot;source&quot;\}/);
-  assert.equal(toQuery({ hearth: 2, values: {}, objects: [] }), 'objects=%5B%5D');
+  assert.equal(toQuery({ hearth: 3, values: {}, objects: [] }), 'objects=%5B%5D');
 });
 
 /** A stroke of a brush, as a drawing has it. */
@@ -194,12 +194,12 @@ const stroke = (/** @type {number} */ seed) => ({
   ).join(' '),
 });
 const drawing = (/** @type {number} */ strokes) => ({
-  hearth: 2,
+  hearth: 3,
   preset: 'campfire',
   values: { wind: 0.3 },
   objects: Array.from({ length: strokes }, (_, at) => stroke(at + 1)),
 });
-const text = (/** @type {string} */ word) => ({ hearth: 2, values: {}, objects: [{ kind: 'solid', name: word }] });
+const text = (/** @type {string} */ word) => ({ hearth: 3, values: {}, objects: [{ kind: 'solid', name: word }] });
 
 describe('a fire that is too long for a query', () => {
   for (const [about, config] of /** @type {[string, any][]} */ ([
@@ -210,7 +210,7 @@ describe('a fire that is too long for a query', () => {
     ['a name that URLs escape', text('"&?#%'.repeat(900))],
     [
       'hundreds of values',
-      { hearth: 2, values: Object.fromEntries(PARAMETERS.map(({ id }, at) => [id, 1 / (at + 3)])) },
+      { hearth: 3, values: Object.fromEntries(PARAMETERS.map(({ id }, at) => [id, 1 / (at + 3)])) },
     ],
     ['one character more than a query', text('x'.repeat(MAX_QUERY))],
   ])) {
@@ -261,7 +261,7 @@ test('a damaged fragment is refused with a reason, and those of others are none 
     [`${hash.slice(0, 60)}AAAA${hash.slice(64)}`, /damaged/],
     ['#fire=', /damaged/],
     ['#fire=%%%', /damaged/],
-    [await deflated(bytes('{"hearth": 2,')), /damaged/],
+    [await deflated(bytes('{"hearth": 3,')), /damaged/],
     [await deflated(new Uint8Array([0xff, 0xfe])), /damaged/],
     // A bomb: 40 MB within a link.
     [await deflated(new Uint8Array(40e6)), /more than 400 KB/],

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { warmth } from '../../web/element/attributes/attributes.js';
-import { isColour, seedOf } from '../../web/element/attributes/values.js';
+import { isColour, resolved, seedOf } from '../../web/element/attributes/values.js';
 import { LOGARITHMIC, WHOLE } from '../../web/generated/interpolation.js';
 import { PARAMETERS } from '../../web/parameters.js';
 
@@ -28,6 +28,22 @@ test('fires of a document get different seeds, the same ones in the same order, 
   assert.deepEqual(seedsOf(), seeds);
   assert.equal(new Set(seeds).size, seeds.length);
   for (const seed of seeds) assert.ok(Number.isInteger(seed) && seed >= 0 && seed < 2 ** 32);
+});
+
+test('what replaces every value keeps the seed of `seed="auto"` or the one set since, unless it names one', () => {
+  const fire = /** @type {any} */ ({ ownerDocument: {}, getAttribute: () => 'auto' });
+  const own = seedOf(fire);
+  const start = (/** @type {any} */ config) => resolved(['add', { config, values: {} }], fire)[1].values;
+  assert.deepEqual(start(undefined), { seed: own });
+  assert.deepEqual(start({ values: { wind: 1 } }), { seed: own });
+  // A fire that follows another one.
+  assert.deepEqual(start({ values: { seed: 7 } }), {});
+  const config = { values: { wind: 1 } };
+  assert.deepEqual(resolved(['import', config, 'property'], fire), ['import', config, 'property', true]);
+  assert.deepEqual(resolved(['preset', 'torch', 'preset'], fire), ['import', { preset: 'torch' }, 'preset', true]);
+  assert.deepEqual(resolved(['set', { seed: 'auto' }], fire), ['set', { seed: own }]);
+  const plain = /** @type {any} */ ({ getAttribute: () => null });
+  assert.deepEqual(resolved(['preset', 'torch', 'preset'], plain), ['preset', 'torch', 'preset']);
 });
 
 test('transitions move log parameters by ratios, and step whole numbers', () => {

@@ -1,9 +1,68 @@
-/**
- * The types of the values of `<hearth-fire>`. `cargo xtask codegen` generates `hearth-fire.d.ts` from them
- * and from the JSDoc of the class in `hearth-fire.js`.
- */
+/** The types of the values of `<hearth-fire>`. */
 
-import type { HearthObject, HearthParameters, ParameterId, PresetName } from '../parameters.js';
+import type { HearthFire } from '../hearth-fire.js';
+import type { HearthObject, HearthParameters, HearthStats, ParameterId, PresetName } from '../parameters.js';
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'hearth-fire': HearthFire;
+    'hearth-source': HearthSourceElement;
+    'hearth-solid': HearthSolidElement;
+  }
+}
+
+/** The own events of a fire. */
+export interface HearthFireEvents {
+  /** The fire is shown or, out of sight, can be drawn. */
+  ready: CustomEvent<null>;
+  /** The fire plays again. */
+  play: CustomEvent<null>;
+  /** The fire is paused. */
+  pause: CustomEvent<null>;
+  /** A parameter has changed, from any source. */
+  'params-change': CustomEvent<HearthChangeDetail>;
+  /** An object was added, changed or removed. */
+  'objects-change': CustomEvent<HearthObjectsDetail>;
+  /** A step was made, undone or redone. */
+  'history-change': CustomEvent<HearthHistoryDetail>;
+  /** The quality has changed, to fit the speed of the device or on request. */
+  'quality-change': CustomEvent<HearthQualityDetail>;
+  /** The sound plays, waits for a gesture of the visitor, or has ended. */
+  'sound-change': CustomEvent<HearthSoundDetail>;
+  /** Measurements of the fire, about four times a second. */
+  stats: CustomEvent<HearthStats>;
+  /** A value is refused, a file could not be loaded, the fire has stopped, or the browser cannot show it. */
+  error: CustomEvent<HearthErrorDetail>;
+  /** The fire is back after its graphics context was lost or its engine has stopped. */
+  restored: CustomEvent<null>;
+}
+
+/** The events of a fire. */
+export interface HearthFireEventMap extends Omit<HTMLElementEventMap, keyof HearthFireEvents>, HearthFireEvents {}
+
+/** The methods for the events of a target. */
+export interface HearthListeners<Events> {
+  addEventListener<Type extends keyof Events>(
+    type: Type,
+    listener: (this: this, event: Events[Type]) => unknown,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  removeEventListener<Type extends keyof Events>(
+    type: Type,
+    listener: (this: this, event: Events[Type]) => unknown,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
+  ): void;
+}
 
 /** The level of detail of simulation and picture. */
 export type HearthQuality = 'low' | 'medium' | 'high';
@@ -156,7 +215,7 @@ export interface HearthHistory {
   readonly settings: HearthConfig;
   /**
    * Runs a function and returns what it returns. The changes that it calls for before it returns or waits are a step;
-   * with the key of the last step, they belong to that.
+   * with the key of the last step, they belong to that. Steps in a step belong to the outer one.
    */
   step<T>(act: () => T, key?: string): T;
   /** Undoes the last step. Resolves to false without one. */

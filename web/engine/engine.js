@@ -17,6 +17,7 @@
  */
 
 import { VERSION } from '../generated/version.js';
+import { checkPart } from '../parts.js';
 import { PARTS, glue, wasm, worker } from './files.js';
 import { countdown, timely } from './time-limit.js';
 
@@ -43,7 +44,6 @@ const CONTEXT_S = 5;
 
 /** Why there is no fire, with a message for visitors. */
 export class EngineError extends Error {
-  // A field, because assigning fails where a page has frozen `Error.prototype`.
   name = 'EngineError';
 
   /**
@@ -185,7 +185,7 @@ let opened;
 let current;
 /** The wasm, kept so that a new engine needs no network. @type {ReturnType<typeof compile> | undefined} */
 let kept;
-/** The parts of it, by name. @type {{[part: string]: ReturnType<typeof compile>}} */
+/** The parts of it, by name; null after a failure. @type {{[part: string]: ReturnType<typeof compile> | null}} */
 const keptParts = {};
 /** The URL of the wasm, if the page names one whose parts are beside it. */
 let named = '';
@@ -214,10 +214,18 @@ export function connect(source, thread = 'auto') {
  * @param {string} part
  */
 function loadPart(part) {
-  keptParts[part] ??= compile(named ? named.replace(WASM_NAME, `_${part}.wasm`) : PARTS[part]()).catch((error) => {
-    delete keptParts[part];
-    throw error;
-  });
+  const source = named ? named.replace(WASM_NAME, `_${part}.wasm`) : PARTS[part]();
+  // What failed may stand in the browser's cache.
+  keptParts[part] ??= compile(source, part in keptParts ? 'reload' : 'default')
+    .then(async (loaded) => {
+      const base = await kept;
+      if (base) checkPart(loaded.module, part, base.module);
+      return loaded;
+    })
+    .catch((error) => {
+      keptParts[part] = null;
+      throw error;
+    });
   return keptParts[part];
 }
 
@@ -246,9 +254,10 @@ async function load(source, thread) {
 /**
  * Fetches and compiles the wasm, in parallel if the server sends the right type.
  * @param {Source} source
+ * @param {RequestCache} [cache]
  * @returns {Promise<{module: WebAssembly.Module, warning: string}>}
  */
-async function compile(source) {
+async function compile(source, cache) {
   const limit = AbortSignal.timeout(WASM_MS);
   try {
     const given = await source;
@@ -256,7 +265,7 @@ async function compile(source) {
       return checked(await WebAssembly.compile(given), '');
     }
     const url = new URL(given, document.baseURI).href;
-    const response = await fetch(url, { credentials: 'same-origin', signal: limit });
+    const response = await fetch(url, { credentials: 'same-origin', signal: limit, cache });
     if (!response.ok) throw new Error(`${url} gave ${response.status}`);
     const type = response.headers.get('content-type') ?? 'no type';
     const isWasm = /^application\/wasm\s*(;|$)/i.test(type);

@@ -3,7 +3,8 @@
  * canvas, and stops an engine that throws, which only a defect causes.
  */
 
-import { checkPart, loadedParts } from '../parts.js';
+import { loadedParts } from '../parts.js';
+import { AT_ONCE } from './at-once.js';
 
 /**
  * @typedef {[fire: number, request: number, ...call: import('./engine.js').Call]} Sent
@@ -86,8 +87,11 @@ export function runEngine(Engine, canvas, { post, show, module, extend, fail }, 
   canvas.addEventListener('webglcontextrestored', restored);
 
   const call = (/** @type {Sent} */ sent) => {
-    const calls = waiting.get(sent[0])?.calls;
-    if (calls) {
+    const [fire, , name] = sent;
+    if (name === 'remove') waiting.delete(fire);
+    const calls = waiting.get(fire)?.calls;
+    // Before its `add` there is no fire.
+    if (calls && (calls[0][2] === 'add' || !AT_ONCE.includes(name))) {
       calls.push(sent);
       return;
     }
@@ -112,7 +116,6 @@ export function runEngine(Engine, canvas, { post, show, module, extend, fail }, 
     add({ part, module, why }) {
       try {
         if (module && !loaded.has(part)) {
-          checkPart(module, part);
           extend(module);
           loaded.add(part);
         }

@@ -27,7 +27,7 @@ export function trustedWorker(start) {
       };
     }
   } catch {
-    // The page allows no such policy, or has frozen its globals.
+    // The page allows no such policy.
   }
   try {
     return start();

@@ -18,6 +18,7 @@ export const POSTED_MEMBERS = [
   'pause',
   'reset',
   'step',
+  'advance',
   'exportConfig',
   'importConfig',
   'toBlob',

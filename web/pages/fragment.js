@@ -40,6 +40,8 @@ export function applyFragment(fire, refuse) {
   apply().then(() => last && fire.importConfig(last).catch(() => {}));
   // Another address in the same tab loads nothing.
   addEventListener('hashchange', apply);
+  // A page that the browser has kept goes on with its fire, and writes the URL itself.
+  addEventListener('pageshow', ({ persisted }) => persisted && takeLast());
   return last !== undefined;
 }
 

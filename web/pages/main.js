@@ -65,7 +65,7 @@ function applyLocation() {
     notify(message);
   };
   parameters.refused.forEach(refuse);
-  const refused = (/** @type {CustomEvent<import('../hearth-fire.js').HearthErrorDetail>} */ event) => {
+  const refused = (/** @type {CustomEvent<import('../element/types.js').HearthErrorDetail>} */ event) => {
     if (event.detail.kind === 'bad-parameter') notify(event.detail.message);
   };
   fire.addEventListener('error', refused);

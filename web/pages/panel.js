@@ -4,7 +4,7 @@
  */
 
 import { recall, remember } from './memory.js';
-import { isTaken, shortcutsOff } from '../panel/keys.js';
+import { hasNoDialog, historyKey, isTaken, shortcutsOff } from '../panel/keys.js';
 
 /** The screens on which the panel stands beside the fire and opens by itself. */
 const WIDE = '(width >= 720px) and (height >= 480px)';
@@ -90,8 +90,16 @@ export class PagePanel {
   /** @param {KeyboardEvent} event */
   #key(event) {
     const { key, ctrlKey, metaKey, altKey, shiftKey, repeat } = event;
-    if (ctrlKey || metaKey || altKey || repeat || event.defaultPrevented || isTaken(event)) return;
+    if (event.defaultPrevented || isTaken(event)) return;
     const [target, ...around] = event.composedPath();
+    const move = historyKey(event);
+    // Once they are loaded, the panel and the tools handle these keys.
+    if (move && !this.#hasKeys && this.#root.dataset.tools !== 'shown' && hasNoDialog(target)) {
+      event.preventDefault();
+      // The fire reports a refusal.
+      this.#fire.history[move]().catch(() => {});
+    }
+    if (ctrlKey || metaKey || altKey || repeat) return;
     const near =
       [document.body, this.#root, this.#toggle].some((element) => element === target) ||
       [this.#host, this.#fire].some((element) => around.includes(element) || element === target);

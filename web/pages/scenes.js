@@ -35,7 +35,7 @@ export function showStrip(parent, fire, first, warn) {
     tile.append(image);
     tile.addEventListener('click', () => {
       fire
-        .importConfig({ hearth: 2, preset: name, values: {} })
+        .importConfig({ hearth: 3, preset: name, values: {} })
         .then(mark, (/** @type {Error} */ error) => warn(error.message));
     });
     tile.addEventListener('focus', () => focus(tile));

@@ -27,7 +27,7 @@ const MAX_COUNT = 200;
  * The element's own attributes that a URL may set. `src` and `poster` are absent: a link must not choose
  * what a visitor's browser fetches.
  */
-export const OPTIONS = [
+export const OPTIONS = /** @type {const} */ ([
   'align',
   'alt',
   'autoplay',
@@ -45,7 +45,7 @@ export const OPTIONS = [
   'touch-action',
   'warm',
   'zoom',
-];
+]);
 
 /** All names of the fire. */
 const KNOWN = ['scene', ...OWN_ATTRIBUTES, ...Object.keys(DEFAULTS).map((id) => id.replaceAll('_', '-'))];
@@ -94,7 +94,7 @@ export function readUrlParameters(search, names = []) {
   for (const [name, value] of [...others]) {
     if (names.includes(name)) continue;
     others.delete(name);
-    if (OPTIONS.includes(name)) options.push([name, value]);
+    if (OPTIONS.some((option) => option === name)) options.push([name, value]);
     else refused.push(`The URL parameters cannot set ${shortened(name)}.`);
   }
   const values = Object.entries(config.values).map(

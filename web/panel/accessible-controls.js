@@ -91,8 +91,8 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     return fire.step();
   });
   const reset = addButton('reset', 'Restart', () => fire.reset());
-  const undo = addButton('undo', 'Undo', () => fire.history.undo());
-  const redo = addButton('redo', 'Redo', () => fire.history.redo());
+  const undo = addButton('undo', 'Undo', () => controller.undo());
+  const redo = addButton('redo', 'Redo', () => controller.redo());
   const picture = addButton('picture', 'Save an image', () => controller.picture());
   const fullscreen = addButton('fullscreen', 'Full screen', () => controller.fullscreen());
   const copies = COPIES.map(({ name, label }) =>

@@ -204,5 +204,5 @@ export class CardCommands extends EventTarget {
 
 /** The settings of a preset. @param {string} name @returns {HearthConfig} */
 function settingsOfPreset(name) {
-  return { hearth: 2, preset: /** @type {HearthConfig['preset']} */ (name), values: {} };
+  return { hearth: 3, preset: /** @type {HearthConfig['preset']} */ (name), values: {} };
 }

@@ -54,7 +54,7 @@ export function offerFile({ host, title, why, save }) {
 export function askForSettings({ host, apply }) {
   const card = openCard(host, 'paste', 'Paste settings');
   const field = card.field('Settings as JSON');
-  field.placeholder = '{"hearth": 2, "preset": "seed", "values": {"viscosity": 0.02}}';
+  field.placeholder = '{"hearth": 3, "preset": "seed", "values": {"viscosity": 0.02}}';
   const alert = card.add('p', '');
   alert.setAttribute('role', 'alert');
   const use = async () => {

@@ -107,6 +107,16 @@ export class PanelController extends CardCommands {
     this.#editing.press();
   }
 
+  /** Undoes the last step, or cancels what a tool draws. */
+  undo() {
+    return this.#editing.undo();
+  }
+
+  /** Redoes the step that was undone last. */
+  redo() {
+    return this.#editing.redo();
+  }
+
   /** Sets a parameter, or restores its default for null. @type {(id: Id, value: Value | null) => Promise<void>} */
   set(id, value) {
     return this.#fire.history.step(() => this.#fire.set(id, value), this.#editing.key(id));

@@ -41,6 +41,8 @@ export class Editing extends EventTarget {
   #gesture = 0;
   /** @type {object | undefined} */
   #followed;
+  /** Cancels what a tool draws; false if none does. */
+  cancelDrawing = () => false;
   /** The state that the fire shows, and the settings of both when they were shown last. @type {Letter} */
   letter = 'A';
   /** @type {{[letter in Letter]?: import('../hearth-fire.js').HearthConfig}} */
@@ -74,6 +76,16 @@ export class Editing extends EventTarget {
   /** A new gesture begins: the next change is a new step. */
   press() {
     this.#gesture += 1;
+  }
+
+  /** Undoes the last step or, while a tool draws, cancels what it draws. @returns {Promise<unknown>} */
+  async undo() {
+    return this.cancelDrawing() || this.#fire.history.undo();
+  }
+
+  /** Redoes the step that was undone last or, while a tool draws, cancels what it draws. @returns {Promise<unknown>} */
+  async redo() {
+    return this.cancelDrawing() || this.#fire.history.redo();
   }
 
   /** The key of a step of the history: what the same gesture does to the same is one step. @param {string} what */

@@ -62,8 +62,8 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
     const key = event.key.toLowerCase();
     const command = event.ctrlKey || event.metaKey;
     if (event.altKey || event.isComposing) return undefined;
-    if (command && key === 'z') return () => (event.shiftKey ? fire.history.redo() : fire.history.undo());
-    if (command && key === 'y') return () => fire.history.redo();
+    const move = historyKey(event);
+    if (move) return () => controller[move]();
     if (command && key === 'c' && !event.shiftKey) return controller.copyHovered;
     // Tools use some of its keys, and the controls of the panel the arrow keys.
     const used = event.defaultPrevented || (key.startsWith('arrow') && event.composedPath().includes(own[0]));
@@ -78,7 +78,8 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
     const act = actionOf(key);
     if (!act || isTaken(key)) return;
     const path = key.composedPath();
-    if (page && !isIdle(path[0]) && !own.some((element) => path.includes(element))) return;
+    const idle = historyKey(key) ? hasNoDialog : isIdle;
+    if (page && !idle(path[0]) && !own.some((element) => path.includes(element))) return;
     key.preventDefault();
     if (!page) key.stopPropagation();
     // The element's error event reports a refusal.
@@ -91,13 +92,30 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
   };
 }
 
+/** What a key does to the history. @type {(event: KeyboardEvent) => 'undo' | 'redo' | undefined} */
+export function historyKey({ key, ctrlKey, metaKey, shiftKey, altKey }) {
+  if (altKey || !(ctrlKey || metaKey)) return undefined;
+  const letter = key.toLowerCase();
+  if (letter === 'y') return 'redo';
+  return letter === 'z' ? (shiftKey ? 'redo' : 'undo') : undefined;
+}
+
+/**
+ * Whether the focus is in no dialog, which hides the fire. A thumbnail or a link of the page keeps the focus after a
+ * press.
+ * @param {EventTarget} focused
+ */
+export function hasNoDialog(focused) {
+  return !(focused instanceof Element && focused.closest('dialog, [role=dialog]'));
+}
+
 /**
  * Whether the focus of a page is on nothing that has keys of its own: a button of the page keeps the focus after a press.
  * @param {EventTarget} focused
  */
 function isIdle(focused) {
   if (focused === document.body || focused === document.documentElement) return true;
-  return focused instanceof HTMLButtonElement && !focused.closest('dialog, [role=dialog], [role=toolbar]');
+  return focused instanceof HTMLButtonElement && hasNoDialog(focused) && !focused.closest('[role=toolbar]');
 }
 
 /**

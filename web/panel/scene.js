@@ -66,8 +66,7 @@ export function sceneValue(fire, id) {
  * @returns {Fields[]}
  */
 export function sceneObjects(fire) {
-  const others = OBJECTS[presetOf(fire)?.name ?? ''] ?? [];
-  const objects = /** @type {Fields[]} */ ([{ kind: 'source' }, ...others]);
+  const objects = /** @type {Fields[]} */ (OBJECTS[presetOf(fire)?.name ?? ''] ?? [{ kind: 'source' }]);
   return objects.map((fields, index) => ({ ...fields, id: index + 1 }));
 }
 

@@ -55,38 +55,26 @@ function add(parent, href) {
 }
 
 /**
- * The options of a panel or a toolbar, each read once, with a place and a fire.
+ * The options of a panel or a toolbar, with a place and a fire.
  * @template {{host: HTMLElement, fire: object}} Options
  * @param {Options} options
  * @returns {Options}
  * @throws {TypeError}
  */
 export function optionsOf(options) {
-  /** @type {any} */
-  let given;
-  check('options', 'an object that can be read', () => {
-    given = { ...options };
-    return true;
-  });
-  check('host', 'an element', () => given.host.nodeType === 1);
-  const listens = () => typeof given.fire.addEventListener === 'function';
-  check('fire', 'a <hearth-fire> or an object with its members', listens);
-  return given;
+  const { host, fire } = /** @type {any} */ (options ?? {});
+  check('host', 'an element', host?.nodeType === 1);
+  check('fire', 'a <hearth-fire> or an object with its members', typeof fire?.addEventListener === 'function');
+  return options;
 }
 
 /**
- * Throws unless an argument is what it must be; its own code may throw.
+ * Throws unless an argument is what it must be.
  * @param {string} name
  * @param {string} allowed
- * @param {() => boolean} isAllowed
+ * @param {boolean} isAllowed
  * @throws {TypeError}
  */
 export function check(name, allowed, isAllowed) {
-  let cause;
-  try {
-    if (isAllowed()) return;
-  } catch (error) {
-    cause = error;
-  }
-  throw new TypeError(`${name} must be ${allowed}`, { cause });
+  if (!isAllowed) throw new TypeError(`${name} must be ${allowed}`);
 }

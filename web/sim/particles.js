@@ -1,6 +1,6 @@
 /** Particles and embers as rows of numbers, which wasm takes and gives. */
 
-import { fields, isList, known, words } from './values.js';
+import { fields, known, words } from './values.js';
 
 /** Most particles that wasm takes. More are refused before they are copied. */
 const MAX_PARTICLES = 400_000;
@@ -100,11 +100,7 @@ export function numbersOf(particles, airTemperature) {
  */
 function list(name, given) {
   if (ArrayBuffer.isView(given) && !(given instanceof DataView)) return given;
-  try {
-    if (isList(given)) return given.slice(0, 2 * MAX_PARTICLES + 2);
-  } catch (cause) {
-    throw new TypeError(`${name} cannot be read`, { cause });
-  }
+  if (Array.isArray(given)) return given.slice(0, 2 * MAX_PARTICLES + 2);
   throw new TypeError(`${name} must be an array of numbers, not ${words(given)}`);
 }
 

@@ -1,29 +1,19 @@
-/** Values of a caller, read once each and checked before wasm copies them. */
+/** Values of a caller, checked before wasm copies them. */
 
 /** Most fields of an object and elements of a list, far more than there are parameters. */
 const MAX_FIELDS = 1000;
 
 /**
- * The fields of a plain object, each read once.
+ * The fields of a plain object.
  * @param {string} name the name in errors
  * @param {any} object
  * @returns {[string, any][]}
  */
 export function fields(name, object) {
-  let keys;
-  /** @type {any[]} */
-  let values = [];
-  try {
-    keys = isPlain(object) ? Object.keys(object) : undefined;
-    values = (keys ?? []).slice(0, MAX_FIELDS).map((key) => object[key]);
-  } catch (cause) {
-    throw new TypeError(`${name} cannot be read`, { cause });
-  }
-  if (!keys) throw new TypeError(`${name} must be a plain object, not ${words(object)}`);
-  if (keys.length > MAX_FIELDS) {
-    throw new RangeError(`${name} has more than ${MAX_FIELDS} fields`);
-  }
-  return keys.map((key, at) => [key, values[at]]);
+  if (!isPlain(object)) throw new TypeError(`${name} must be a plain object, not ${words(object)}`);
+  const all = Object.entries(object);
+  if (all.length > MAX_FIELDS) throw new RangeError(`${name} has more than ${MAX_FIELDS} fields`);
+  return all;
 }
 
 /** Whether it is an object of no class, of this realm or another. */
@@ -39,7 +29,7 @@ function isPlain(/** @type {any} */ object) {
  * @param {[string, any][]} values
  */
 export function columns(values) {
-  return columnsOf(values, (id, value) => (id === 'objects' && isList(value) ? objects(value) : scalar(id, value)));
+  return columnsOf(values, (id, value) => (id === 'objects' && Array.isArray(value) ? objects(value) : scalar(id, value)));
 }
 
 /** @param {[string, any][]} values @param {(id: string, value: any) => any} each */
@@ -49,7 +39,7 @@ function columnsOf(values, each) {
 
 /** A number, a text or a flag, and points as text; words for everything else, which wasm refuses. */
 function scalar(/** @type {string} */ id, /** @type {any} */ value) {
-  if (id === 'points' && isList(value)) {
+  if (id === 'points' && Array.isArray(value)) {
     const pairs = value.slice(0, MAX_FIELDS);
     return pairs
       .map((pair) =>
@@ -62,14 +52,9 @@ function scalar(/** @type {string} */ id, /** @type {any} */ value) {
 
 /** @param {any[]} list */
 function objects(list) {
-  let all;
-  try {
-    all = Array.from({ length: Math.min(list.length, MAX_FIELDS + 1) }, (_, at) => list[at]);
-  } catch (cause) {
-    throw new TypeError('objects cannot be read', { cause });
-  }
-  if (all.length > MAX_FIELDS) throw new RangeError(`objects has more than ${MAX_FIELDS} elements`);
-  return all.map((object, at) => columnsOf(fields(`objects[${at}]`, object), scalar));
+  if (list.length > MAX_FIELDS) throw new RangeError(`objects has more than ${MAX_FIELDS} elements`);
+  // A list may have holes.
+  return Array.from(list, (object, at) => columnsOf(fields(`objects[${at}]`, object), scalar));
 }
 
 /**
@@ -126,15 +111,6 @@ export function text(name, value) {
   if (typeof value !== 'string') throw new TypeError(`${name} must be a text, not ${words(value)}`);
 }
 
-/** Whether it is an array; a revoked proxy is none. @param {unknown} value @returns {value is any[]} */
-export function isList(value) {
-  try {
-    return Array.isArray(value);
-  } catch {
-    return false;
-  }
-}
-
 /** Any value in a few words. No code of the value runs. */
 export function words(/** @type {unknown} */ value) {
   switch (typeof value) {
@@ -146,7 +122,7 @@ export function words(/** @type {unknown} */ value) {
       return String(value);
     case 'object':
       if (value === null) return 'null';
-      return isList(value) ? 'an array' : 'an object';
+      return Array.isArray(value) ? 'an array' : 'an object';
     case 'bigint':
       return 'a big integer';
     default:

@@ -43,6 +43,8 @@ export class Player {
   #button;
   /** The sound of this fire alone. @type {GainNode | null} */
   audio = null;
+  /** What recorders get of it. @type {MediaStreamAudioDestinationNode | undefined} */
+  #recorded;
   /** @type {'silent' | 'waiting' | 'playing'} */
   state = 'silent';
   /** Mean power times the volume, by which the loud fires are chosen. */
@@ -117,7 +119,7 @@ export class Player {
     this.audio?.disconnect();
     this.#mixer?.remove(this);
     this.audio = null;
-    this.#mixer = this.#synthesis = undefined;
+    this.#mixer = this.#synthesis = this.#recorded = undefined;
   }
 
   /** @param {'silent' | 'waiting' | 'playing'} state */
@@ -190,9 +192,11 @@ export class Player {
   /** The sound as a track for a recorder; undefined while there is none. */
   track() {
     if (!this.audio) return undefined;
-    const { context } = this.audio;
-    const recorded = new MediaStreamAudioDestinationNode(/** @type {AudioContext} */ (context));
-    this.audio.connect(recorded);
-    return recorded.stream.getAudioTracks()[0];
+    if (!this.#recorded) {
+      this.#recorded = new MediaStreamAudioDestinationNode(/** @type {AudioContext} */ (this.audio.context));
+      this.audio.connect(this.#recorded);
+    }
+    // A recorder that stops its track leaves those of others.
+    return this.#recorded.stream.getAudioTracks()[0].clone();
   }
 }

@@ -202,6 +202,8 @@ function select(context, from, { perPixel, adds }) {
 function erase(context, from, { perPixel }) {
   const gone = new Set();
   const step = context.editing.group();
+  /** @type {Promise<unknown>[]} */
+  const removed = [];
   const rub = (/** @type {Point} */ at) => {
     const object = objectAt(
       { ...context, objects: () => context.objects().filter(({ id }) => !gone.has(id)) },
@@ -210,10 +212,17 @@ function erase(context, from, { perPixel }) {
     );
     if (!object) return;
     gone.add(object.id);
-    step(() => context.remove(object.id)).catch(() => {});
+    removed.push(step(() => context.remove(object.id)));
   };
   rub(from);
-  return { move: rub, end() {}, cancel() {} };
+  return {
+    move: rub,
+    end() {},
+    async cancel() {
+      const all = await Promise.allSettled(removed);
+      if (all.some(({ status }) => status === 'fulfilled')) await context.fire.history.undo();
+    },
+  };
 }
 
 /** @type {(context: ToolContext, from: Point) => Gesture} */

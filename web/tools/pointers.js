@@ -75,10 +75,12 @@ export class Pointers {
     this.#context.preview([]);
   }
 
-  /** Cancels all gestures, and the polygon. */
+  /** Cancels all gestures, and the polygon; returns whether there were any. */
   cancelAll() {
+    const { active } = this;
     this.#cancelGestures();
     this.polygon.cancel();
+    return active;
   }
 
   #cancelGestures() {

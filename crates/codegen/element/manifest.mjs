@@ -1,6 +1,6 @@
 /**
- * `web/custom-elements.json`: the element for editors, catalogues and the generators of wrappers,
- * in the format that these share, the Custom Elements Manifest.
+ * `custom-elements.json` of the package: the element for editors, catalogues and the generators of
+ * wrappers, in the format that these share, the Custom Elements Manifest.
  *
  * @typedef {import('../element.mjs').Element} Element
  */
@@ -92,7 +92,7 @@ export function manifest({
     ],
     events: events.map((event) => ({
       name: event.name,
-      type: kind(`CustomEvent<${event.type}>`),
+      type: kind(event.type),
       description: event.doc,
     })),
     slots: slots.map(named),
@@ -108,67 +108,47 @@ export function manifest({
     name: child.type,
     superclass: { name: 'HTMLElement' },
     description: child.doc,
-    attributes: `list of ${child.type}Attributes`,
-    members: `list of ${child.type}Members`,
-  }));
-  /** @type {{[name: string]: object[]}} */
-  const all = { ...lists };
-  for (const { type, attributes, members } of children) {
-    all[`${type}Attributes`] = attributes.map((attribute) => ({
-      name: attribute.name,
-      type: kind(attribute.type),
-      description: attribute.doc,
-    }));
-    all[`${type}Members`] = members.map((member) => ({
+    attributes: child.attributes.map(({ name, type, doc: description }) => ({ name, type: kind(type), description })),
+    members: child.members.map(({ name, type, doc: description }) => ({
       kind: 'field',
-      name: member.name,
+      name,
       readonly: true,
-      type: kind(member.type),
-      description: member.doc,
-    }));
-  }
-  const text = JSON.stringify(
-    {
-      schemaVersion: '2.1.0',
-      readme: 'README.md',
-      modules: [
-        {
-          kind: 'javascript-module',
-          path: MODULE,
-          declarations: [
-            {
-              kind: 'class',
-              customElement: true,
-              tagName: 'hearth-fire',
-              name: CLASS,
-              superclass: { name: 'HTMLElement' },
-              description: doc,
-              ...Object.fromEntries(Object.keys(lists).map((name) => [name, `list of ${name}`])),
-            },
-            ...ofChildren,
-          ],
-          exports: [
-            { kind: 'js', name: CLASS, declaration },
-            { kind: 'custom-element-definition', name: 'hearth-fire', declaration },
-            ...children.map(({ tag, type: name }) => ({
-              kind: 'custom-element-definition',
-              name: tag,
-              declaration: { name, module: MODULE },
-            })),
-          ],
-        },
-      ],
-    },
-    null,
-    2,
-  );
-  // One entry a line, so that a change is a line.
-  return `${text.replace(/"list of (\w+)"/g, (_, name) => listed(all[name]))}\n`;
-}
-
-/** @param {object[]} entries */
-function listed(entries) {
-  return `[\n${entries.map((entry) => `            ${JSON.stringify(entry)}`).join(',\n')}\n          ]`;
+      type: kind(type),
+      description,
+    })),
+  }));
+  const whole = {
+    schemaVersion: '2.1.0',
+    readme: 'README.md',
+    modules: [
+      {
+        kind: 'javascript-module',
+        path: MODULE,
+        declarations: [
+          {
+            kind: 'class',
+            customElement: true,
+            tagName: 'hearth-fire',
+            name: CLASS,
+            superclass: { name: 'HTMLElement' },
+            description: doc,
+            ...lists,
+          },
+          ...ofChildren,
+        ],
+        exports: [
+          { kind: 'js', name: CLASS, declaration },
+          { kind: 'custom-element-definition', name: 'hearth-fire', declaration },
+          ...children.map(({ tag, type: name }) => ({
+            kind: 'custom-element-definition',
+            name: tag,
+            declaration: { name, module: MODULE },
+          })),
+        ],
+      },
+    ],
+  };
+  return `${JSON.stringify(whole)}\n`;
 }
 
 /** @param {import('../element.mjs').Named} entry */

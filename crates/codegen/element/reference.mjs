@@ -4,7 +4,6 @@
  * @typedef {import('../element.mjs').Element} Element
  * @typedef {import('../element.mjs').Method} Method
  */
-import { seen } from './types.mjs';
 
 /** @param {Element} element */
 export function reference({ methods }) {
@@ -44,4 +43,12 @@ export function methodRows({ name, signatures, see }, page) {
 /** @type {(code: string, doc: string) => string} */
 export function row(code, doc) {
   return `| \`${code}\` | ${doc.replace(/\{@link (\w+)\}/g, '`$1`').replaceAll('|', '\\|')} |\n`;
+}
+
+/**
+ * The signatures that a caller sees: one that takes all calls of the others is the implementation's.
+ * @param {import('../element.mjs').Signature[]} signatures
+ */
+function seen(signatures) {
+  return signatures.length > 1 ? signatures.slice(0, -1) : signatures;
 }

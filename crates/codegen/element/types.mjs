@@ -1,5 +1,5 @@
 /**
- * `web/hearth-fire.d.ts`: the element's class for TypeScript; `web/react.d.ts`: the element in JSX.
+ * `react.d.ts` of the package: the element in JSX.
  *
  * @typedef {import('../element.mjs').Element} Element
  */
@@ -13,41 +13,6 @@ const HEADER = `\
 const NUMBER = 'number | `$' + '{number}`';
 
 /** @param {Element} element */
-export function elementTypes({ doc, properties, methods, events, children, types }) {
-  const members = [
-    ...properties.map((member) => `${comment(member.doc, '  ')}${property(member)}`),
-    ...methods.flatMap((method) => declarations(method)),
-    listeners('HearthFire'),
-  ];
-  const body = `\
-${comment('The events of a fire.', '')}\
-export interface HearthFireEventMap extends Omit<HTMLElementEventMap, 'error'> {
-${events.map((event) => `${comment(event.doc, '  ')}  ${quoted(event.name)}: CustomEvent<${event.type}>;\n`).join('')}}
-
-/** Every parameter is a property as well; a value out of range is refused aloud and changes nothing. */
-export interface HearthFire extends HearthProperties {}
-
-${comment(`The class of \`<hearth-fire>\`. ${doc}`, '')}\
-export class HearthFire extends HTMLElement {
-${members.join('')}}
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'hearth-fire': HearthFire;
-${children.map(({ tag, type }) => `    '${tag}': ${type};\n`).join('')}  }
-}
-`;
-  return `${HEADER}
-${Object.entries(types)
-  .map(([file, names]) => `${imports(names, file, body)}\n`)
-  .join('')}
-export type * from './element/types.js';
-export type * from './parameters.js';
-
-${body}`;
-}
-
-/** @param {Element} element */
 export function reactTypes({ properties, parameters, events, children, types }) {
   const own = properties.filter(({ attribute }) => attribute);
   const attributes = [
@@ -55,7 +20,7 @@ export function reactTypes({ properties, parameters, events, children, types }) 
     ...parameters.map((parameter) => entry(parameter.about, parameter.attribute, asText(parameter))),
   ].join('');
   const listens = events
-    .map((event) => entry(event.doc, `on${event.name}`, `((event: CustomEvent<${event.type}>) => void)`))
+    .map((event) => entry(event.doc, `on${event.name}`, `((event: ${event.type}) => void)`))
     .join('');
   const ofChildren = children
     .map(
@@ -73,7 +38,7 @@ ${all.map(({ name, type, doc }) => entry(doc, name, type === 'number' ? NUMBER :
 `,
     )
     .join('');
-  const names = [...Object.values(types).flat(), 'HearthFire'].sort();
+  const names = [...types, 'HearthFire'].sort();
   return `${HEADER}
 /**
  * \`<hearth-fire>\` in JSX, for React 19 and newer: \`import 'hearth-fire/react'\`
@@ -109,68 +74,6 @@ ${attributes}}
 export interface HearthFireListeners {
 ${listens}}
 ${ofChildren}`;
-}
-
-/** @param {import('../element.mjs').Property} property */
-function property({ name, type, accepts, ofClass, readonly }) {
-  if (accepts) return `  get ${name}(): ${type};\n  set ${name}(value: ${accepts});\n`;
-  return `  ${ofClass ? 'static ' : ''}${readonly ? 'readonly ' : ''}${name}: ${type};\n`;
-}
-
-/**
- * The declaration of each signature that a caller sees.
- * @param {import('../element.mjs').Method} method
- */
-export function declarations({ name, signatures }) {
-  return seen(signatures).map(
-    (signature) =>
-      `${described(signature)}  ${name}${signature.template ? `<${signature.template.name} extends ${signature.template.type}>` : ''}(${signature.parameters.map(argument).join(', ')}): ${signature.returns};\n`,
-  );
-}
-
-/**
- * The signatures that a caller sees: one that takes all calls of the others is the implementation's.
- * @param {import('../element.mjs').Signature[]} signatures
- */
-export function seen(signatures) {
-  return signatures.length > 1 ? signatures.slice(0, -1) : signatures;
-}
-
-/** The comment of a signature. @param {import('../element.mjs').Signature} signature */
-function described({ doc, parameters }) {
-  const documented = parameters.filter((parameter) => parameter.doc);
-  if (documented.length === 0) return comment(doc, '  ');
-  const lines = [doc, ...documented.map((parameter) => `@param ${parameter.name} ${parameter.doc}`)];
-  return `  /**\n${lines.map((line) => `   * ${line}\n`).join('')}   */\n`;
-}
-
-/** @param {import('../element.mjs').Argument} argument */
-function argument({ name, type, optional, rest }) {
-  return `${rest ? '...' : ''}${name}${optional ? '?' : ''}: ${type}`;
-}
-
-/**
- * The two methods for the events of `type`, whose map of events is `${type}EventMap`.
- * @param {string} type
- */
-export function listeners(type) {
-  return ['add', 'remove']
-    .map((verb) => {
-      const options = `options?: boolean | ${verb === 'add' ? 'AddEventListenerOptions' : 'EventListenerOptions'},`;
-      return `\
-  ${verb}EventListener<Type extends keyof ${type}EventMap>(
-    type: Type,
-    listener: (this: ${type}, event: ${type}EventMap[Type]) => unknown,
-    ${options}
-  ): void;
-  ${verb}EventListener(
-    type: string,
-    listener: EventListenerOrEventListenerObject,
-    ${options}
-  ): void;
-`;
-    })
-    .join('');
 }
 
 /**

@@ -39,10 +39,13 @@ pub(super) fn picture(checkout: &Path) -> Result<String> {
 
 fn row(scene: &Scene) -> String {
     let name = &scene.name;
-    let values = scene.values.iter().filter(|(id, _)| id != "model");
+    let values = scene
+        .all_values()
+        .into_iter()
+        .filter(|(id, _)| *id != "model");
     let values: Vec<_> = values
         .map(|(id, value)| match value {
-            Value::Bool(on) => format!("`{id}` {}", if *on { "on" } else { "off" }),
+            Value::Bool(on) => format!("`{id}` {}", if on { "on" } else { "off" }),
             Value::String(text) => format!("`{id}` {text}"),
             number => format!("`{id}` {number}"),
         })

@@ -57,7 +57,8 @@ pub(super) fn table(scenes: &[Scene]) -> String {
     let doc = "Named sets of values: the defaults, with these changed. \
                @type {import('../parameters.js').Preset[]}";
     let presets = scenes.iter().map(|scene| {
-        let values: Map<_, _> = scene.values.iter().cloned().collect();
+        let values = scene.all_values().into_iter();
+        let values: Map<_, _> = values.map(|(id, value)| (id.to_owned(), value)).collect();
         let (name, label, description) = (&scene.name, &scene.label, &scene.description);
         json!({ "name": name, "label": label, "description": description, "values": values })
             .to_string()
@@ -190,14 +191,13 @@ pub(super) fn scene_objects(scenes: &[Scene]) -> String {
     let properties = scene::Kind::SOURCE.properties();
     let properties = properties.filter(|property| !property.is_common());
     let doc = "Each property of a source, and the parameter that it is of the first one.";
-    let entries = properties.map(|property| format!("{}: '{}'", property.name, property.id));
+    let entries = properties.map(|property| format!("{}: '{}'", property.name, property.id()));
     let source = constant(doc, "SOURCE", OBJECT, entries);
     let bodies = KINDS.iter().filter(|kind| kind.is_body);
     let bodies: Vec<_> = bodies.map(|kind| kind.name).collect();
-    let doc = "The fields of the objects of each preset besides its source.\n \
+    let doc = "The fields of the objects of each preset.\n \
                * @type {{[preset: string]: {[name: string]: string | number | boolean}[]}}";
-    let with_objects = scenes.iter().filter(|scene| !scene.objects.is_empty());
-    let entries = with_objects.map(|scene| {
+    let entries = scenes.iter().map(|scene| {
         let objects = scene.objects.iter();
         let objects = objects.map(|fields| fields.iter().cloned().collect::<Map<_, _>>());
         format!("'{}': {}", scene.name, json!(objects.collect::<Vec<_>>()))

@@ -39,7 +39,8 @@ pub(super) fn reference() -> String {
         let _ = writeln!(
             objects,
             "| `{}` | `{}` | {label} |",
-            property.name, property.id
+            property.name,
+            property.id()
         );
     }
     let kinds = KINDS.iter().filter(|kind| !kind.is_of_parameters());

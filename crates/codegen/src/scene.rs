@@ -1,8 +1,8 @@
 //! The scenes: a file of `scenes/` each, checked before anything is generated.
 //!
-//! `{"hearth": 2, "label": "Candle", "description": "One sentence.", "values": {…},
+//! `{"hearth": 3, "label": "Candle", "description": "One sentence.", "values": {…},
 //! "objects": [{"kind": "source", …}]}`, and the file's name is the scene's. Such a file is
-//! also a settings file, as the element's `src` takes it. The first object is the source.
+//! also a settings file, as the element's `src` takes it. Without `objects`, a scene has one source.
 
 use std::fmt;
 use std::path::Path;
@@ -33,10 +33,9 @@ pub(super) struct Scene {
     /// What there is to see, in a sentence.
     pub(super) description: String,
     pub(super) model: Model,
-    /// The parameters that differ from the defaults, those of the source among them, in the
-    /// order of the table.
+    /// The parameters of the world that differ from the defaults, in the order of the table.
     pub(super) values: Vec<(String, Value)>,
-    /// The fields of the objects besides the source.
+    /// The fields of the objects.
     pub(super) objects: Vec<Vec<(String, Value)>>,
 }
 
@@ -89,17 +88,8 @@ impl Scene {
         for (id, value) in &self.values {
             parameters.set(id, input(value))?;
         }
-        let model = parameters.model();
-        for param in PARAMETERS {
-            let given = self.values.iter().any(|(id, _)| id == param.id);
-            ensure!(
-                !given || param.domain(model).is_some(),
-                "the model {} does not use {}",
-                model.name(),
-                param.id
-            );
-        }
         let mut scene = hearth_core::Scene::new(parameters);
+        scene.clear();
         for object in &self.objects {
             let fields = object
                 .iter()
@@ -121,6 +111,21 @@ impl Scene {
             }
         }
         Ok(scene)
+    }
+
+    /// Its values, and those of the first source by the ids of their parameters, in the order of the table.
+    pub(super) fn all_values(&self) -> Vec<(&'static str, Value)> {
+        let source = |(_, kind): &&(String, Value)| kind == Kind::SOURCE.name;
+        let mut objects = self.objects.iter();
+        let first = objects.find(|object| object.first().as_ref().is_some_and(source));
+        let all = PARAMETERS.iter().filter_map(|param| {
+            let named = |(name, _): &&(String, Value)| *name == param.id;
+            let property = |(name, _): &&(String, Value)| name == param.property;
+            let of_source = || first?.iter().find(property);
+            let (_, value) = self.values.iter().find(named).or_else(of_source)?;
+            Some((param.id, value.clone()))
+        });
+        all.collect()
     }
 }
 
@@ -174,7 +179,7 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
         )
     })?;
     let file: File = serde_json::from_str(text)?;
-    ensure!(file.hearth == 2, "\"hearth\", the version, must be 2");
+    ensure!(file.hearth == 3, "\"hearth\", the version, must be 3");
     for (field, text, longest) in [
         ("label", &file.label, LONGEST_NAME),
         ("description", &file.description, LONGEST_DESCRIPTION),
@@ -187,55 +192,34 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
     let end = file.description.ends_with('.');
     ensure!(end, "\"description\" must end with its full stop");
     let Fields(mut values) = file.values;
-    let mut objects = file.objects.into_iter().map(|Fields(object)| object);
-    if let Some(object) = objects.next() {
-        for (id, value) in source_parameters(object)? {
-            ensure!(
-                values.iter().all(|(known, _)| *known != id),
-                "{id} is given twice: in the values and in objects[0]"
-            );
-            values.push((id, value));
-        }
-    }
     // The model comes first in the table, because it decides the ranges of the others.
     values.sort_by_key(|(id, _)| PARAMETERS.iter().position(|param| param.id == *id));
     ensure!(
-        name != DEFAULT || values.is_empty() && objects.len() == 0,
-        "the default scene has neither values nor solids: change the defaults in the table"
+        name != DEFAULT || values.is_empty() && file.objects.is_empty(),
+        "the default scene has neither values nor objects: change the defaults in the table"
     );
-    let objects = objects.map(|mut object| {
+    let mut objects: Vec<_> = file
+        .objects
+        .into_iter()
+        .map(|Fields(object)| object)
+        .collect();
+    if objects.is_empty() {
+        objects.push(vec![("kind".to_owned(), Kind::SOURCE.name.into())]);
+    }
+    for object in &mut objects {
         // The table of presets begins an object with its kind.
         object.sort_by_key(|(name, _)| name != "kind");
-        object
-    });
+    }
     let mut scene = Scene {
         name: name.to_owned(),
         label: file.label,
         description: file.description,
         model: Model::DEFAULT,
         values,
-        objects: objects.collect(),
+        objects,
     };
-    scene.model = scene.scene()?.settings().model();
+    scene.model = scene.scene()?.model();
     Ok(scene)
-}
-
-/// The parameters that the properties of a source are.
-fn source_parameters(object: Vec<(String, Value)>) -> Result<Vec<(String, Value)>> {
-    let source = Kind::SOURCE;
-    let kind = object.iter().find(|(name, _)| name == "kind");
-    ensure!(
-        kind.is_some_and(|(_, kind)| kind == source.name),
-        "objects[0].kind must be {:?}",
-        source.name
-    );
-    let properties = object.into_iter().filter(|(name, _)| name != "kind");
-    let parameters = properties.map(|(name, value)| {
-        let property = source.property(&name);
-        let property = property.with_context(|| format!("objects[0] has no property {name:?}"))?;
-        Ok((property.id.to_owned(), value))
-    });
-    parameters.collect()
 }
 
 fn is_name(name: &str) -> bool {
@@ -267,7 +251,7 @@ mod tests {
     /// A scene with these values.
     fn with(values: &str) -> String {
         format!(
-            "{{\"hearth\": 2, \"label\": \"A\", \"description\": \"A fire.\", \"values\": {values}}}"
+            "{{\"hearth\": 3, \"label\": \"A\", \"description\": \"A fire.\", \"values\": {values}}}"
         )
     }
 
@@ -283,7 +267,6 @@ mod tests {
         let text = with(&format!("{values}, {}", source(properties)));
         let values = [
             ("model".to_owned(), "combustion".into()),
-            ("fuel_power".to_owned(), 60.into()),
             ("wind".to_owned(), 1.into()),
             ("palette".to_owned(), "gas".into()),
         ];
@@ -293,11 +276,19 @@ mod tests {
             description: "A fire.".to_owned(),
             model: Model::Combustion,
             values: values.to_vec(),
-            objects: vec![vec![
-                ("kind".to_owned(), "solid".into()),
-                ("x".to_owned(), 1.into()),
-            ]],
+            objects: vec![
+                vec![
+                    ("kind".to_owned(), "source".into()),
+                    ("power".to_owned(), 60.into()),
+                ],
+                vec![
+                    ("kind".to_owned(), "solid".into()),
+                    ("x".to_owned(), 1.into()),
+                ],
+            ],
         };
+        let ids = expected.all_values().into_iter().map(|(id, _)| id);
+        assert!(ids.eq(["model", "fuel_power", "wind", "palette"]));
         assert_eq!(parse("a-2.json", &text).ok(), Some(expected));
     }
 
@@ -311,7 +302,8 @@ mod tests {
             (r#"{"wind": null}"#, "wind = \"null\""),
             (r#"{"wind": 1, "wind": 1}"#, "duplicate field `wind`"),
             (r#"{"palette": "soot"}"#, "one of blackbody"),
-            (r#"{"lifetime_min": 1}"#, "does not use lifetime_min"),
+            (r#"{"cooling_rate": 1}"#, "only the classic model has it"),
+            (r#"{"fuel_power": 60}"#, "a property of the first source"),
             // In the range of the other model.
             (r#"{"max_particles": 100}"#, "from 200 to 100000"),
             (r#"{"max_particles": 100, "model": "classic"}"#, "accepted"),
@@ -321,18 +313,16 @@ mod tests {
             assert!(outcome.contains(named), "{values}: {outcome}");
         }
         for (objects, named) in [
-            (source(r#", "x": 9"#), "source_x = 9 is refused"),
-            (source(r#", "pwer": 9"#), "has no property \"pwer\""),
+            (source(r#", "x": 9"#), "objects[0].x = 9 is refused"),
+            (source(r#", "pwer": 9"#), "objects[0].property = \"pwer\""),
             (source(r#", "x": 0, "x": 0"#), "duplicate field `x`"),
-            (source("").replace("source", "solid"), "[0].kind must be"),
-            (source(r#", "width": 0.2"#), "source_width is given twice"),
             (
                 source(r#"}, {"kind": "solid", "x": 11"#),
                 "objects[1].x = 11",
             ),
-            (r#""objects": [{}, {}]"#.to_owned(), "[0].kind must be"),
+            (r#""objects": [{}, {}]"#.to_owned(), "objects[0].kind"),
         ] {
-            let text = with(&format!(r#"{{"source_width": 0.1}}, {objects}"#));
+            let text = with(&format!("{{}}, {objects}"));
             let outcome = outcome("a.json", &text);
             assert!(outcome.contains(named), "{objects}: {outcome}");
         }
@@ -346,7 +336,7 @@ mod tests {
             ),
             (whole.replace("label", "wind"), "unknown field `wind`"),
             (whole.replace("hearth", "preset"), "unknown field `preset`"),
-            (whole.replace(": 2", ": 1"), "must be 2"),
+            (whole.replace(": 3", ": 1"), "must be 3"),
             (whole.replace("\"A\"", "\" \""), "\"label\" must be"),
             (whole.replace("A fire.", ""), "\"description\" must"),
             (whole.replace("fire.", "fire"), "with its full stop"),

@@ -16,7 +16,7 @@ pub const CHILDREN: &str = "children";
 
 /// The part that a scene needs and that is not among the `loaded` ones.
 pub fn missing(scene: &Scene, loaded: &Set) -> Option<&'static str> {
-    let classic = scene.settings().model() == Model::Classic;
+    let classic = scene.world().model() == Model::Classic;
     let bodies = scene.has_fuel() || scene.has_free();
     let needed = [(CLASSIC, classic), (BODIES, bodies)];
     let mut lacking = needed

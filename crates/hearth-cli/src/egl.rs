@@ -355,3 +355,27 @@ impl Drop for Offscreen {
         let _ = self.egl.destroy_context(self.display, self.context);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn too_few_texels_replace_nothing() -> Result<(), OffscreenError> {
+        let offscreen = Offscreen::new()?;
+        let gl = offscreen.gl();
+        let size = [64, 64];
+        // Its texture stays bound.
+        offscreen.target(size)?;
+        gl.replace_bytes(size, &[255; 64 * 64 * 4]);
+        let white = offscreen.pixels();
+        assert_eq!(white, [255; 64 * 64 * 4]);
+        gl.replace_bytes(size, &[]);
+        gl.replace_bytes(size, &[0; 64 * 64 * 4 - 1]);
+        gl.replace_bytes([u32::MAX; 2], &[0; 64]);
+        gl.replace_floats([0, 0], size, &[0.0; 64 * 64]);
+        gl.replace_halves([0, 0], size, &[0; 64 * 64]);
+        assert_eq!(offscreen.pixels(), white);
+        Ok(())
+    }
+}

@@ -24,7 +24,7 @@
 //! renderer.set_output(Some(offscreen.target([640, 360])?));
 //! renderer.upload(gl, fire.parameters().display_mode, &instances, &[]);
 //! let view = View { width: 640, height: 360, time: fire.time(), ..View::default() };
-//! renderer.paint(gl, &view, fire.parameters(), &history)?;
+//! renderer.paint(gl, &view, fire.scene(), &history)?;
 //! let rgba = offscreen.pixels();
 //! assert!(rgba.iter().any(|&byte| byte > 100));
 //! # Ok(())

@@ -53,7 +53,7 @@ pub fn label(scene: &str) -> String {
 
 /// Whether a scene is a file: its name ends so, or it has a folder.
 fn is_file(scene: &str) -> bool {
-    let known = Preset::find(scene).is_some();
+    let known = Preset::find(scene).is_ok();
     !known && (scene.ends_with(".json") || scene.contains('/') || Path::new(scene).is_file())
 }
 

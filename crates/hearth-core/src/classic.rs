@@ -28,6 +28,7 @@ use crate::scene::Scene;
 use crate::series::{BIRTHS, DEATHS, Totals};
 use crate::solids::Solids;
 use crate::solver::Solver;
+use crate::time_step::fitted;
 
 use block_force::BlockForce;
 use emitter::Emitter;
@@ -54,14 +55,14 @@ pub(crate) struct Classic {
     solids: Solids,
     motion: Motion,
     substeps: u32,
-    /// Length of the last step if its work ended it early \[s\].
+    /// Length of the last step if it was shorter than the parameter \[s\].
     cut: Option<f32>,
 }
 
 impl Classic {
     /// No particles yet.
     pub fn new(scene: &Scene) -> Classic {
-        let values: &Physics = scene.settings();
+        let values: &Physics = scene.world();
         Classic {
             solids: Solids::of(scene, &bounds(values), 2.0 * values.smoothing_radius),
             ..Classic::default()
@@ -105,17 +106,17 @@ impl Solver for Classic {
         &mut self,
         scene: &Scene,
         random: &mut Random,
-        time: f64,
+        (time, left): (f64, f64),
         user: Option<&dyn BodyForce>,
         on_stage: &mut dyn FnMut(Stage),
     ) -> f64 {
-        let values: &Physics = scene.settings();
+        let values: &Physics = scene.world();
         self.emitters
             .resize_with(scene.sources().count(), Emitter::default);
-        let passed = |source: &Physics| self.cut.unwrap_or(source.time_step);
+        let passed = self.cut.unwrap_or(values.time_step);
         let emitters = self.emitters.iter_mut().zip(scene.sources());
         let mut due: f32 = emitters
-            .map(|(emitter, source)| emitter.due(source, passed(source), time))
+            .map(|(emitter, source)| emitter.due(&source, passed, time))
             .sum();
         for (emitter, source) in self.emitters.iter_mut().zip(scene.sources()) {
             // Sources share the free places of a fire that is nearly full; the last one gets the rest.
@@ -126,17 +127,17 @@ impl Solver for Classic {
                 false => free,
             };
             due -= own;
-            let solid = self.solids.parts(source);
+            let solid = self.solids.parts(&source);
             emitter.emit(
                 &mut self.particles,
-                (source, solid),
+                (&source, solid),
                 alive + share.min(free),
                 random,
                 time,
             );
         }
-        let substeps =
-            Substeps::divide(values, self.motion.max_speed, self.motion.max_acceleration);
+        let length = fitted(values.time_step, left);
+        let substeps = Substeps::divide(values, length, &self.motion);
         let forces = forces::list(values, time, user);
         let (mut made, mut work) = (0, 0);
         let bounds = bounds(values);
@@ -150,14 +151,18 @@ impl Solver for Classic {
         }
         self.substeps = made;
         // Shorter steps keep the substeps stable; the fire burns more slowly.
-        self.cut = (made < substeps.count).then_some(made as f32 * substeps.length);
+        let length = match made < substeps.count {
+            true => made as f32 * substeps.length,
+            false => length,
+        };
+        self.cut = (length != values.time_step).then_some(length);
         f64::from(self.length(values))
     }
 
     /// Removes the particles outside of a smaller domain; solid walls would move them onto each
     /// other.
     fn adapt(&mut self, scene: &Scene, _random: &mut Random, time: f64) {
-        let values = scene.settings();
+        let values = scene.world();
         let bounds = bounds(values);
         let stays =
             |particle: &ParticleState| particle.is_alive() && bounds.contains(particle.position());
@@ -194,11 +199,11 @@ impl Solver for Classic {
     }
 
     fn sound_speed(&self, scene: &Scene) -> f32 {
-        scene.settings().gas_constant.sqrt()
+        scene.world().gas_constant.sqrt()
     }
 
     fn step_length(&self, scene: &Scene) -> f64 {
-        f64::from(self.length(scene.settings()))
+        f64::from(self.length(scene.world()))
     }
 
     fn report(&self, values: &Physics) -> StepReport {

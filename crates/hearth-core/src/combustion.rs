@@ -88,7 +88,7 @@ pub(crate) struct Combustion {
 impl Combustion {
     /// Air at rest, or in the wind.
     pub fn new(scene: &Scene, random: &mut Random) -> Combustion {
-        let values = scene.settings();
+        let values = scene.world();
         let mut domain = Domain::new(values);
         let bounds = domain.bounds(values);
         let solids = Solids::of(scene, &bounds, 2.0 * values.smoothing_length());
@@ -134,7 +134,7 @@ impl Combustion {
     pub fn see(&mut self, seen: Option<Seen>, scene: &Scene) {
         self.domain
             .see(seen, &self.gas, scene, &self.obstacles.solids);
-        self.reserve(scene.settings());
+        self.reserve(scene.world());
     }
 
     /// Continues from a saved fire. If its discretisation is not this fire's, the gas is resampled.
@@ -144,7 +144,7 @@ impl Combustion {
         // The solids first: the gas of the particles is around them.
         self.place_solids(scene, time);
         self.resume_bodies(saved.bodies);
-        self.set_particles(saved.particles, scene.settings());
+        self.set_particles(saved.particles, scene.world());
         self.reaction.embers = Embers::of(saved.embers);
         self.domain.discretisation = saved.discretisation;
         self.adapt(scene, random, time);
@@ -165,7 +165,7 @@ impl Combustion {
 
     /// Moves the solids to where they are in a scene at a time \[s\].
     fn place_solids(&mut self, scene: &Scene, time: f64) {
-        let values = scene.settings();
+        let values = scene.world();
         let bounds = self.domain.bounds(values);
         let support = 2.0 * values.smoothing_length();
         let solids = &mut self.obstacles.solids;
@@ -203,11 +203,11 @@ impl Solver for Combustion {
         &mut self,
         scene: &Scene,
         random: &mut Random,
-        time: f64,
+        times: (f64, f64),
         user: Option<&dyn BodyForce>,
         on_stage: &mut dyn FnMut(Stage),
     ) -> f64 {
-        f64::from(self.make_step(scene, random, time, user, on_stage))
+        f64::from(self.make_step(scene, random, times, user, on_stage))
     }
 
     /// Resamples the gas if the domain or the spacing of the particles changed.
@@ -215,7 +215,7 @@ impl Solver for Combustion {
         let (gas, solids) = (&mut self.gas, &self.obstacles.solids);
         let resampled = self.domain.adapt(gas, scene, solids, random);
         self.place_solids(scene, time);
-        let values = scene.settings();
+        let values = scene.world();
         if resampled {
             self.displace_lattice(values);
         }
@@ -256,7 +256,7 @@ impl Solver for Combustion {
     }
 
     fn sound_speed(&self, scene: &Scene) -> f32 {
-        sound_speed(scene.settings(), self.total_power(scene))
+        sound_speed(scene.world(), self.total_power(scene))
     }
 
     /// Length of the last step, or an estimate of the first: that of air at rest \[s\].
@@ -264,7 +264,7 @@ impl Solver for Combustion {
         f64::from(if self.motion.length > 0.0 {
             self.motion.length
         } else {
-            let h = scene.settings().smoothing_length();
+            let h = scene.world().smoothing_length();
             time_step::step_at_rest(h, self.sound_speed(scene))
         })
     }

@@ -3,16 +3,15 @@
 //! The physics of Hearth, independent of any platform: no window, no clock, no thread.
 //!
 //! ```
-//! use hearth_core::{Parameters, Simulation, params::Input};
+//! # use hearth_core as hearth_fire;
+//! use hearth_fire::{Scene, Simulation};
 //!
-//! let mut parameters = Parameters::default();
-//! parameters.set("fuel_power", Input::Number(150.0))?;
-//! let mut fire = Simulation::new(parameters);
-//! while fire.time() < 0.5 {
-//!     fire.step();
-//! }
+//! let mut scene = Scene::default();
+//! scene.set("fuel_power", 150.0)?;
+//! let mut fire = Simulation::new(scene);
+//! fire.advance(0.5);
 //! assert!(fire.temperatures().iter().any(|&kelvin| kelvin > 1000.0));
-//! # Ok::<(), hearth_core::params::ParamError>(())
+//! # Ok::<(), hearth_fire::params::ParamError>(())
 //! ```
 //!
 //! There are two [models](params::Model): *combustion*, in which air fills the
@@ -66,9 +65,4 @@ pub use scene::Scene;
 pub use series::StepRecord;
 pub use simulation::{Simulation, burning};
 pub use solids::free::FreeSolid;
-pub use source::Source;
-
-// Runs the examples of the README as doc tests.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct ReadMe;
+pub use source::SourcePlace;

@@ -22,6 +22,7 @@ mod tables;
 mod tests;
 mod value;
 
+pub(crate) use check::nearest;
 pub use choices::{
     Backdrop, Choice, DisplayMode, Edges, Floor, Fuel, Ground, Layers, Material, Model, Motion,
     Palette, Shape, SourceShape, Thermal, Walls,
@@ -32,9 +33,11 @@ pub use property::Property;
 pub use quantity::Quantity;
 pub use resolution::IN_DOMAIN;
 pub use set::Parameters;
-pub use table::{DESCRIPTIONS, PARAMETERS, Param, Physics, Values};
+pub(crate) use set::model_first;
+pub use table::{DESCRIPTIONS, PARAMETERS, Param, Physics, Source, Values};
 pub(crate) use tables::Table;
 pub use tables::name::{COMMON, Name};
 pub(crate) use tables::solid::SOLID_NAMES;
 pub use tables::solid::{SOLID, Solid};
+pub(crate) use value::abbreviated;
 pub use value::{AnyValue, Colour, Input, ParamError, ParamErrorKind, Value};

@@ -1,9 +1,8 @@
 //! A scene: the settings of a fire and the objects in it.
 //!
-//! The objects are sources and solids. The parameters of a source (`source_x`, `fuel_power`, …)
-//! *are* the properties of the first one: setting either sets both. Every other source has
-//! separate properties, whose ranges, defaults and units are those of the parameters. No property
-//! of a solid is a parameter. [`KINDS`] lists the properties of each kind.
+//! The objects are sources and solids, and each has values of its own. [`KINDS`] lists the properties of each kind.
+//! A property of a source has the id of a parameter (`source_x`, `fuel_power`, …), by which a scene
+//! [sets](Scene::set) and [gets](Scene::get) that of its first source.
 
 mod contour;
 mod distance;
@@ -13,14 +12,16 @@ mod kinds;
 mod object;
 mod order;
 mod poses;
-mod source_properties;
+mod source;
 mod stored;
 #[cfg(test)]
 mod tests;
+mod values;
 
 use crate::params::{
-    Fuel, Input, Motion, Name, ParamError, ParamErrorKind, Parameters, Physics, Solid,
+    Fuel, Input, Model, Motion, Name, ParamError, ParamErrorKind, Parameters, Solid, Source,
 };
+use std::sync::Arc;
 
 pub use crate::params::Property;
 pub use distance::{RoundedBox, Surface};
@@ -30,7 +31,7 @@ pub use field::Field;
 use kinds::Values;
 pub use kinds::{KINDS, Kind};
 pub use object::Object;
-use source_properties::{values_of_source, with_properties_of};
+pub use source::SceneSource;
 use stored::Stored;
 
 /// Most objects of a kind in a scene.
@@ -46,84 +47,62 @@ pub(crate) const MAX_ID: f64 = 1e6;
 pub(crate) const KIND: &str = "kind";
 const ID: &str = "id";
 
-/// Settings and objects: the input of a fire. Every value is in range.
-#[derive(Debug, PartialEq)]
+/// A world and the objects in it: the input of a fire. Every value is in range.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    settings: Parameters,
-    /// The values of the first source are in `settings`, which keep them while there is no
-    /// source.
+    world: Parameters,
     objects: Vec<Stored>,
 }
 
 /// The unchecked fields of an object: its `kind`, optionally its `id`, and its properties.
 pub type Fields<'a> = [(&'a str, Input<'a>)];
 
-impl Clone for Scene {
-    fn clone(&self) -> Scene {
-        Scene {
-            settings: self.settings.clone(),
-            objects: self.objects.clone(),
-        }
-    }
-}
-
 impl From<Parameters> for Scene {
-    fn from(settings: Parameters) -> Scene {
-        Scene::new(settings)
+    fn from(world: Parameters) -> Scene {
+        Scene::new(world)
     }
 }
 
 impl Default for Scene {
     fn default() -> Scene {
-        Scene::new(Parameters::default())
+        Scene::of_model(Model::default())
     }
 }
 
 impl Scene {
-    /// These settings with one source.
-    pub fn new(settings: Parameters) -> Scene {
+    /// The defaults of a model: its world with one source.
+    pub fn of_model(model: Model) -> Scene {
+        Scene::new(Parameters::new(model))
+    }
+
+    /// This world with one source.
+    pub fn new(world: Parameters) -> Scene {
+        let source = Source::new(world.model());
         Scene {
-            settings,
+            world,
             objects: vec![Stored {
                 id: 1,
                 name: Name::default(),
-                values: Values::FirstSource,
+                values: Values::Source(source),
             }],
         }
     }
 
-    /// The settings. Their source parameters are the first source's properties.
-    pub fn settings(&self) -> &Parameters {
-        &self.settings
+    /// The values of the world.
+    pub fn world(&self) -> &Parameters {
+        &self.world
     }
 
-    /// Replaces the settings, the first source's properties included. The other objects
-    /// stay.
-    pub fn set_settings(&mut self, settings: Parameters) {
-        self.settings = settings;
-        let mut index = 1;
-        for object in &mut self.objects {
-            if let Values::Source(values) = &mut object.values {
-                **values = values_of_source(&self.settings, values, index);
-                index += 1;
-            }
-        }
+    /// The model, which decides the parameters of the world and the properties of sources.
+    pub fn model(&self) -> Model {
+        self.world.model()
     }
 
-    /// The settings of each source that is on, in the order of the objects. Every source has a
-    /// different seed. A source on a solid that is off is off, too.
-    pub fn sources(&self) -> impl Iterator<Item = &Parameters> {
-        self.objects
-            .iter()
-            .filter_map(|object| self.source_of(object))
-    }
-
-    fn source_of<'a>(&'a self, object: &'a Stored) -> Option<&'a Parameters> {
-        let source = object.values.of_source(&self.settings)?;
-        let solid = source.solid_of_source();
-        let mut all = self.objects.iter();
-        let is_off = all.any(|object| Some(object.id) == solid && object.is_off());
-        (source.source_enabled && !is_off).then_some(source)
+    /// Replaces the values of the world. In another model, sources keep what both models have.
+    pub fn set_world(&mut self, world: Parameters) {
+        let before = self.model();
+        self.world = world;
+        self.set_model_of_sources(before);
     }
 
     /// The solids that are on, in the order of the objects.
@@ -151,26 +130,23 @@ impl Scene {
         self.solids().any(|solid| solid.motion == Motion::Free)
     }
 
-    /// The solid that a source is on and its surface; `None` if the source is a line.
-    pub fn solid_of(&self, source: &Physics) -> Option<(&Solid, &Surface)> {
-        let id = source.solid_of_source()?;
-        let (_, solid, surface) = self.surfaces().find(|(known, ..)| *known == id)?;
-        Some((solid, surface))
-    }
-
-    /// Total power of the sources [kW/m], in the combustion model.
-    pub fn power(&self) -> f32 {
-        self.sources().map(|values| values.fuel_power).sum()
-    }
-
     /// The objects, in order.
     pub fn objects(&self) -> impl ExactSizeIterator<Item = Object<'_>> {
         let all = self.objects.iter();
-        all.map(|object| Object::new(object, &self.settings))
+        all.map(|object| Object::new(object, self.model()))
     }
 
-    /// Adds an object and returns its id. Missing properties have their defaults or, in the only
-    /// source, the values of the settings.
+    /// The ids of the objects, in order.
+    pub fn ids(&self) -> impl Iterator<Item = u32> {
+        self.objects.iter().map(|object| object.id)
+    }
+
+    /// The object with this id.
+    pub fn object(&self, id: u32) -> Option<Object<'_>> {
+        self.objects().find(|object| object.id == id)
+    }
+
+    /// Adds an object and returns its id. Missing properties have their defaults.
     ///
     /// # Errors
     /// Every invalid field. Nothing changes then.
@@ -191,29 +167,18 @@ impl Scene {
         })
     }
 
-    /// Removes an object. If it was the first, the next source becomes the first, and the
-    /// settings get its properties. Without a source, the settings keep the values for the next
-    /// one.
+    /// Removes an object.
     ///
     /// # Errors
     /// There is no object with this id.
     pub fn remove(&mut self, id: u32) -> Result<(), Vec<ParamError>> {
-        self.transact(&mut |new, errors| {
-            if let Some(index) = new.find(id, errors)
-                && new.objects.remove(index).values == Values::FirstSource
-            {
-                new.promote();
+        let mut errors = Vec::new();
+        match self.find(id, &mut errors) {
+            Some(index) => {
+                self.objects.remove(index);
+                Ok(())
             }
-        })
-    }
-
-    /// Makes the next source the first.
-    fn promote(&mut self) {
-        let is_source = |object: &&mut Stored| matches!(object.values, Values::Source(_));
-        if let Some(next) = self.objects.iter_mut().find(is_source)
-            && let Values::Source(values) = std::mem::replace(&mut next.values, Values::FirstSource)
-        {
-            self.set_settings(with_properties_of(&self.settings, &values));
+            None => Err(errors),
         }
     }
 
@@ -223,7 +188,7 @@ impl Scene {
         solids.map(|solid| solid.mask.pixels()).sum()
     }
 
-    /// Removes all objects. The settings keep the values of the first source for the next one.
+    /// Removes all objects.
     pub fn clear(&mut self) {
         self.objects.clear();
     }
@@ -283,7 +248,7 @@ impl Scene {
                 let words = "a whole number from 1 to 1000000 that no other object has";
                 Err((ID, id, words))
             }
-            Some(kind) => Ok((kind.new)(&self.settings, count)),
+            Some(kind) => Ok((kind.new)(self.model())),
         };
         let values = match values {
             Ok(values) => values,
@@ -302,6 +267,7 @@ impl Scene {
 
     /// Writes properties of the object at `index`.
     fn write(&mut self, index: usize, fields: &Fields<'_>, errors: &mut Vec<ParamError>) {
+        let model = self.model();
         let Some(object) = self.objects.get_mut(index) else {
             return;
         };
@@ -315,7 +281,7 @@ impl Scene {
             }
             match kind.property(field) {
                 Some(property) => {
-                    if let Err(mut error) = object.set(&property, input, &mut self.settings) {
+                    if let Err(mut error) = object.set(&property, input, model) {
                         error.id = path(index, field);
                         errors.push(error);
                     }
@@ -343,8 +309,9 @@ impl Scene {
         if let (Some(Values::Solid(stored)), Some(before)) =
             (object.map(|object| &mut object.values), before)
         {
-            stored.0.mask = before.mask;
-            stored.1 = stored.0.surface();
+            let (solid, surface) = Arc::make_mut(stored);
+            solid.mask = before.mask;
+            *surface = solid.surface();
         }
     }
 

@@ -22,6 +22,7 @@ use crate::particle::Particle;
 use crate::random::Random;
 use crate::scene::{Pose, Scene};
 use crate::series::Recorder;
+use crate::time_step::SHORTEST;
 use model::AnySolver;
 
 pub use crate::particle::ParticleError;
@@ -43,13 +44,13 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// A fire of a scene, at time zero. [`Parameters`] alone are a scene with one source.
+    /// A fire of a scene, at time zero. [`Parameters`] alone are the world of a scene with one source.
     pub fn new(scene: impl Into<Scene>) -> Simulation {
         Simulation::of(scene.into())
     }
 
     fn of(scene: Scene) -> Simulation {
-        let mut random = Random::new(scene.settings().seed);
+        let mut random = Random::new(scene.world().seed);
         Simulation {
             solver: AnySolver::new(&scene, &mut random),
             random,
@@ -82,16 +83,55 @@ impl Simulation {
         force: Option<&dyn BodyForce>,
         on_stage: &mut dyn FnMut(Stage),
     ) {
+        self.step_towards(f64::INFINITY, force, on_stage);
+    }
+
+    /// Makes steps until this number of seconds has passed: [`time`](Simulation::time) is then exactly the time
+    /// before plus `seconds`, because the last two steps are shorter where that is needed. A number that is not
+    /// above zero makes none.
+    ///
+    /// ```
+    /// # use hearth_core as hearth_fire;
+    /// let mut fire = hearth_fire::Simulation::new(hearth_fire::Parameters::default());
+    /// for frame in 1..=3 {
+    ///     fire.advance(1.0 / 30.0);
+    ///     assert!((fire.time() - f64::from(frame) / 30.0).abs() < 1e-12);
+    /// }
+    /// ```
+    pub fn advance(&mut self, seconds: f64) {
+        let end = self.time + seconds;
+        while self.time < end {
+            self.step_towards(end, None, &mut |_| ());
+        }
+    }
+
+    /// Makes one step as [`step_in_stages`](Simulation::step_in_stages) does, which is so short that one of the
+    /// next steps towards `end` \[s\] ends exactly there. [`advance`](Simulation::advance) makes such steps.
+    pub fn step_towards(
+        &mut self,
+        end: f64,
+        force: Option<&dyn BodyForce>,
+        on_stage: &mut dyn FnMut(Stage),
+    ) {
+        let left = end - self.time;
+        if left < SHORTEST {
+            self.time = self.time.max(end);
+            return;
+        }
         let (scene, random) = (&self.scene, &mut self.random);
-        let solver = &mut self.solver;
-        let length = solver.step(scene, random, self.time, force, on_stage);
-        self.time += length;
+        let times = (self.time, left);
+        let length = self.solver.step(scene, random, times, force, on_stage);
+        self.time = if length < f64::from(left as f32) {
+            self.time + length
+        } else {
+            end
+        };
         self.record(length);
     }
 
     /// Starts again: time zero, the generator at its seed.
     pub fn reset(&mut self) {
-        self.random = Random::new(self.scene.settings().seed);
+        self.random = Random::new(self.scene.world().seed);
         self.solver = AnySolver::new(&self.scene, &mut self.random);
         self.time = 0.0;
         self.see(self.seen);
@@ -115,12 +155,12 @@ impl Simulation {
         }
     }
 
-    /// The settings.
+    /// The values of the world.
     pub fn parameters(&self) -> &Parameters {
-        self.scene.settings()
+        self.scene.world()
     }
 
-    /// The settings and the objects.
+    /// The world and the objects.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
@@ -129,26 +169,18 @@ impl Simulation {
     /// seed or another model starts the fire again.
     ///
     /// # Errors
-    /// An unknown id, a value of the wrong kind or one outside the range.
-    pub fn set(&mut self, id: &str, input: Input<'_>) -> Result<(), ParamError> {
-        let mut parameters = self.scene.settings().clone();
-        parameters.set(id, input)?;
-        self.set_parameters(parameters);
+    /// Those of [`Scene::set`].
+    pub fn set<'a>(&mut self, id: &str, input: impl Into<Input<'a>>) -> Result<(), ParamError> {
+        let mut scene = self.scene.clone();
+        scene.set(id, input)?;
+        self.set_scene(scene);
         Ok(())
     }
 
-    /// Sets all parameters of the burning fire. The objects after the first source stay. A new
-    /// seed or another model starts the fire again.
-    pub fn set_parameters(&mut self, parameters: Parameters) {
-        let mut scene = self.scene.clone();
-        scene.set_settings(parameters);
-        self.set_scene(scene);
-    }
-
-    /// Sets all parameters and objects of the burning fire. A new seed or another model starts
+    /// Sets the world and all objects of the burning fire. A new seed or another model starts
     /// the fire again.
     pub fn set_scene(&mut self, scene: Scene) {
-        let reseeded = scene.settings().seed != self.parameters().seed;
+        let reseeded = scene.world().seed != self.parameters().seed;
         self.scene = scene;
         if reseeded || self.parameters().model() != self.solver.model() {
             self.reset();
@@ -184,7 +216,7 @@ impl Simulation {
     /// A report of the last step. It counts the neighbours again, which takes about as long as
     /// the neighbour search.
     pub fn report(&self) -> StepReport {
-        self.solver.report(self.scene.settings())
+        self.solver.report(self.scene.world())
     }
 
     /// Numerical speed of sound in the gas [m/s], far below that of air: the square root of the
@@ -198,15 +230,15 @@ impl Simulation {
     /// [`DisplayMode`].
     pub fn write_instances(&self, out: &mut Vec<Instance>) {
         out.clear();
-        out.reserve(self.solver.capacity(self.scene.settings()));
-        match self.scene.settings().display_mode {
+        out.reserve(self.solver.capacity(self.scene.world()));
+        match self.scene.world().display_mode {
             DisplayMode::Fire | DisplayMode::Paper => self.solver.write_fire(out),
             mode => self.write_measured(mode, out),
         }
     }
 
     fn write_measured(&self, mode: DisplayMode, out: &mut Vec<Instance>) {
-        let (solver, values) = (&self.solver, self.scene.settings());
+        let (solver, values) = (&self.solver, self.scene.world());
         let measured = (0..solver.count()).map(|i| solver.measured(i, values, mode));
         out.extend(measured.map(Instance::from));
         if mode == DisplayMode::Distance {
@@ -245,7 +277,7 @@ impl Simulation {
     /// the classic model, it does nothing.
     pub fn throw_embers(&mut self, place: Vec2, count: u32) {
         if let Some(combustion) = self.solver.combustion_mut() {
-            combustion.throw_embers(place, count, self.scene.settings(), &mut self.random);
+            combustion.throw_embers(place, count, self.scene.world(), &mut self.random);
         }
     }
 
@@ -262,7 +294,7 @@ impl Simulation {
     pub fn set_particles(&mut self, particles: &[Particle]) -> Result<(), ParticleError> {
         self.check_count(particles.len())?;
         let solver = &mut self.solver;
-        let bounds = solver.bounds(self.scene.settings());
+        let bounds = solver.bounds(self.scene.world());
         for (index, particle) in particles.iter().enumerate() {
             if let Some(what) = particle.broken_rule(&bounds) {
                 return Err(ParticleError {
@@ -271,7 +303,7 @@ impl Simulation {
                 });
             }
         }
-        solver.set_particles(particles, self.scene.settings());
+        solver.set_particles(particles, self.scene.world());
         Ok(())
     }
 
@@ -280,9 +312,7 @@ impl Simulation {
     /// # Errors
     /// Too few or too many particles.
     pub fn check_count(&self, particles: usize) -> Result<(), ParticleError> {
-        let broken = self
-            .solver
-            .broken_count_rule(particles, self.scene.settings());
+        let broken = self.solver.broken_count_rule(particles, self.scene.world());
         broken.map_or(Ok(()), |what| Err(ParticleError { index: None, what }))
     }
 }

@@ -18,8 +18,8 @@ use glam::Vec2;
 
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
-use crate::params::{Fuel, Motion, Physics, Thermal};
-use crate::scene::{Drive, Field, MAX_SPEED, RoundedBox, Scene, Surface};
+use crate::params::{Fuel, Motion, Thermal};
+use crate::scene::{Drive, Field, MAX_SPEED, RoundedBox, Scene, SceneSource, Surface};
 use heat::{Inflow, Store};
 
 /// Longest and shortest time of a motion \[s\].
@@ -237,9 +237,9 @@ impl Solids {
     }
 
     /// The body on whose surface a source is, and its images; none if the source is a line.
-    pub fn parts(&self, source: &Physics) -> &[Body] {
+    pub fn parts(&self, source: &SceneSource<'_>) -> &[Body] {
         let mut bodies = self.bodies.chunk_by(|body, next| body.id == next.id);
-        let id = source.solid_of_source();
+        let id = source.solid_id();
         bodies
             .find(|parts| parts.first().map(|body| body.id) == id)
             .unwrap_or_default()

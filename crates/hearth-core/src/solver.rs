@@ -13,13 +13,13 @@ use crate::solids::Solids;
 
 /// The gas of a model and its time step.
 pub(crate) trait Solver {
-    /// Makes one step from `time`, with the force `user` besides the model's own. Returns
-    /// the length of the step \[s\].
+    /// Makes one step with the force `user` besides the model's own. The `times` are the one that it starts from,
+    /// and how much is left until one ends, which [fits](crate::time_step::fitted) its length. Returns that length \[s\].
     fn step(
         &mut self,
         scene: &Scene,
         random: &mut Random,
-        time: f64,
+        times: (f64, f64),
         user: Option<&dyn BodyForce>,
         on_stage: &mut dyn FnMut(Stage),
     ) -> f64;

@@ -3,24 +3,18 @@
 use glam::Vec2;
 
 use crate::direction::direction;
-use crate::params::{Physics, SourceShape};
+use crate::params::Physics;
+use crate::scene::SceneSource;
 
 /// The position and width of a source: of a line, clamped to the domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Source {
+pub struct SourcePlace {
     /// Middle of its lower edge; on a solid, below its centre \[m\].
     pub base: Vec2,
     /// Its width; on a solid, the width of a line whose flame is about as large \[m\].
     pub width: f32,
     /// Whether it is the surface of a solid.
     pub on_solid: bool,
-}
-
-impl Physics {
-    /// The id of the solid whose surface is the source; `None` for a line.
-    pub(crate) fn solid_of_source(&self) -> Option<u32> {
-        (self.source_shape == SourceShape::Solid).then_some(self.source_solid)
-    }
 }
 
 /// The argument of the noise of the emission at a place on a solid: how far along its width
@@ -30,16 +24,16 @@ pub(crate) fn along(local: Vec2) -> f32 {
 }
 
 /// Direction of the width of a source; `None` if it is not turned.
-pub(crate) fn axis(values: &Physics) -> Option<Vec2> {
-    let angle = values.source_angle;
+pub(crate) fn axis(source: &SceneSource<'_>) -> Option<Vec2> {
+    let angle = source.angle;
     (angle != 0.0).then(|| direction(angle))
 }
 
-/// `source_x`, clamped so that a source of this width keeps `margin` \[m\] from the sides; 0 if
+/// `x`, clamped so that a source of this width keeps `margin` \[m\] from the sides; 0 if
 /// it does not fit.
-pub(crate) fn middle(values: &Physics, width: f32, margin: f32) -> f32 {
-    let farthest = (0.5 * (values.domain_width - width) - margin).max(0.0);
-    values.source_x.max(-farthest).min(farthest)
+pub(crate) fn middle(source: &SceneSource<'_>, width: f32, margin: f32) -> f32 {
+    let farthest = (0.5 * (source.world.domain_width - width) - margin).max(0.0);
+    source.x.max(-farthest).min(farthest)
 }
 
 /// Whether a position is in the domain.
@@ -51,15 +45,21 @@ pub(crate) fn contains(values: &Physics, position: Vec2) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::params::{Input, Model, Parameters};
+    use crate::params::{Model, Parameters};
+    use crate::scene::Scene;
 
-    fn of(model: Model, values: &[(&str, f64)]) -> (Source, Parameters) {
-        let mut parameters = Parameters::new(model);
-        assert_eq!(parameters.set("edges", Input::Text("periodic")), Ok(()));
-        for &(id, value) in values {
-            assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
+    /// The place of the source of a scene with these values, those of the combustion model in that model alone.
+    fn of(model: Model, values: &[(&str, f64)]) -> (SourcePlace, Parameters) {
+        let mut scene = Scene::of_model(model);
+        if model == Model::Combustion {
+            assert_eq!(scene.set("edges", "periodic"), Ok(()));
         }
-        (Source::of(&parameters), parameters)
+        for &(id, value) in values {
+            if (model, id) != (Model::Classic, "seam") {
+                assert_eq!(scene.set(id, value), Ok(()));
+            }
+        }
+        (SourcePlace::first(&scene, &[]), scene.world().clone())
     }
 
     #[test]
@@ -71,7 +71,7 @@ mod tests {
                     ("source_height", 0.5),
                     ("source_width", 0.3),
                 ];
-                let source = Source {
+                let source = SourcePlace {
                     base: Vec2::new(x as f32, 0.5),
                     width: 0.3,
                     on_solid: false,

@@ -6,7 +6,23 @@
 //!
 //! Neither particles nor sound cross a support radius in one step (Courant number C), forces
 //! move particles a short way, and diffusion does not overshoot (Monaghan 1992, Morris et al.
-//! 1997).
+//! 1997). The last steps before a requested time are shorter, so that one ends there.
+
+/// Shortest step before a requested time \[s\]. Rates of a step divide by its length.
+pub(crate) const SHORTEST: f64 = 1e-6;
+
+/// The length of the next step \[s\]: `longest`, or what lets a step end when the time `left` has passed. The last
+/// two share what is left, so that none is much shorter than the others.
+pub(crate) fn fitted(longest: f32, left: f64) -> f32 {
+    let left = left as f32;
+    if left <= longest {
+        left
+    } else if left < 2.0 * longest {
+        0.5 * left
+    } else {
+        longest
+    }
+}
 
 /// The quantities that limit a step.
 #[derive(Clone, Copy, Debug)]

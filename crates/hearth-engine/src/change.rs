@@ -1,7 +1,7 @@
 //! What a new fire's start and each command change.
 
-use hearth_settings::untrusted::ValidationError;
-use hearth_settings::{Change, OBJECTS, Settings};
+use hearth_settings::untrusted::{Untrusted, ValidationError};
+use hearth_settings::{Change, Settings};
 
 use crate::commands::{Command, Start};
 
@@ -12,7 +12,7 @@ pub fn at_first(start: &Start<'_>) -> (Settings, Vec<ValidationError>) {
     let mut settings = Settings::default();
     let preset = start.preset.map(Settings::of_preset);
     let config = (!start.config.is_missing()).then(|| match start.children {
-        true => Settings::with_children_of_file(start.config),
+        true => Settings::of_whole(start.config),
         false => Settings::of_file(start.config),
     });
     for replaced in [preset, config].into_iter().flatten() {
@@ -41,14 +41,44 @@ pub fn by_command<'a>(
         Command::Children { children } => {
             return Some((Ok(settings.with_children(children.list(), errors)), CHILD));
         }
-        Command::Import { config, source } => return Some((settings.after_file(config), source)),
-        Command::Restore { to, from, source } => {
-            return Some((settings.after_steps(to.list(), from.list()), source));
+        Command::Import {
+            config,
+            source,
+            keeps_seed,
+        } => {
+            let kept = Untrusted::Number(settings.parameters().seed.into());
+            let kept = [Untrusted::named("seed", kept)];
+            let keeps =
+                keeps_seed == Some(true) && config.field("values").field("seed").is_missing();
+            let imported = settings.after_file(config);
+            let imported = imported.and_then(|imported| match keeps {
+                true => imported.after(&Change::Set(&kept)),
+                false => Ok(imported),
+            });
+            return Some((imported, source));
         }
-        Command::Set { values, source } => match values.iter().any(|(id, _)| id == OBJECTS) {
-            true if source == ATTRIBUTE => (Change::State(values), source),
-            _ => (Change::Set(values), source),
-        },
+        Command::Restore { deltas, source } => {
+            return Some((settings.after_deltas(deltas.list()), source));
+        }
+        Command::Set {
+            values,
+            source: ATTRIBUTE,
+            attributes,
+        } => {
+            let stated = settings.after(&Change::State(values)).map(|after| {
+                match after.scene().model() == settings.scene().model() {
+                    true => after,
+                    // An attribute that is refused has been reported.
+                    false => after.after_valid(attributes.fields(), &mut Vec::new()),
+                }
+            });
+            return Some((stated, ATTRIBUTE));
+        }
+        Command::Set {
+            values,
+            source,
+            attributes,
+        } => (Change::SetModel(values, attributes.fields()), source),
         Command::AddObject { object, source } => (Change::AddObject(object), source),
         Command::ChangeObject { id, values, source } => {
             (Change::ChangeObject(id.0, values), source)

@@ -138,8 +138,8 @@ type Arguments<'a> = [&'a Untrusted; 5];
 commands! { 'a
     /// Adds a fire.
     "add" Add { start: Start<'a> }
-    /// Sets parameters, all or none; null restores a default.
-    "set" Set { values: Values<'a>, source: &'a str }
+    /// Sets parameters, all or none; null restores a default. With another model, the attributes of the page apply again.
+    "set" Set { values: Values<'a>, source: &'a str, attributes: &'a Untrusted }
     /// Checks values as `set` would.
     "check" CheckValues { values: Values<'a> }
     /// Adds an object. Answers with its id.
@@ -152,10 +152,10 @@ commands! { 'a
     "children" Children { children: &'a Untrusted }
     /// Replaces all settings by those of a preset.
     "preset" Preset { name: &'a str, source: &'a str }
-    /// Undoes or redoes [steps](hearth_settings::Settings::after_steps); unless they lead to another preset, it burns on.
-    "restore" Restore { to: &'a Untrusted, from: &'a Untrusted, source: &'a str }
-    /// Replaces all settings by a [settings file](hearth_settings::file).
-    "import" Import { config: &'a Untrusted, source: &'a str }
+    /// Undoes or redoes steps by their [deltas](hearth_settings::delta); unless they lead to another preset, it burns on.
+    "restore" Restore { deltas: &'a Untrusted, source: &'a str }
+    /// Replaces all settings by a [settings file](hearth_settings::file); on request, the seed only by one that it names.
+    "import" Import { config: &'a Untrusted, source: &'a str, keeps_seed: Option<bool> }
     /// Answers with a settings file.
     "export" Export {}
     /// Resizes the picture [device pixels]. `side` is the height of the element or, if that is
@@ -198,8 +198,8 @@ commands! { 'a
     "reset" Reset {}
     /// Makes a number of steps, even if paused. The answer follows when they are drawn.
     "step" Step { steps: Whole<1, MAX_STEPS> }
-    /// Makes steps for a duration [s of fire]. The answer follows when they are drawn.
-    "burn" Burn { seconds: Positive<MAX_SECONDS> }
+    /// Makes steps for a duration [s of fire], even if paused. The answer follows when they are drawn.
+    "advance" Advance { seconds: Within<0, MAX_SECONDS> }
     /// Sets the duration of the warm-up of new fires. The answer follows when the fire is shown
     /// or off stage.
     "warm" Warm { seconds: Option<WarmSeconds> }

@@ -3,8 +3,8 @@
 //! `web/engine/loop.js` requests frames and listens to the canvas's context. Each method
 //! returns whether to request another frame, so no loop runs while no fire has work.
 
-use hearth_bindings::{memory, panic, parts, values};
-use hearth_core::{IgniteError, IgnitionTarget, Simulation, SprayError, Vec2};
+use hearth_bindings::{light, memory, panic, parts, values};
+use hearth_core::{SprayError, Vec2};
 use hearth_settings::untrusted::{Untrusted, ValidationError};
 use hearth_settings::{Change, Settings};
 use js_sys::Set;
@@ -184,30 +184,6 @@ impl Engine {
     }
 }
 
-/// Lights an object or a place of a fire, or puts it out.
-fn light(
-    fire: &mut Fire,
-    lit: bool,
-    radius: f64,
-    place: f64,
-    y: f64,
-) -> Result<(), Vec<ValidationError>> {
-    let at = if radius < 0.0 {
-        IgnitionTarget::Object(place as u32)
-    } else {
-        IgnitionTarget::Place(Vec2::new(place as f32, y as f32), radius as f32)
-    };
-    let act = if lit {
-        Simulation::ignite
-    } else {
-        Simulation::extinguish
-    };
-    fire.act(|simulation| act(simulation, at)).map_err(|_| {
-        let place = Untrusted::Number(place);
-        vec![ValidationError::new("place", &place, IgniteError::ALLOWED)]
-    })
-}
-
 /// Sprays water into a fire.
 fn spray(fire: &mut Fire, [x, y, u, v, grams]: [f64; 5]) -> Result<(), Vec<ValidationError>> {
     let pair = |x: f64, y: f64| Vec2::new(x as f32, y as f32);
@@ -342,7 +318,9 @@ impl Engine {
                 radius,
                 place,
                 y,
-            } => light(fire, lit, radius, place, y)?,
+            } => fire
+                .act(|simulation| light(simulation, lit, [radius, place, y]))
+                .map_err(|error| vec![error])?,
             Command::Spray { x, y, u, v, grams } => {
                 if parts::lacks(loaded, parts::BODIES) {
                     return Ok(Answer::Missing(parts::BODIES));
@@ -373,7 +351,7 @@ impl Engine {
                 fire.request_steps(steps.0, 0.0, request);
                 return Ok(Answer::Deferred);
             }
-            Command::Burn { seconds } => {
+            Command::Advance { seconds } => {
                 fire.request_steps(0, seconds.0, request);
                 return Ok(Answer::Deferred);
             }

@@ -2,9 +2,9 @@
 //!
 //! | type | other fields |
 //! |---|---|
-//! | `ready` | `fire`; `values`: all of them; `objects`; `settings`: the [whole](hearth_settings::whole) |
+//! | `ready` | `fire`; `values`: all of them, as the fire burns; `objects`; `settings`: the [whole](hearth_settings::whole) |
 //! | `done` | `fire`, `request`; `value`: the result, if the command has one |
-//! | `changed` | as `ready`, but what changed; `source` |
+//! | `changed` | `fire`, `source`; `values` that changed; `redo` and `undo`: the [deltas](hearth_settings::delta) to the new settings and back; with children, `objects`: the delta of those that burn, and `children`, all of them |
 //! | `refused` | `fire`, `request`; `errors`: id, value, message and, for a number, min and max |
 //! | `stats` | `fire`; `stats`: see [`stats`](crate::stats) |
 //! | `series` | `fire`; `seconds` of the clock since the last frame; `series`: the [numbers](hearth_core::StepRecord) of each step |
@@ -17,7 +17,7 @@
 use hearth_bindings::{Record, values};
 use hearth_core::params::PARAMETERS;
 use hearth_settings::untrusted::ValidationError;
-use hearth_settings::{FIELDS, OBJECTS, Settings, export, objects, whole};
+use hearth_settings::{OBJECTS, Settings, children, delta, export, objects, objects_delta, whole};
 use js_sys::Float32Array;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -63,45 +63,30 @@ impl Events {
     /// A new fire has these settings.
     pub fn ready(&self, fire: u32, settings: &Settings) {
         let event = event("ready", fire);
-        self.put_settings(&event, settings, None);
+        event.set_object("values", &values_of(settings, None));
+        event.set_any(OBJECTS, &values::to_js(&objects(settings.scene())));
+        event.set_any("settings", &values::to_js(&whole(settings)));
         self.post(&event);
     }
 
     /// Settings changed from `old`; posts nothing if they did not.
     pub fn changed(&self, fire: u32, source: &str, old: &Settings, new: &Settings) {
+        if new == old {
+            return;
+        }
         let event = event("changed", fire);
         event.set_text("source", source);
-        if self.put_settings(&event, new, Some(old)) {
-            self.post(&event);
+        event.set_object("values", &values_of(new, Some(old)));
+        event.set_any("redo", &values::to_js(&delta(old, new)));
+        event.set_any("undo", &values::to_js(&delta(new, old)));
+        if old.has_children() || new.has_children() {
+            event.set_any(
+                OBJECTS,
+                &values::to_js(&objects_delta(old.scene(), new.scene())),
+            );
+            event.set_any("children", &values::to_js(&children(new)));
         }
-    }
-
-    /// Adds the settings that differ from `old` to an event. Returns whether there are any.
-    fn put_settings(&self, event: &Record, settings: &Settings, old: Option<&Settings>) -> bool {
-        let mut differs = false;
-        let values = Record::new();
-        for param in PARAMETERS {
-            let value = param.get(settings.parameters());
-            if old.is_none_or(|old| param.get(old.parameters()) != value) {
-                values.set_value(param.id, value);
-            }
-        }
-        event.set_object("values", &values);
-        let now = objects(settings.scene(), None, true);
-        if old.is_none_or(|old| objects(old.scene(), None, true) != now) {
-            event.set_any(OBJECTS, &values::to_js(&now));
-        }
-        let (before, now) = (old.map(whole), whole(settings));
-        let parts = Record::new();
-        for name in FIELDS {
-            let value = now.field(name);
-            if before.as_ref().is_none_or(|old| old.field(name) != value) {
-                parts.set_any(name, &values::to_js(value));
-                differs = true;
-            }
-        }
-        event.set_object("settings", &parts);
-        differs
+        self.post(&event);
     }
 
     /// A request is done; 0: no request.
@@ -193,6 +178,18 @@ impl Events {
     pub fn restored(&self, fire: u32) {
         self.post(&event("restored", fire));
     }
+}
+
+/// The values of what burns that differ from those of `old`.
+fn values_of(settings: &Settings, old: Option<&Settings>) -> Record {
+    let values = Record::new();
+    for param in PARAMETERS {
+        let value = settings.scene().value(param);
+        if old.is_none_or(|old| old.scene().value(param) != value) {
+            values.set_value(param.id, value);
+        }
+    }
+    values
 }
 
 fn event(kind: &str, fire: u32) -> Record {

@@ -118,7 +118,7 @@ impl FireRenderer {
             camera,
             ..
         } = input;
-        let parameters = scene.settings();
+        let parameters = scene.world();
         let context = &gpu.gl.context;
         let mut scale = self.scale;
         let painted = self.begin(gpu).and_then(|drawing| {
@@ -141,7 +141,7 @@ impl FireRenderer {
                 is_paused,
             };
             let on_pass = &mut |name| passes.end(context, clock, name);
-            let painted = renderer.paint_in_passes(gl, &view, parameters, input.history, on_pass);
+            let painted = renderer.paint_in_passes(gl, &view, scene, input.history, on_pass);
             passes.finish(context);
             scale = renderer.colour_scale();
             painted.map(|()| sent)

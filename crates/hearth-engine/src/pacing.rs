@@ -7,6 +7,5 @@ pub mod machine_limit;
 pub mod picture_limits;
 pub mod quality;
 pub mod real_time;
-#[cfg(target_arch = "wasm32")]
 pub mod step_requests;
 pub mod thread_budget;

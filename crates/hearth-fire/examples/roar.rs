@@ -99,15 +99,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let name = arguments.next().unwrap_or_else(|| "campfire".into());
     let seconds: f64 = arguments.next().map_or(Ok(10.0), |text| text.parse())?;
 
-    let preset = Preset::find(&name).ok_or("no such scene")?;
+    let preset = Preset::find(&name)?;
     let mut fire = Simulation::new(preset.scene());
     fire.record_series(true);
     let mut band = LowBand::default();
     while fire.time() < seconds {
-        let end = fire.time() + PIECE;
-        while fire.time() < end {
-            fire.step();
-        }
+        fire.advance(PIECE);
         fire.read_series()
             .into_iter()
             .for_each(|step| band.add(step));

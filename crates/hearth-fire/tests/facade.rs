@@ -1,6 +1,5 @@
-//! The facade is the core by another name.
+//! The front door: what the README and the first page of the documentation use.
 
-use hearth_fire::params::{Input, PARAMETERS};
 use hearth_fire::preset::Preset;
 use hearth_fire::{Parameters, Simulation, Vec2};
 
@@ -18,9 +17,41 @@ fn a_fire_of_the_facade_burns_as_one_of_the_core() {
 }
 
 #[test]
-fn parameters_and_scenes_are_within_reach() {
-    assert!(PARAMETERS.iter().any(|param| param.id == "fuel_power"));
-    assert!(Preset::all().iter().any(|preset| preset.name == "campfire"));
-    let refused = Parameters::default().set("wind", Input::Number(99.0));
-    assert!(refused.is_err());
+fn the_first_examples_burn_a_scene_with_its_solids() {
+    for text in [include_str!("../README.md"), include_str!("../src/lib.rs")] {
+        let (_, example) = text.split_once("```").expect("an example");
+        let example = example.split_once("campfire").map(|(_, rest)| rest);
+        assert!(
+            example.is_some_and(|rest| rest.contains(".scene()")),
+            "{text}"
+        );
+    }
+    let campfire = Preset::find("campfire").expect("the scene").scene();
+    assert_eq!(Simulation::new(campfire).poses().len(), 6);
+}
+
+#[test]
+fn a_value_is_a_number_a_flag_or_a_text() {
+    let mut fire = Simulation::new(Parameters::default());
+    assert_eq!(fire.set("fuel_power", 200.0), Ok(()));
+    assert_eq!(fire.set("wind", 0.5_f32), Ok(()));
+    assert_eq!(fire.set("seed", 7), Ok(()));
+    assert_eq!(fire.set("max_particles", 20_000_u32), Ok(()));
+    assert_eq!(fire.set("walls", "solid"), Ok(()));
+    let refused = fire.set("wind", 99.0).map_err(|error| error.to_string());
+    assert!(refused.is_err_and(|words| words.starts_with("wind = 99 is refused")));
+}
+
+#[test]
+fn an_unknown_scene_is_refused_with_the_similar_or_with_all_names() {
+    let refused = |name: &str| Preset::find(name).map_err(|error| error.to_string()).err();
+    for similar in ["campfir", "Campfire", "camp-fire"] {
+        let words = format!("there is no preset \"{similar}\"; did you mean \"campfire\"?");
+        assert_eq!(refused(similar), Some(words));
+    }
+    let all = refused(&"nonsense".repeat(100)).unwrap_or_default();
+    assert!(
+        all.len() < 700 && Preset::all().iter().all(|preset| all.contains(preset.name)),
+        "{all}"
+    );
 }

@@ -34,18 +34,15 @@ fn write(programs: &[Program], text: &mut String) -> std::fmt::Result {
         programs.len()
     )?;
     for program in programs {
-        let [vertex, fragment] = program
-            .stages
-            .each_ref()
-            .map(|stage| stage.text(minifies()));
+        let [vertex, fragment] = program.stages.each_ref().map(|stage| stage.text());
         writeln!(text, "    Source {{\n        name: {:?},", program.name)?;
         writeln!(
             text,
             "        vertex: {vertex:?},\n        fragment: {fragment:?},"
         )?;
         writeln!(text, "        samplers: &[")?;
-        for (name, short) in &program.samplers {
-            writeln!(text, "            ({short:?}, Image::{}),", camel(name))?;
+        for name in &program.samplers {
+            writeln!(text, "            ({name:?}, Image::{}),", camel(name))?;
         }
         writeln!(
             text,
@@ -62,11 +59,6 @@ fn write(programs: &[Program], text: &mut String) -> std::fmt::Result {
         block(program, text)?;
     }
     writeln!(text, "}}")
-}
-
-/// Whether to minify: in release builds.
-fn minifies() -> bool {
-    std::env::var("PROFILE").is_ok_and(|profile| profile == "release")
 }
 
 /// Writes the struct of a program's uniforms.

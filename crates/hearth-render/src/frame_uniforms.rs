@@ -1,7 +1,7 @@
 //! What the uniforms of all passes of a frame follow from: the fire, the picture and the camera.
 
 use hearth_core::params::{Backdrop, Colour, DisplayMode, Edges, Ground, Layers, Model};
-use hearth_core::{Parameters, Source};
+use hearth_core::{Parameters, SourcePlace};
 
 use crate::advection::Phase;
 use crate::bounds::ParticleBounds;
@@ -72,8 +72,10 @@ pub struct Advected {
 pub struct FrameUniforms<'a> {
     /// Parameters of physics and look.
     pub parameters: &'a Parameters,
+    /// Temperature at which particles of the classic model are born \[K\].
+    pub birth_temperature: f32,
     /// Position of the fire.
-    pub source: Source,
+    pub source: SourcePlace,
     /// Sizes of the targets.
     pub layout: Layout,
     /// Format of the targets.

@@ -5,8 +5,8 @@
 //! the trait for the page's context.
 //!
 //! `glow` marks every call `unsafe`, because native drivers trust pointers and sizes. WebGL checks
-//! them all, and this file passes only handles of one context, whole slices and plain numbers. So
-//! `unsafe` ends here.
+//! them all, and this file passes only handles of one context, slices of the size that the call reads
+//! and plain numbers. So `unsafe` ends here.
 
 #![allow(unsafe_code)]
 
@@ -48,7 +48,7 @@ pub trait Graphics {
     fn tex_parameter(&self, name: u32, value: u32);
     /// Allocates the bound texture.
     fn allocate_texture(&self, internal: u32, kind: u32, size: [u32; 2]);
-    /// Replaces a part of the bound texture, whose texels are four bytes.
+    /// Replaces a part of the bound texture, whose texels are four bytes. Too few texels replace nothing.
     fn replace_bytes(&self, size: [u32; 2], texels: &[u8]);
     /// Replaces a part of the bound texture, whose texels are four floats.
     fn replace_floats(&self, from: [u32; 2], size: [u32; 2], texels: &[f32]);
@@ -207,7 +207,7 @@ impl Graphics for glow::Context {
     }
 }
 
-/// Replaces a part of the bound texture.
+/// Replaces a part of the bound texture. A native driver would read beyond too few texels.
 fn replace(
     gl: &glow::Context,
     [x, y]: [u32; 2],
@@ -215,6 +215,14 @@ fn replace(
     kind: u32,
     texels: &[u8],
 ) {
+    let channel = match kind {
+        glow::UNSIGNED_BYTE => 1,
+        glow::HALF_FLOAT => 2,
+        _ => 4,
+    };
+    if (texels.len() as u64) < u64::from(width) * u64::from(height) * 4 * channel {
+        return;
+    }
     // SAFETY: see the module's documentation.
     unsafe {
         gl.tex_sub_image_2d(

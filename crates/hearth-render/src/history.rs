@@ -5,7 +5,7 @@
 
 use hearth_core::params::{DisplayMode, Model};
 use hearth_core::scene::Pose;
-use hearth_core::{Instance, Scene, Simulation, Source};
+use hearth_core::{Instance, Scene, Simulation, SourcePlace};
 
 use crate::advection::{self, Phase};
 use crate::bounds::ParticleBounds;
@@ -65,7 +65,7 @@ pub(crate) struct Sample {
     pub phase: Phase,
     /// Period of the patterns \[s\].
     pub period: f32,
-    source: Source,
+    source: SourcePlace,
     /// Path of the scene since the start, in widths of the source.
     stirred: f64,
 }
@@ -159,8 +159,8 @@ impl History {
         if elapsed.is_some_and(|elapsed| elapsed < 0.0) {
             self.clear();
         }
-        let values = scene.settings();
-        let source = Source::on_solid(values, poses).unwrap_or_else(|| Source::of(values));
+        let values = scene.world();
+        let source = SourcePlace::first(scene, poses);
         let bounds = ParticleBounds::of(particles, &[]);
         self.rise.advance(&bounds, time, values.model());
         let surroundings = Surroundings::of(scene, poses, &source);
@@ -195,7 +195,7 @@ impl History {
     }
 
     /// Drops samples that no slice needs or that exceed the limit. Returns the memory of one, empty.
-    fn trimmed(&mut self, time: f64, source: &Source) -> Vec<u16> {
+    fn trimmed(&mut self, time: f64, source: &SourcePlace) -> Vec<u16> {
         let deepest = (0..MAX_SLICES).map(|index| slices::lag(index, source.width));
         let lag = deepest.fold(0.0, f64::max);
         let oldest = time - lag - f64::from(advection::period(source.width)) - 2.0 / RATE;
@@ -242,7 +242,7 @@ impl History {
 
     /// The visible slices of a picture at `time` \[s\], from the front, `count` at most. A
     /// fraction of `count` is a part of the last one's weight.
-    pub(crate) fn slices(&self, time: f64, count: f32, source: &Source) -> Vec<Slice> {
+    pub(crate) fn slices(&self, time: f64, count: f32, source: &SourcePlace) -> Vec<Slice> {
         let mut slices = vec![Slice::present(time)];
         let faded = self.samples.last().map_or(0.0, |last| time - last.time) as f32;
         for (index, fade) in self.fades.iter().enumerate().skip(1) {
@@ -280,8 +280,8 @@ impl History {
 
     /// The base of the source at a moment \[m\]. A slice follows a single source. Several move by themselves.
     #[inline(never)]
-    fn base_at(&self, moment: f64, now: &Source) -> [f32; 2] {
-        let base = |source: &Source| source.base.to_array();
+    fn base_at(&self, moment: f64, now: &SourcePlace) -> [f32; 2] {
+        let base = |source: &SourcePlace| source.base.to_array();
         match self.around(moment) {
             Some((before, after)) if self.surroundings.is_single() => {
                 let (from, to) = (

@@ -1,7 +1,7 @@
 //! Sizes of the kernels of particles and of the fine structure.
 
 use hearth_core::params::{DisplayMode, Model};
-use hearth_core::{Parameters, Source};
+use hearth_core::{Parameters, SourcePlace};
 
 /// Radius of a classic particle's kernel (1 − q²)² in particle sizes. The full width at half
 /// maximum, 1.08 radii, then equals the size.
@@ -35,7 +35,7 @@ pub struct Kernel {
 
 impl Kernel {
     /// The kernels of a fire in its display mode.
-    pub fn of(parameters: &Parameters, source: &Source) -> Kernel {
+    pub fn of(parameters: &Parameters, source: &SourcePlace) -> Kernel {
         let (size, spacing) = (parameters.particle_size, parameters.spacing());
         let radius = match (parameters.display_mode, parameters.model()) {
             (DisplayMode::Fire, Model::Classic) => RADII_PER_SIZE * size,

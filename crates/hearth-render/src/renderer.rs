@@ -8,7 +8,7 @@ use std::rc::Rc;
 
 use hearth_core::params::DisplayMode;
 use hearth_core::scene::Pose;
-use hearth_core::{Charred, Instance, Parameters, Scene, Source};
+use hearth_core::{Charred, Instance, Scene, SourcePlace};
 
 use crate::advection::Phase;
 use crate::bounds::ParticleBounds;
@@ -70,7 +70,7 @@ pub struct Renderer<G: Graphics = glow::Context> {
     count: Count,
     scale: Scale,
     /// The source on a solid of the uploaded scene.
-    source: Option<Source>,
+    source: Option<SourcePlace>,
     /// The drawn backdrop: its wall, ground and foot, and the picture's floor and size.
     scenery: Option<([f32; 3], [[f32; 2]; 2])>,
     /// Range of the measured quantity.
@@ -184,7 +184,8 @@ impl<G: Graphics> Renderer<G> {
         temperatures: &[(u32, f32)],
         charred: &Charred,
     ) {
-        self.source = Source::on_solid(scene.settings(), poses);
+        let first = scene.first_source();
+        self.source = first.and_then(|source| SourcePlace::on_solid(&source, poses));
         self.solids.upload(gl, scene, poses, temperatures, charred);
     }
 
@@ -196,10 +197,10 @@ impl<G: Graphics> Renderer<G> {
         &mut self,
         gl: &G,
         view: &View,
-        parameters: &Parameters,
+        scene: &Scene,
         history: &History,
     ) -> Result<(), RenderError> {
-        self.paint_in_passes(gl, view, parameters, history, &mut |_| {})
+        self.paint_in_passes(gl, view, scene, history, &mut |_| {})
     }
 
     /// As [`paint`](Renderer::paint); calls `on_pass` with the key of each pass after it was
@@ -211,7 +212,7 @@ impl<G: Graphics> Renderer<G> {
         &mut self,
         gl: &G,
         view: &View,
-        parameters: &Parameters,
+        scene: &Scene,
         history: &History,
         on_pass: &mut dyn FnMut(&'static str),
     ) -> Result<(), RenderError> {
@@ -219,6 +220,7 @@ impl<G: Graphics> Renderer<G> {
         let Some(layout) = Layout::new(size, self.limits, self.shared.max_side) else {
             return Ok(());
         };
+        let parameters = scene.world();
         let domain = [parameters.domain_width, parameters.domain_height];
         let viewport = Viewport::new(layout.picture, domain, view.camera);
         for capability in [
@@ -234,10 +236,13 @@ impl<G: Graphics> Renderer<G> {
         let (mode, model) = (parameters.display_mode, parameters.model());
         self.fit_colours(gl, Tint::of(parameters))?;
         self.scale.add(mode, model, self.measured);
-        let source = self.source.unwrap_or_else(|| Source::of(parameters));
+        let source = self
+            .source
+            .unwrap_or_else(|| SourcePlace::first(scene, &[]));
         let present = Slice::present(view.time);
         let mut frame = FrameUniforms {
             parameters,
+            birth_temperature: scene.read_first_source(|source| source.birth_temperature),
             source,
             layout,
             format: self.shared.format,

@@ -1,7 +1,7 @@
 //! Slices: moments of a fire's past that a picture shows behind the present one, so that a plane
 //! flow has depth. `docs/look.md` has the equations.
 
-use hearth_core::Source;
+use hearth_core::SourcePlace;
 
 /// Maximum number of slices of a picture.
 pub const MAX_SLICES: usize = 5;
@@ -166,7 +166,7 @@ impl Slice {
         moment: f64,
         fade: &Fade,
         weight: f32,
-        source: &Source,
+        source: &SourcePlace,
         base_then: [f32; 2],
     ) -> Option<Slice> {
         let layer = &LAYERS[index];
@@ -225,8 +225,8 @@ mod tests {
         spreads: true,
     };
 
-    fn source(x: f32) -> Source {
-        Source {
+    fn source(x: f32) -> SourcePlace {
+        SourcePlace {
             base: Vec2::new(x, 0.1),
             width: 0.3,
             on_solid: false,

@@ -2,7 +2,7 @@
 
 use hearth_core::params::Material;
 use hearth_core::scene::Pose;
-use hearth_core::{Scene, Source};
+use hearth_core::{Scene, SourcePlace};
 
 /// Change of the wind that counts as a width of the source [m/s].
 const WIND_PER_WIDTH: f32 = 2.0;
@@ -28,26 +28,20 @@ pub struct Surroundings {
 
 impl Surroundings {
     /// Those of a scene whose solids are at `poses`, with its first source.
-    pub fn of(scene: &Scene, poses: &[Pose], first: &Source) -> Surroundings {
-        let values = scene.settings();
-        let sources: Vec<_> = scene
-            .sources()
-            .map(|source| [source.source_x, source.source_height])
-            .collect();
+    pub fn of(scene: &Scene, poses: &[Pose], first: &SourcePlace) -> Surroundings {
+        let values = scene.world();
+        let sources: Vec<_> = scene.sources().map(|source| [source.x, source.y]).collect();
         let free = !first.on_solid
             && !scene.surfaces().any(|(id, solid, _)| {
                 let pose = poses.iter().find(|pose| pose.id == id);
                 solid.material != Material::None
                     && pose.is_some_and(|pose| is_in_flame(pose, first))
             });
-        let is_upright = |angle: f32, wind: f32| angle == 0.0 && wind == 0.0;
-        let mut turned = scene
-            .sources()
-            .map(|source| (source.source_angle, source.wind));
+        let mut angles = scene.sources().map(|source| source.angle);
         Surroundings {
             symmetric: free
                 && values.wind == 0.0
-                && turned.all(|(angle, wind)| is_upright(angle, wind))
+                && angles.all(|angle| angle == 0.0)
                 && is_symmetric(&sources),
             free,
             sources,
@@ -111,7 +105,7 @@ fn is_symmetric(places: &[[f32; 2]]) -> bool {
 }
 
 /// Whether a solid is in the flame of a source.
-fn is_in_flame(pose: &Pose, source: &Source) -> bool {
+fn is_in_flame(pose: &Pose, source: &SourcePlace) -> bool {
     let from = (pose.frame.centre - source.base) / source.width;
     from.x.abs() < FLAME_WIDTHS && from.y > FLAME_FOOT_WIDTHS
 }

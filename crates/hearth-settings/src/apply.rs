@@ -1,250 +1,128 @@
 //! Untrusted values and objects applied to a scene.
 
-use crate::untrusted::{Untrusted, ValidationError, Values, one_of};
-use hearth_core::params::{AnyValue, Input, Model, Param, ParamError, Parameters};
+use crate::untrusted::{Untrusted, ValidationError, Values};
+use hearth_core::params::{AnyValue, Input, Param, ParamError};
 use hearth_core::preset::Preset;
 use hearth_core::scene::{Object, Scene};
 
 /// The id of the model.
-const MODEL: &str = "model";
+pub(crate) const MODEL: &str = "model";
 
 /// The name of the list of objects among values.
 pub const OBJECTS: &str = "objects";
 
-/// The name of the values in settings.
-const VALUES: &str = "values";
-
 /// The required form of a list of objects.
 const A_LIST: &str = "an array of objects, each with a kind and its properties";
 
-/// `scene` with these values, all of them or none. The value of `objects` replaces the objects.
-/// Of `objects` and a parameter of the first source, the later one wins. `null` restores a default; that of
-/// `objects` is one source.
-///
-/// # Errors
-/// Every invalid value and every unknown id.
-pub(crate) fn with_values(
-    scene: &Scene,
-    values: Values<'_>,
-) -> Result<Scene, Vec<ValidationError>> {
-    let mut new = scene.clone();
-    let mut errors = Vec::new();
-    change(&mut new, values, &mut errors);
-    if errors.is_empty() {
-        Ok(new)
-    } else {
-        Err(errors)
-    }
-}
-
-/// `scene` with the `values` and `objects` of settings, all of them or none. If both set a
-/// property of the first source, the later one wins.
-///
-/// # Errors
-/// Every invalid value.
-pub(crate) fn with_settings(
-    scene: &Scene,
-    config: Values<'_>,
-) -> Result<Scene, Vec<ValidationError>> {
-    let mut new = scene.clone();
-    let mut errors = Vec::new();
-    let present = scene.settings().model();
-    for (field, values) in config {
-        let mut models = [Model::Classic, Model::Combustion].into_iter();
-        if let Some(model) = models.find(|model| model.name() == field) {
-            let mut scene = Scene::new(of_model(new.settings(), model));
-            change(&mut scene, values.fields(), &mut errors);
-            new.set_settings(of_model(scene.settings(), present));
-        }
-    }
-    // Values are applied first, because the model decides the properties of objects. Values
-    // after the objects are applied again.
-    let is_values = |(field, _): &&(String, Untrusted)| field == VALUES;
-    for (field, value) in config.iter().filter(is_values).chain(config) {
-        if field == VALUES {
-            change(&mut new, value.fields(), &mut errors);
-        } else if field == OBJECTS && !value.is_missing() {
-            replace::<true>(&mut new, value, &mut errors);
-        }
-        if !errors.is_empty() {
-            return Err(errors);
-        }
-    }
-    Ok(new)
-}
-
-/// Changes the model first, because it decides the domains of the other parameters.
-fn change(scene: &mut Scene, values: Values<'_>, errors: &mut Vec<ValidationError>) {
-    let mut settings = scene.settings().clone();
-    for of_model in [true, false] {
-        for (id, value) in values {
-            if (id == MODEL) != of_model || value.is_missing() {
-                continue;
-            }
+/// Applies values to a scene, and appends an error for each that is refused: the model first, because it decides the
+/// domains of the others, then `objects`, then the others, which may be properties of the first source. `null`
+/// restores a default; that of `objects` is one source.
+pub(crate) fn set_values(scene: &mut Scene, values: Values<'_>, errors: &mut Vec<ValidationError>) {
+    let rank = |id: &str| {
+        [MODEL, OBJECTS]
+            .iter()
+            .position(|first| id == *first)
+            .unwrap_or(2)
+    };
+    for turn in 0..=2 {
+        let stated = values
+            .iter()
+            .filter(|(id, value)| rank(id) == turn && !value.is_missing());
+        for (id, value) in stated {
             if id == OBJECTS {
-                scene.set_settings(settings);
-                if matches!(value, Untrusted::Null) {
-                    *scene = Scene::new(scene.settings().clone());
-                } else {
-                    replace::<false>(scene, value, errors);
-                }
-                settings = scene.settings().clone();
-                continue;
-            }
-            if let Err(error) = settings.set(id, input(value)) {
+                replace_objects(scene, value, errors);
+            } else if let Err(error) = scene.set(id, input(value)) {
                 errors.push(ValidationError::of_parameter(&error, value));
             }
         }
     }
-    scene.set_settings(settings);
 }
 
-/// The same parameters, with `model` as the present model.
-pub(crate) fn of_model(parameters: &Parameters, model: Model) -> Parameters {
-    let mut parameters = parameters.clone();
-    let set = parameters.set(MODEL, Input::Text(model.name()));
-    debug_assert_eq!(set, Ok(()));
-    parameters
+/// Whether only another model than that of the scene has the parameter.
+pub(crate) fn is_of_other_model(scene: &Scene, id: &str) -> bool {
+    Param::find(id).is_some_and(|param| param.only_in(scene.model()).is_some())
 }
 
-/// The other one of the two models.
-pub(crate) fn other_model(model: Model) -> Model {
-    match model {
-        Model::Classic => Model::Combustion,
-        Model::Combustion => Model::Classic,
-    }
+/// Whether another model starts a parameter of the scene from its own default.
+pub(crate) fn starts_with_model(scene: &Scene, id: &str) -> bool {
+    let param = Param::find(id).filter(|param| param.domain(scene.model()).is_some());
+    param.is_some_and(|param| param.domains.iter().all(|domain| domain.model.is_some()))
 }
 
-/// Replaces all objects, or none. Those of a file may have a field with the name of the other model: the properties
-/// that they have for it.
-fn replace<const OF_FILE: bool>(
-    scene: &mut Scene,
-    list: &Untrusted,
-    errors: &mut Vec<ValidationError>,
-) {
-    let Untrusted::List(list) = list else {
-        return errors.push(ValidationError::new(OBJECTS, list, A_LIST));
-    };
-    let model = scene.settings().model();
-    let other = other_model(model);
+/// Replaces all objects, or none.
+fn replace_objects(scene: &mut Scene, list: &Untrusted, errors: &mut Vec<ValidationError>) {
     let mut new = scene.clone();
     new.clear();
-    for object in list {
-        let sent = object.fields();
-        let mut own = fields(sent);
-        if OF_FILE {
-            own.retain(|(name, _)| *name != other.name());
+    match list {
+        Untrusted::Null => new = Scene::new(scene.world().clone()),
+        Untrusted::List(list) => {
+            for object in list {
+                let sent = object.fields();
+                if let Err(refused) = new.add(&fields(sent)) {
+                    return errors.extend(refused.iter().map(|error| of_object(error, sent)));
+                }
+            }
         }
-        let mut added = new.add(&own);
-        if let (true, &Ok(id)) = (OF_FILE, &added) {
-            let of_other = fields(object.field(other.name()).fields());
-            new.set_settings(of_model(new.settings(), other));
-            added = new.change(id, &of_other).map(|()| id);
-            new.set_settings(of_model(new.settings(), model));
-        }
-        if let Err(refused) = added {
-            return errors.extend(refused.iter().map(|error| of_object(error, sent)));
-        }
+        _ => return errors.push(ValidationError::new(OBJECTS, list, A_LIST)),
     }
     *scene = new;
 }
 
-/// `scene` with changed properties of an object or, without an id, with another object; without
-/// fields, the object is removed.
-///
-/// # Errors
-/// There is no object with this id, or every invalid field.
-pub(crate) fn with_object(
+/// The objects of a scene as data, each with the properties that `are_listed`. Unless `with_ids`, ids are left out if
+/// they are 1, 2, 3 and so on.
+fn list(
     scene: &Scene,
-    id: Option<u32>,
-    sent: Option<Values<'_>>,
-) -> Result<Scene, Vec<ValidationError>> {
-    let mut new = scene.clone();
-    let values = sent.unwrap_or_default();
-    let fields = fields(values);
-    let done = match (id, sent) {
-        (None, _) => new.add(&fields).map(|_| ()),
-        (Some(id), Some(_)) => new.change(id, &fields),
-        (Some(id), None) => new.remove(id),
-    };
-    match done {
-        Ok(()) => Ok(new),
-        Err(refused) => {
-            let errors = refused.iter().map(|error| of_object(error, values));
-            Err(errors.collect())
-        }
-    }
-}
-
-/// The objects of a scene as data. With `from`, the first source has only the properties that
-/// differ from these settings, the other objects those that differ from the defaults, in a field with the name of
-/// the other model those that a source has for it. Unless `with_ids`, ids are left out if they are 1, 2, 3 and so on.
-pub fn objects(scene: &Scene, from: Option<&Parameters>, with_ids: bool) -> Untrusted {
+    with_ids: bool,
+    are_listed: &dyn Fn(&Object<'_>, &'static Param, AnyValue<'_>) -> bool,
+) -> Untrusted {
     let counted = |(index, object): (usize, Object<'_>)| object.id as usize == index + 1;
     let with_ids = with_ids || !scene.objects().enumerate().all(counted);
-    let other = other_model(scene.settings().model());
-    let in_other = from.map(|_| {
-        let mut scene = scene.clone();
-        scene.set_settings(of_model(scene.settings(), other));
-        scene
-    });
-    let list = scene.objects().enumerate().map(|(index, object)| {
-        let kind = Untrusted::Text(object.kind.name.into());
-        let mut fields = vec![Untrusted::named("kind", kind)];
-        if with_ids {
-            fields.push(Untrusted::named("id", Untrusted::Number(object.id.into())));
-        }
-        let first = from.filter(|_| object.is_first_source());
-        put_properties(&mut fields, &object, &|param, value| {
-            let domain = param.any_domain(object.model());
-            let before = first.map_or(domain.default, |first| param.get(first));
-            from.is_none() || value != before
-        });
-        let twin = in_other
-            .as_ref()
-            .and_then(|scene| scene.objects().nth(index));
-        let mut of_other = Vec::new();
-        if let Some(twin) = twin.filter(|_| first.is_none()) {
-            put_properties(&mut of_other, &twin, &|param, value| {
-                let own = param.domain(other).filter(|domain| domain.model.is_some());
-                own.is_some_and(|domain| value != domain.default)
-            });
-        }
-        if !of_other.is_empty() {
-            fields.push(Untrusted::named(other.name(), Untrusted::Object(of_other)));
+    let list = scene.objects().map(|object| {
+        let mut fields = Vec::new();
+        put_head(&mut fields, &object, with_ids);
+        for (name, param, value) in object.properties() {
+            if are_listed(&object, param, value) {
+                fields.push(Untrusted::named(name, Untrusted::of_value(value)));
+            }
         }
         Untrusted::Object(fields)
     });
     Untrusted::List(list.collect())
 }
 
-/// Appends the properties of an object that `are_listed`.
-#[inline(never)]
-fn put_properties(
-    fields: &mut Vec<(String, Untrusted)>,
-    object: &Object<'_>,
-    are_listed: &dyn Fn(&'static Param, AnyValue<'_>) -> bool,
-) {
-    for (name, param, value) in object.properties() {
-        if are_listed(param, value) {
-            fields.push(Untrusted::named(name, Untrusted::of_value(value)));
-        }
+/// Appends the kind of an object and, `with_id`, its id.
+pub(crate) fn put_head(fields: &mut Vec<(String, Untrusted)>, object: &Object<'_>, with_id: bool) {
+    fields.push(Untrusted::named(
+        "kind",
+        Untrusted::Text(object.kind.name.into()),
+    ));
+    if with_id {
+        fields.push(Untrusted::named("id", Untrusted::Number(object.id.into())));
     }
+}
+
+/// The objects of a scene with all their properties and ids.
+pub fn objects(scene: &Scene) -> Untrusted {
+    list(scene, true, &|_, _, _| true)
+}
+
+/// The objects of a scene with the properties that differ from the defaults.
+pub(crate) fn short_objects(scene: &Scene) -> Untrusted {
+    list(scene, false, &|object, param, value| {
+        value != param.any_domain(object.model()).default
+    })
 }
 
 /// The fields that are stated.
 pub(crate) fn fields<'a>(values: Values<'a>) -> Vec<(&'a str, Input<'a>)> {
-    let mut stated = Vec::with_capacity(values.len());
-    for (name, value) in values {
-        if !value.is_missing() {
-            stated.push((name.as_str(), input(value)));
-        }
-    }
+    let stated = values.iter().filter(|(_, value)| !value.is_missing());
     stated
+        .map(|(name, value)| (name.as_str(), input(value)))
+        .collect()
 }
 
 /// A value as input. `null` restores the default.
-fn input(value: &Untrusted) -> Input<'_> {
+pub(crate) fn input(value: &Untrusted) -> Input<'_> {
     match value {
         Untrusted::Null => Input::Default,
         _ => value.input(),
@@ -252,7 +130,7 @@ fn input(value: &Untrusted) -> Input<'_> {
 }
 
 /// The error of an object's field, with the sent value.
-fn of_object(error: &ParamError, sent: Values<'_>) -> ValidationError {
+pub(crate) fn of_object(error: &ParamError, sent: Values<'_>) -> ValidationError {
     let mut named = sent.iter();
     let value = named.find(|(field, _)| error.id.ends_with(field.as_str()));
     ValidationError::of_parameter(error, value.map_or(&Untrusted::Missing, |(_, value)| value))
@@ -261,10 +139,12 @@ fn of_object(error: &ParamError, sent: Values<'_>) -> ValidationError {
 /// The preset with this name.
 ///
 /// # Errors
-/// There is no preset with this name. The message lists all.
+/// There is no preset with this name.
 pub fn preset(name: &str) -> Result<&'static Preset, ValidationError> {
-    Preset::find(name).ok_or_else(|| {
-        let mut names = Preset::all().iter().map(|preset| preset.name);
-        one_of("preset", &Untrusted::Text(name.into()), &mut names)
+    Preset::find(name).map_err(|error| ValidationError {
+        id: "preset".into(),
+        value: Untrusted::Text(name.into()).summary(),
+        message: format!("{error}"),
+        range: None,
     })
 }

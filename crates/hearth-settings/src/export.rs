@@ -1,119 +1,83 @@
 //! Settings as a [settings file](crate::file).
 
-use crate::apply::{OBJECTS, objects, of_model, other_model};
-use crate::file::{CHILDREN, ORDER, VERSION};
-use crate::settings::{Settings, StatedResolution};
+use crate::apply::{MODEL, OBJECTS, objects, short_objects};
+use crate::children::child::Child;
+use crate::file::{CHILDREN, VERSION};
+use crate::settings::Settings;
 use crate::untrusted::Untrusted;
 use hearth_core::Scene;
-use hearth_core::params::{Model, PARAMETERS};
+use hearth_core::params::PARAMETERS;
 use hearth_core::preset::Preset;
-use hearth_core::scene::Kind;
+use hearth_core::scene::Object;
 
-/// The fields of [whole] settings.
-pub const FIELDS: [&str; 8] = [
-    "hearth",
-    "preset",
-    "values",
-    "classic",
-    "combustion",
-    OBJECTS,
-    CHILDREN,
-    ORDER,
-];
+/// Whether at most properties of the first source differ from the objects of a scene.
+fn has_objects_of(now: &Scene, before: &Scene) -> bool {
+    let first = now
+        .first_source_id()
+        .filter(|first| before.first_source_id() == Some(*first));
+    let is_first = |object: &Object<'_>| first == Some(object.id);
+    now.objects().len() == before.objects().len()
+        && now.objects().zip(before.objects()).all(|(now, before)| {
+            now == before || now.id == before.id && is_first(&now) && now.name() == before.name()
+        })
+}
 
-/// The values of `model` that differ from the preset, and the stated resolution: all, those of that model
-/// alone, or those that both share. Without `source`, no property of the first source.
-fn differences(
-    settings: &Settings,
-    model: Model,
-    of_model_alone: Option<bool>,
-    source: bool,
-) -> Untrusted {
-    let preset = &settings.preset().parameters();
-    let now = &of_model(settings.parameters(), model);
-    // Each model has its own defaults.
-    let base = &of_model(preset, model);
-    let mut fields = Vec::new();
+/// Writes settings as a settings file: the differences from the preset, as the fire that burns has them. Of the
+/// objects, a file lists all, or none if only properties of the first source differ, which are values then.
+pub fn export(settings: &Settings) -> Untrusted {
+    let (scene, base) = (settings.scene(), settings.base());
+    let lists_objects = !has_objects_of(scene, &base);
+    let mut values = Vec::new();
     for param in PARAMETERS {
-        let Some(domain) = param.domain(model) else {
+        if param.only_in(scene.model()).is_some() || lists_objects && param.is_of_objects() {
             continue;
+        }
+        let value = scene.value(param);
+        let before = match param.id {
+            MODEL => settings.preset().world().get(MODEL),
+            _ => Some(base.value(param)),
         };
-        let mut properties = Kind::SOURCE.properties();
-        let of_source = !source && properties.any(|property| property.id == param.id);
-        let before = if param.id == "model" { preset } else { base };
-        let value = param.get(now);
-        let differs = if StatedResolution::is_part(param.id) {
-            settings.states(param.id)
-        } else {
-            value != param.get(before)
-        };
-        let is_part = of_model_alone.is_none_or(|alone| alone == domain.model.is_some());
-        if differs && !of_source && is_part {
-            fields.push(Untrusted::named(param.id, Untrusted::of_value(value)));
+        let is_stated = settings.states(param.id);
+        let differs = is_stated.unwrap_or(Some(value) != before);
+        if differs {
+            values.push(Untrusted::named(param.id, Untrusted::of_value(value)));
         }
     }
-    Untrusted::Object(fields)
-}
-
-/// The other objects and the name of the first source, if the preset has them too.
-fn has_objects_of_preset(settings: &Settings) -> bool {
-    let without_values = |scene: &Scene| objects(scene, Some(scene.settings()), false);
-    without_values(settings.scene()) == without_values(&settings.preset().scene())
-}
-
-/// Writes settings as a settings file: the preset and the differences from it.
-pub fn export(settings: &Settings) -> Untrusted {
-    let now = settings.parameters();
-    let number = Untrusted::Number(VERSION.into());
-    let mut fields = vec![Untrusted::named("hearth", number)];
-    if settings.preset().name != Preset::all()[0].name {
-        let name = Untrusted::Text(settings.preset().name.to_owned());
+    let mut fields = vec![Untrusted::named(
+        "hearth",
+        Untrusted::Number(VERSION.into()),
+    )];
+    if settings.preset != Preset::all()[0].name {
+        let name = Untrusted::Text(settings.preset.to_owned());
         fields.push(Untrusted::named("preset", name));
     }
-    let lists_objects = !has_objects_of_preset(settings);
-    let mut objects_now = settings.scene().objects();
-    let lists_source = lists_objects && objects_now.any(|object| object.is_first_source());
-    let values = differences(settings, now.model(), None, !lists_source);
-    fields.push(Untrusted::named("values", values));
-    let other = other_model(now.model());
-    let values = differences(settings, other, Some(true), true);
-    if !values.fields().is_empty() {
-        fields.push(Untrusted::named(other.name(), values));
-    }
+    fields.push(Untrusted::named("values", Untrusted::Object(values)));
     if lists_objects {
-        let base = of_model(&settings.preset().parameters(), now.model());
-        let list = objects(settings.scene(), Some(&base), false);
-        fields.push(Untrusted::named(OBJECTS, list));
+        fields.push(Untrusted::named(OBJECTS, short_objects(scene)));
     }
     Untrusted::Object(fields)
 }
 
-/// Writes settings as a settings file each of whose parts has a place of its own: the values that both models share,
-/// those of each model, all objects with their ids, the children of the element, and the order of all. The first source
-/// is among both. A part that changes leaves the others.
+/// The children of the element, as [whole] settings have them.
+pub fn children(settings: &Settings) -> Untrusted {
+    Untrusted::List(settings.children.iter().map(Child::write).collect())
+}
+
+/// Writes settings as a settings file with all values, all objects and the children of the element, which
+/// [deltas](crate::delta) keep up to date.
 pub fn whole(settings: &Settings) -> Untrusted {
-    let bare = settings.bare();
-    let model = bare.parameters().model();
-    let base = of_model(&bare.preset().parameters(), model);
-    let name = Untrusted::Text(bare.preset().name.to_owned());
-    let of = |model: Model, alone| differences(&bare, model, Some(alone), true);
-    let children = settings.children.as_ref();
-    let [children, order] = children.map_or(
-        [Untrusted::List(Vec::new()), Untrusted::Text(String::new())],
-        |children| children.write(settings.scene()),
-    );
-    let values = [
-        ("values", of(model, false)),
-        (Model::Classic.name(), of(Model::Classic, true)),
-        (Model::Combustion.name(), of(Model::Combustion, true)),
-        (OBJECTS, objects(bare.scene(), Some(&base), true)),
-        (CHILDREN, children),
-        (ORDER, order),
-    ];
-    let mut fields = vec![
+    let world = settings.page.world();
+    let values = PARAMETERS.iter().filter_map(|param| {
+        let value = world.get(param.id)?;
+        let is_listed = param.only_in(world.model()).is_none();
+        let is_stated = settings.states(param.id) != Some(false);
+        (is_listed && is_stated).then(|| Untrusted::named(param.id, Untrusted::of_value(value)))
+    });
+    Untrusted::Object(vec![
         Untrusted::named("hearth", Untrusted::Number(VERSION.into())),
-        Untrusted::named("preset", name),
-    ];
-    fields.extend(values.map(|(field, value)| Untrusted::named(field, value)));
-    Untrusted::Object(fields)
+        Untrusted::named("preset", Untrusted::Text(settings.preset.to_owned())),
+        Untrusted::named("values", Untrusted::Object(values.collect())),
+        Untrusted::named(OBJECTS, objects(&settings.page)),
+        Untrusted::named(CHILDREN, children(settings)),
+    ])
 }

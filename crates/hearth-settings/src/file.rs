@@ -1,48 +1,39 @@
 //! The settings file: a fire's settings as plain data, to store, send and open.
 //!
-//! `{"hearth": 2, "preset": "seed", "values": {"viscosity": 0.02}, "objects": [{"kind":
+//! `{"hearth": 3, "preset": "seed", "values": {"viscosity": 0.02}, "objects": [{"kind":
 //! "source", "x": 0.1}]}` holds the preset, unless it is the default, and the differences from
 //! it. Settings hold nothing about the device. The file of a scene has the same format, with a
 //! label and a description.
 //!
-//! `values` are those of the present model, `classic` or `combustion` those that the other model has for
-//! itself.
+//! `values` are those of the world, and of the first source by the ids of its properties. `objects` is the whole list;
+//! without it, the scene has the objects of the preset. The model comes first, then the objects, then the other values.
 //!
-//! `objects` is the whole list, and missing if at most the properties of the first source differ from the
-//! preset: they are `values` then. In the list, the first source holds its differences from the preset, other
-//! objects those from the defaults. If both state a property of the first source, the later one wins.
-//!
-//! `children` are those of the element, and `order` the ids of all objects. Only [whole](crate::whole) settings have
-//! them, whose `objects` are those without the children.
+//! `children` are those of the element. Only [whole](crate::whole) settings have them, whose `objects` are those without
+//! the children.
 //!
 //! `spacing` states the resolution as a length, `particles` as the number of particles that would fill the domain.
 
 use crate::apply::OBJECTS;
-use crate::untrusted::{Check, Form, Untrusted, ValidationError, Values};
+use crate::untrusted::{Check, Form, Untrusted, ValidationError};
 
 /// The name of the list of children in whole settings.
 pub const CHILDREN: &str = "children";
-/// The name of the order of the objects in whole settings.
-pub const ORDER: &str = "order";
 /// The version of the format.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 
 /// The fields and their checks.
-const FIELDS: [(&str, Check); 10] = [
+const FIELDS: [(&str, Check); 7] = [
     ("hearth", Check::optional(Form::Any)),
     ("preset", Check::optional(Form::Text)),
     ("values", Check::optional(Form::Values)),
-    ("classic", Check::optional(Form::Values)),
-    ("combustion", Check::optional(Form::Values)),
     (OBJECTS, Check::optional(Form::Any)),
     (CHILDREN, Check::optional(Form::Any)),
-    (ORDER, Check::optional(Form::Text)),
     ("label", Check::optional(Form::Text)),
     ("description", Check::optional(Form::Text)),
 ];
 
-/// Checks the format and returns the fields in their order.
-pub(crate) fn fields(config: &Untrusted) -> Result<Values<'_>, ValidationError> {
+/// Checks the format.
+pub(crate) fn check(config: &Untrusted) -> Result<(), ValidationError> {
     let Untrusted::Object(fields) = config else {
         let allowed = "an object with the fields preset, values and objects";
         return Err(ValidationError::new("config", config, allowed));
@@ -58,20 +49,21 @@ pub(crate) fn fields(config: &Untrusted) -> Result<Values<'_>, ValidationError> 
         let allowed = format!("{VERSION}, the version of the format");
         return Err(ValidationError::new("hearth", version, &allowed));
     }
-    let values = ["values", "classic", "combustion"].map(|field| config.field(field).fields());
+    let values = config.field("values").fields();
     let refused = |(id, value): &&(String, Untrusted)| id == OBJECTS || *value == Untrusted::Null;
-    if let Some((id, value)) = values.into_iter().flatten().find(refused) {
+    if let Some((id, value)) = values.iter().find(refused) {
         let allowed = match id.as_str() {
             OBJECTS => "beside the values, not among them",
             _ => "a value",
         };
         return Err(ValidationError::new(id, value, allowed));
     }
-    Ok(fields)
+    Ok(())
 }
 
 /// The error of a field that settings do not have.
 fn unknown_field(name: &str, value: &Untrusted) -> ValidationError {
     let known = "one of hearth, preset, values, objects (parameters stand in values)";
-    ValidationError::new(name.get(..40).unwrap_or(name), value, known)
+    let (start, _) = name.split_at(name.floor_char_boundary(40));
+    ValidationError::new(start, value, known)
 }

@@ -16,12 +16,13 @@
 
 mod apply;
 mod children;
+mod delta;
 mod export;
 pub mod file;
-mod history;
 mod settings;
 pub mod untrusted;
 
 pub use apply::{OBJECTS, objects, preset};
-pub use export::{FIELDS, export, whole};
+pub use delta::{delta, objects_delta};
+pub use export::{children, export, whole};
 pub use settings::{Change, Settings, StatedResolution, adapt};

@@ -8,7 +8,6 @@ mod check;
 mod error;
 mod value;
 
-pub(crate) use check::one_of;
 pub use check::{Argument, Check, Form, Positive, Whole, Within};
 pub use error::ValidationError;
 pub use value::{MAX_BYTES, MAX_DEPTH, MAX_LENGTH, MAX_TEXT_BYTES, Untrusted, Values};

@@ -1,13 +1,13 @@
 //! The simulation behind `web/sim.js`.
 
-use hearth_bindings::{Record, memory, panic, parts, values};
+use hearth_bindings::{Record, light, memory, panic, values};
 use hearth_core::params::{PARAMETERS, Parameters};
 use hearth_core::preset::Preset;
 use hearth_core::simulation::ParticleError;
-use hearth_core::{IgniteError, IgnitionTarget, Scene, Simulation, SprayError, Vec2};
+use hearth_core::{Scene, Simulation, SprayError, Vec2};
 use hearth_settings::untrusted::{Untrusted, ValidationError};
 use hearth_settings::{Change, Settings};
-use js_sys::{Array, Set};
+use js_sys::Array;
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -26,22 +26,16 @@ impl Fire {
     /// resolution of open air is the number of particles that would fill the domain.
     ///
     /// # Errors
-    /// An unknown preset, or a value that is refused; the name of a [part](parts) that is not among
-    /// the `loaded` ones.
+    /// An unknown preset, or a value that is refused.
     #[wasm_bindgen(constructor)]
-    pub fn new(
-        preset: Option<String>,
-        ids: Array,
-        values: Array,
-        loaded: &Set,
-    ) -> Result<Fire, JsValue> {
+    pub fn new(preset: Option<String>, ids: Array, values: Array) -> Result<Fire, JsValue> {
         panic::record();
         let preset = preset
             .as_deref()
             .map_or_else(|| Ok(Settings::default()), Settings::of_preset);
         let changed = preset.and_then(|preset| preset.after(&Change::Set(&columns(&ids, &values))));
         let settings = changed.map_err(thrown)?;
-        let scene = affordable(None, &settings, loaded)?;
+        let scene = affordable(None, &settings)?;
         let simulation = Simulation::new(scene);
         Ok(Fire {
             settings,
@@ -61,6 +55,11 @@ impl Fire {
         }
     }
 
+    /// Makes steps until this number of seconds has passed.
+    pub fn advance(&mut self, seconds: f64) {
+        self.simulation.advance(seconds);
+    }
+
     /// Starts again with the same values.
     pub fn reset(&mut self) {
         self.simulation.reset();
@@ -78,10 +77,10 @@ impl Fire {
         self.simulation.count()
     }
 
-    /// Power of the combustion [kW/m]; `undefined` in the classic model.
+    /// Power of the combustion [kW/m]; 0 in the classic model.
     #[wasm_bindgen(getter)]
-    pub fn power(&self) -> Option<f32> {
-        self.simulation.power()
+    pub fn power(&self) -> f32 {
+        self.simulation.power().unwrap_or_default()
     }
 
     /// Length of a step \[s\].
@@ -93,10 +92,9 @@ impl Fire {
     /// Writes the value of a parameter to a field of `into`; without an id, of every parameter.
     /// An unknown id writes nothing.
     pub fn get(&self, into: &Record, id: Option<String>) {
-        let parameters = self.simulation.parameters();
         for param in PARAMETERS {
             if id.as_ref().is_none_or(|id| param.id == id) {
-                into.set_value(param.id, param.get(parameters));
+                into.set_value(param.id, self.simulation.scene().value(param));
             }
         }
     }
@@ -104,15 +102,14 @@ impl Fire {
     /// Sets these values, all or none; null restores a default. Without `values` restores everything.
     ///
     /// # Errors
-    /// Every value that is refused and every id that is unknown; the name of a [part](parts) that
-    /// is not among the `loaded` ones.
-    pub fn set(&mut self, ids: Array, values: Option<Array>, loaded: &Set) -> Result<(), JsValue> {
+    /// Every value that is refused and every id that is unknown.
+    pub fn set(&mut self, ids: Array, values: Option<Array>) -> Result<(), JsValue> {
         let values = values.map(|values| columns(&ids, &values));
         let change = match &values {
             Some(values) => Change::Set(values),
             None => Change::Preset(Preset::all()[0].name),
         };
-        self.change(&change, loaded)
+        self.change(&change)
     }
 
     /// The objects as plain data.
@@ -124,15 +121,13 @@ impl Fire {
     /// fields, removes the object. Returns the id of the last object.
     ///
     /// # Errors
-    /// There is no object with this id, or every invalid field; the name of a [part](parts) that
-    /// is not among the `loaded` ones.
+    /// There is no object with this id, or every invalid field.
     #[wasm_bindgen(js_name = setObject)]
     pub fn set_object(
         &mut self,
         id: Option<u32>,
         names: Option<Array>,
         values: Option<Array>,
-        loaded: &Set,
     ) -> Result<u32, JsValue> {
         let fields = names.zip(values);
         let fields = fields.map(|(names, values)| columns(&names, &values));
@@ -141,7 +136,7 @@ impl Fire {
             (Some(id), None) => Change::RemoveObject(id),
             (None, fields) => Change::AddObject(fields.as_deref().unwrap_or_default()),
         };
-        self.change(&change, loaded)?;
+        self.change(&change)?;
         let last = self.simulation.scene().objects().last();
         Ok(last.map_or(0, |object| object.id))
     }
@@ -152,40 +147,14 @@ impl Fire {
     /// # Errors
     /// There is no fuel.
     pub fn light(&mut self, lit: bool, radius: f64, place: f64, y: f64) -> Result<(), JsValue> {
-        let at = if radius < 0.0 {
-            IgnitionTarget::Object(place as u32)
-        } else {
-            IgnitionTarget::Place(Vec2::new(place as f32, y as f32), radius as f32)
-        };
-        let act = if lit {
-            Simulation::ignite
-        } else {
-            Simulation::extinguish
-        };
-        act(&mut self.simulation, at).map_err(|_| {
-            let place = Untrusted::Number(place);
-            let error = ValidationError::new("place", &place, IgniteError::ALLOWED);
-            thrown(vec![error])
-        })
+        light(&mut self.simulation, lit, [radius, place, y]).map_err(|error| thrown(vec![error]))
     }
 
     /// Sprays a mass of water [g/m] from a position \[m\] with a velocity [m/s].
     ///
     /// # Errors
-    /// The model is the classic one; the name of a [part](parts) that is not among the
-    /// `loaded` ones.
-    pub fn spray(
-        &mut self,
-        x: f32,
-        y: f32,
-        u: f32,
-        v: f32,
-        grams: f32,
-        loaded: &Set,
-    ) -> Result<(), JsValue> {
-        if parts::lacks(loaded, parts::BODIES) {
-            return Err(parts::BODIES.into());
-        }
+    /// The model is the classic one.
+    pub fn spray(&mut self, x: f32, y: f32, u: f32, v: f32, grams: f32) -> Result<(), JsValue> {
         let (place, velocity) = (Vec2::new(x, y), Vec2::new(u, v));
         let done = self.simulation.spray(place, velocity, 1e-3 * grams);
         done.map_err(|_| {
@@ -241,27 +210,20 @@ impl Fire {
 }
 
 impl Fire {
-    fn change(&mut self, change: &Change<'_>, loaded: &Set) -> Result<(), JsValue> {
+    fn change(&mut self, change: &Change<'_>) -> Result<(), JsValue> {
         let settings = self.settings.after(change).map_err(thrown)?;
-        let scene = affordable(Some(self.simulation.parameters()), &settings, loaded)?;
+        let scene = affordable(Some(self.simulation.parameters()), &settings)?;
         self.simulation.set_scene(scene);
         self.settings = settings;
         Ok(())
     }
 }
 
-/// The scene of settings, with its parts and memory for its particles.
-fn affordable(
-    old: Option<&Parameters>,
-    settings: &Settings,
-    loaded: &Set,
-) -> Result<Scene, JsValue> {
+/// The scene of settings, with memory for its particles.
+fn affordable(old: Option<&Parameters>, settings: &Settings) -> Result<Scene, JsValue> {
     let mut scene = settings.scene().clone();
-    scene.set_settings(settings.completed());
-    if let Some(part) = parts::missing(&scene, loaded) {
-        return Err(part.into());
-    }
-    memory::reserve(old, scene.settings(), u32::MAX).map_err(|error| thrown(vec![error]))?;
+    scene.set_world(settings.completed());
+    memory::reserve(old, scene.world(), u32::MAX).map_err(|error| thrown(vec![error]))?;
     Ok(scene)
 }
 

@@ -1,7 +1,8 @@
 //! The glue, the script that wasm-bindgen makes of a module, together with the module.
 
 use anyhow::{Context, Result, ensure};
-use walrus::{Module, ModuleConfig, RawCustomSection};
+use walrus::{Module, ModuleConfig};
+use wasm_encoder::{CustomSection, Section};
 
 use crate::{BASE, Divided, Part, order, take};
 
@@ -23,12 +24,27 @@ export default ({ module_or_path, fresh, part }) => part
   });
 ";
 
+/// The custom section of a module that has the hash of its bytes, which its parts have as well.
+const BUILD: &str = "build";
+
 /// A module by wasm-bindgen and its script, the glue.
 pub struct Bound {
     module: Module,
     glue: String,
     /// The version of the module, which the glue and the parts share.
     version: &'static str,
+    /// The parts that are taken, by name.
+    parts: Vec<(&'static str, Vec<u8>)>,
+}
+
+/// What a page loads.
+pub struct Files {
+    /// The module.
+    pub module: Vec<u8>,
+    /// Its glue.
+    pub glue: String,
+    /// Its parts, by name.
+    pub parts: Vec<(&'static str, Vec<u8>)>,
 }
 
 impl Bound {
@@ -42,6 +58,7 @@ impl Bound {
             module,
             glue,
             version,
+            parts: Vec::new(),
         })
     }
 
@@ -55,30 +72,54 @@ impl Bound {
         Ok(())
     }
 
-    /// Takes a part out of the module; returns it as bytes.
+    /// Takes a part out of the module.
     ///
     /// # Errors
     /// The module has no function of the part.
-    pub fn take(&mut self, part: &Part) -> Result<Vec<u8>> {
+    pub fn take(&mut self, part: &Part) -> Result<()> {
         let Divided { base, taken } = take(&self.module.emit_wasm(), part)?;
         self.module = ModuleConfig::new().parse(&base)?;
-        let mut taken = ModuleConfig::new().parse(&taken)?;
-        // A script checks it before it adds the part.
-        taken.customs.add(RawCustomSection {
-            name: format!("part:{}", part.name),
-            data: Vec::new(),
-        });
-        finished(&taken.emit_wasm(), self.version)
+        self.parts
+            .push((part.name, finished(&taken, self.version)?));
+        Ok(())
     }
 
-    /// The module, as bytes, and its glue.
+    /// The module, its glue and its parts. A script compares the hashes in them before it adds a part: a part
+    /// imports by number, and of another build it would have other functions.
     ///
     /// # Errors
     /// The glue is not of this module.
-    pub fn finish(mut self) -> Result<(Vec<u8>, String)> {
+    pub fn finish(mut self) -> Result<Files> {
         name_version(&self.module, &mut self.glue, self.version)?;
-        Ok((finished(&self.module.emit_wasm(), self.version)?, self.glue))
+        let mut module = finished(&self.module.emit_wasm(), self.version)?;
+        let build = hash(&module);
+        for (name, part) in &mut self.parts {
+            append(part, &format!("part:{name}"), &build);
+        }
+        if !self.parts.is_empty() {
+            append(&mut module, BUILD, &build);
+        }
+        Ok(Files {
+            module,
+            glue: self.glue,
+            parts: self.parts,
+        })
     }
+}
+
+/// The FNV-1a hash of bytes.
+fn hash(bytes: &[u8]) -> [u8; 8] {
+    let mixed = |hash: u64, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
+    bytes
+        .iter()
+        .fold(0xcbf2_9ce4_8422_2325, mixed)
+        .to_le_bytes()
+}
+
+/// Appends a custom section to the module of these bytes.
+fn append(module: &mut Vec<u8>, name: &str, data: &[u8]) {
+    let (name, data) = (name.into(), data.into());
+    CustomSection { name, data }.append_to(module);
 }
 
 /// A module as it is downloaded: without the names of its functions.
@@ -114,6 +155,35 @@ fn name_version(module: &Module, code: &mut String, version: &str) -> Result<()>
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The data of a custom section.
+    fn section(wasm: &[u8], name: &str) -> Option<Vec<u8>> {
+        let mut module = Module::from_buffer(wasm).ok()?;
+        Some(module.customs.remove_raw(name)?.data)
+    }
+
+    /// The build of a module that returns a number, and that of its part.
+    fn builds(number: i32) -> Result<[Option<Vec<u8>>; 2]> {
+        let glue = "{ \"./glue.js\": 1 }".to_owned();
+        let mut bound = Bound::new(&crate::tests::module(number).emit_wasm(), glue, "./glue.js")?;
+        bound.take(&crate::tests::PART)?;
+        let files = bound.finish()?;
+        let [(name, part)] = files.parts.as_slice() else {
+            panic!("{} parts", files.parts.len());
+        };
+        Ok([(&files.module, BUILD), (part, &format!("part:{name}"))]
+            .map(|(wasm, name)| section(wasm, name)))
+    }
+
+    #[test]
+    fn a_module_and_its_part_have_the_same_build_and_other_modules_another() -> Result<()> {
+        let [module, part] = builds(1)?;
+        assert!(module.is_some());
+        assert_eq!(part, module);
+        assert_eq!(builds(1)?, [module.clone(), module.clone()]);
+        assert_ne!(builds(2)?[0], module);
+        Ok(())
+    }
 
     #[test]
     fn unknown_glue_is_an_error() -> Result<()> {

@@ -3,7 +3,8 @@
 //! What few visitors need becomes modules of their own, its parts, which a page fetches when it needs
 //! them. A part imports memory, function table, globals and functions of the module that it is taken
 //! from, the base, and puts its own functions into the table. The base calls them through the
-//! table. Both come from one link, so a part fits its own base and no other.
+//! table. Both come from one link, so a part fits its own base and no other: the hash of
+//! the base stands in both.
 
 mod glue;
 mod order;
@@ -20,7 +21,7 @@ use walrus::{
     TableId,
 };
 
-pub use glue::Bound;
+pub use glue::{Bound, Files};
 use order::order;
 
 /// What a part takes from a module.

@@ -2,9 +2,10 @@
  * Makes the npm package of the built site: `node build.mjs SITE OUT VERSION`.
  *
  * `SITE` is the site's folder of scripts, with its wasm; the package contains what
- * its entry points reach there, and no more. `cargo xtask package` runs this.
+ * its entry points reach there, and no more. The compiler declares the types of `tsconfig.json`. `cargo xtask package` runs this.
  */
-import { copyFile, mkdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { execFileSync } from 'node:child_process';
+import { appendFile, copyFile, mkdir, readFile, readdir, rm, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { pictures, reached, typesReached } from './graph.mjs';
@@ -21,8 +22,6 @@ const CARRIED = {
   // The panel draws its text with this font, whose licence must accompany it.
   'crates/hearth-panel/font/LICENCE.txt': 'LICENSE-FONT',
   'crates/xtask/packaging/README.npm.md': 'README.md',
-  'web/THIRD-PARTY.txt': 'THIRD-PARTY.txt',
-  'web/hearth-fire.cdx.json': 'hearth-fire.cdx.json',
 };
 
 const [site, out, version] = process.argv.slice(2);
@@ -31,13 +30,13 @@ if (!version) throw new Error('usage: node build.mjs SITE OUT VERSION');
 const source = JSON.parse(await readFile(path.join(site, 'package.json'), 'utf8'));
 const built = packageJson(source, version);
 const code = await reached(site, beginningsOf(source));
-const types = await typesReached(site, typesOf(source));
 
 await rm(out, { recursive: true, force: true });
 const shown = await pictures(site);
-for (const file of [...code, ...types, ...shown, source.customElements]) {
+for (const file of [...code, ...(await declarations(site)), ...shown, 'THIRD-PARTY.txt', 'hearth-fire.cdx.json']) {
   await put(path.join(site, file), file);
 }
+await declare();
 for (const [from, to] of Object.entries(CARRIED)) {
   await put(path.join(ROOT, from), to);
 }
@@ -56,6 +55,26 @@ await writeFile(
 await mkdir(path.join(out, 'inline'));
 const inline = { main: '../hearth-fire.inline.js', types: '../hearth-fire.d.ts', type: 'module', sideEffects: true };
 await writeFile(path.join(out, 'inline/package.json'), `${JSON.stringify(inline, null, 2)}\n`);
+
+/** Writes the types that follow from scripts, and removes what no entry point reaches. */
+async function declare() {
+  const run = (/** @type {string[]} */ ...program) => execFileSync(process.execPath, program, { stdio: 'inherit' });
+  const compiler = path.join(HERE, '../scripts/node_modules/typescript/bin/tsc');
+  run(compiler, '--project', HERE, '--outDir', out);
+  await appendFile(
+    path.join(out, 'hearth-fire.d.ts'),
+    "export type * from './element/types.js';\nexport type * from './parameters.js';\n",
+  );
+  run(path.join(ROOT, 'crates/codegen/element.mjs'), out);
+  const needed = await typesReached(out, typesOf(source));
+  for (const file of await declarations(out)) if (!needed.includes(file)) await rm(path.join(out, file));
+}
+
+/** The files of types below a folder. @param {string} folder */
+async function declarations(folder) {
+  const files = await readdir(folder, { recursive: true });
+  return files.map((file) => file.replaceAll('\\', '/')).filter((file) => /\.d\.c?ts$/.test(file));
+}
 
 /** @type {(from: string, to: string) => Promise<void>} */
 async function put(from, to) {

@@ -165,14 +165,13 @@ function manifestProgram(elements) {
   const table = (/** @type {{name: string}[]} */ list) => `{ ${list.map(({ name }) => `'${name}': true`).join(', ')} }`;
   return `
     import type { ClassMethod, CustomElementField, Package } from 'custom-elements-manifest';
-    import type { HearthFire, HearthFireEventMap } from 'hearth-fire';
+    import type { HearthFire, HearthFireEvents } from 'hearth-fire';
     export const manifest: Package = ${JSON.stringify(whole)};
     export const declared: (CustomElementField | ClassMethod)[] = ${JSON.stringify(members)};
     type Own<All, Inherited> = Record<Exclude<keyof All, keyof Inherited>, true>;
     export const members: Own<HearthFire, HTMLElement> = ${table(members.filter((member) => !member.static))};
     export const ofClass: Own<typeof HearthFire, typeof HTMLElement> = ${table(members.filter((member) => member.static))};
-    type OwnEvents = { [Name in keyof HearthFireEventMap as HearthFireEventMap[Name] extends CustomEvent ? Name : never]: true };
-    export const events: OwnEvents = ${table(events)};
+    export const events: Record<keyof HearthFireEvents, true> = ${table(events)};
   `;
 }
 

@@ -1,8 +1,8 @@
 /**
- * Writes `web/THIRD-PARTY.txt`, the notices of other people's code in the wasm modules,
- * `web/hearth-fire.cdx.json`, their bill of materials, and `crates/hearth-cli/THIRD-PARTY.txt`, the
- * notices of the command. Prints the path of each file that was
- * behind and is written. Both follow from `Cargo.lock`: the same on every machine.
+ * `node legal.mjs FOLDER` writes into a folder of the site `THIRD-PARTY.txt`, the notices of other people's
+ * code in the wasm modules, and `hearth-fire.cdx.json`, their bill of materials. `node legal.mjs --command
+ * FOLDER` writes the notices of the command `hearth`. Without a folder, it is that of Trunk's hook, or the
+ * crate of the command. All follow from `Cargo.lock`: the same on every machine.
  */
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -42,21 +42,20 @@ const NATIVE_STANDARD = [
 
 /** @typedef {import('./crates.mjs').Crate} Crate */
 
-const crates = compiled(ROOT, WASM);
-const font = {
-  licence: text('crates/hearth-panel/font/LICENCE.txt'),
-  name: `${FONT.name}, the font of the panel, a part of Ubuntu Light`,
-};
-const native = [...STANDARD.filter(({ name }) => name !== 'dlmalloc'), ...NATIVE_STANDARD];
-for (const [file, content] of [
-  ['web/THIRD-PARTY.txt', notices('Its wasm modules contain', crates, STANDARD, [font])],
-  ['web/hearth-fire.cdx.json', materials()],
-  ['crates/hearth-cli/THIRD-PARTY.txt', notices('The command hearth contains', compiled(ROOT, COMMAND), native, [])],
-]) {
-  const target = path.join(ROOT, file);
-  if (readdirSync(path.dirname(target)).includes(path.basename(file)) && text(file) === content) continue;
-  writeFileSync(target, content);
-  console.log(file);
+const [first, second] = process.argv.slice(2);
+if (first === '--command') {
+  const standard = [...STANDARD.filter(({ name }) => name !== 'dlmalloc'), ...NATIVE_STANDARD];
+  const content = notices('The command hearth contains', compiled(ROOT, COMMAND), standard, []);
+  writeFileSync(path.join(second ?? path.join(ROOT, 'crates/hearth-cli'), 'THIRD-PARTY.txt'), content);
+} else {
+  const folder = first ?? path.join(process.env.TRUNK_STAGING_DIR ?? '', 'web');
+  const crates = compiled(ROOT, WASM);
+  const font = {
+    licence: text('crates/hearth-panel/font/LICENCE.txt'),
+    name: `${FONT.name}, the font of the panel, a part of Ubuntu Light`,
+  };
+  writeFileSync(path.join(folder, 'THIRD-PARTY.txt'), notices('Its wasm modules contain', crates, STANDARD, [font]));
+  writeFileSync(path.join(folder, 'hearth-fire.cdx.json'), materials(crates));
 }
 
 /**
@@ -111,8 +110,8 @@ function textsOf({ name, licence, folder }) {
   return [APACHE];
 }
 
-/** CycloneDX 1.6, without a time or a number of its own. */
-function materials() {
+/** CycloneDX 1.6, without a time or a number of its own. @param {Crate[]} crates */
+function materials(crates) {
   const { name, license } = JSON.parse(text('web/package.json'));
   const [, version] = /^version = "(.*)"/m.exec(text('Cargo.toml')) ?? [];
   const licences = (/** @type {string} */ expression) => [{ expression }];

@@ -11,11 +11,12 @@ use xshell::cmd;
 use crate::shell::Shell;
 use crate::{npm, paths, script, site, tools};
 
-/// Builds the site and makes the package of it.
+/// Builds the site, makes the package of it, and writes the notices into the crate of the command.
 pub(crate) fn build() -> Result<()> {
     let _lock = tools::writing(&paths::dist())?;
     site::build()?;
     make()?;
+    command_notices()?;
     sizes(&folder(), false)?;
     println!(
         "The package is in {}; `npm pack` there makes the file to install or publish.",
@@ -39,6 +40,13 @@ pub(crate) fn make() -> Result<()> {
     )
     .run()?;
     Ok(cmd!(sh, "node {scripts}/check.mjs {package} {scratch}").run()?)
+}
+
+/// Writes `THIRD-PARTY.txt` into the crate of the command `hearth`, which is published with it.
+pub(crate) fn command_notices() -> Result<()> {
+    tools::node()?;
+    let (sh, scripts) = (Shell::new()?, paths::packaging());
+    Ok(cmd!(sh, "node {scripts}/legal.mjs --command").run()?)
 }
 
 /// Builds the last commit in a folder with another name, and compares all that it releases with

@@ -7,8 +7,8 @@ use wasm_parts::{Bound, Part};
 
 use crate::shell::Shell;
 
-/// The parts of engine and library. `hearth_bindings::parts` determines which one a scene needs.
-const PARTS: [Part; 2] = [
+/// The parts of the engine. `hearth_bindings::parts` determines which one a scene needs.
+const PARTS: [Part; 3] = [
     Part {
         name: "classic",
         modules: &["hearth_core::classic::"],
@@ -21,15 +21,13 @@ const PARTS: [Part; 2] = [
             "hearth_core::solids::free::",
         ],
     },
+    Part {
+        name: "children",
+        modules: &["hearth_settings::children::", "hearth_core::scene::order::"],
+    },
 ];
 
-/// The part of the engine alone.
-const CHILDREN: Part = Part {
-    name: "children",
-    modules: &["hearth_settings::children::", "hearth_core::scene::order::"],
-};
-
-/// Takes the parts out of the wasm modules of the engine and the library, and orders the functions of all.
+/// Takes the parts out of the wasm module of the engine, and orders the functions of all modules.
 pub(crate) fn divide(sh: &Shell, web: &Path) -> Result<()> {
     for wasm in sh.read_dir(web.join("wasm"))? {
         let name = wasm.file_name().unwrap_or_default().to_string_lossy();
@@ -44,18 +42,20 @@ pub(crate) fn divide(sh: &Shell, web: &Path) -> Result<()> {
             bound
                 .let_caller_load()
                 .with_context(|| format!("cannot change {}", script.display()))?;
-            let of_engine = (name == "hearth-engine").then_some(&CHILDREN);
-            for part in PARTS.iter().chain(of_engine) {
-                let taken = bound
+        }
+        if name == "hearth-engine" {
+            for part in &PARTS {
+                bound
                     .take(part)
                     .with_context(|| format!("cannot divide {name}"))?;
-                let file = format!("{name}_{}.wasm", part.name);
-                sh.write_file(wasm.with_file_name(file), taken)?;
             }
         }
-        let (bytes, glue) = bound.finish()?;
-        sh.write_file(&wasm, bytes)?;
-        sh.write_file(script, glue)?;
+        let files = bound.finish()?;
+        for (part, bytes) in files.parts {
+            sh.write_file(wasm.with_file_name(format!("{name}_{part}.wasm")), bytes)?;
+        }
+        sh.write_file(&wasm, files.module)?;
+        sh.write_file(script, files.glue)?;
     }
     Ok(())
 }

@@ -43,15 +43,13 @@ pub(crate) fn check_types() -> Result<()> {
 }
 
 /// Writes every generated file of the checkout that is missing or differs; returns those. The files of
-/// the element's class come after the table's, because they name parameters; those about the code
-/// of others follow from `Cargo.lock`.
+/// the element's class come after the table's, because they name parameters.
 pub(crate) fn generated_files() -> Result<Vec<String>> {
     tools()?;
     let mut written = codegen::refresh(&paths::root())?;
-    let (sh, packaging) = (Shell::new()?, paths::packaging());
+    let sh = Shell::new()?;
     let element = cmd!(sh, "node crates/codegen/element.mjs").read()?;
-    let legal = cmd!(sh, "node {packaging}/legal.mjs").read()?;
-    written.extend(element.lines().chain(legal.lines()).map(str::to_owned));
+    written.extend(element.lines().map(str::to_owned));
     Ok(written)
 }
 

@@ -10,6 +10,7 @@ use std::{iter, thread};
 
 use anyhow::{Context, Result, anyhow, ensure};
 use wasm_bindgen_cli_support::Bindgen;
+use xshell::cmd;
 
 use crate::shell::Shell;
 use crate::{parts, paths, script, tools};
@@ -70,6 +71,8 @@ pub fn build() -> Result<()> {
     for licence in ["LICENSE-APACHE", "LICENSE-MIT"] {
         sh.copy_file(licence, &web)?;
     }
+    let packaging = paths::packaging();
+    cmd!(sh, "node {packaging}/legal.mjs {web}").run()?;
     for page in ["bench.html", "printed.html", "figures.html"] {
         sh.copy_file(page, &site)?;
     }

@@ -121,6 +121,23 @@ test('a fire that is removed and inserted again some tasks later goes on', async
   assert.deepEqual(tab.problems, []);
 });
 
+test('frames of a paused fire stand at exactly the time that a script asks for', async () => {
+  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
+  await tab.ready();
+  const [start, ...times] = await tab.fire(async (fire) => {
+    await fire.reset();
+    const times = [];
+    for (let frame = 0; frame <= 6; frame += 1) {
+      await fire.advance(frame === 0 ? 0.01 : 1 / 30);
+      times.push(fire.stats.time);
+    }
+    return times;
+  });
+  let exact = start;
+  for (const time of times) assert.equal(time, (exact += 1 / 30));
+  assert.deepEqual(tab.problems, []);
+});
+
 test('a fire that is destroyed while it reconnects is destroyed with its predecessor', async () => {
   const tab = await browser.open(FIRE, { beforeWorker });
   await tab.ready();
@@ -213,16 +230,6 @@ function anotherValue(parameter, model) {
   return { id, attribute, value };
 }
 
-test('properties set before the element exists are kept', async () => {
-  const tab = await browser.show(`${FIRE}<script>
-    fire.viscosity = 0.03;
-    fire.seed = 7;
-  </script>`);
-  await tab.ready();
-  const { viscosity, seed } = await tab.fire((fire) => fire.params);
-  assert.deepEqual([viscosity, seed], [0.03, 7]);
-});
-
 test('a preset brings its values, and the defaults for all others', async () => {
   const tab = await browser.show('<hearth-fire preset="seed"></hearth-fire>');
   await tab.ready();
@@ -247,34 +254,6 @@ test('a preset brings its values, and the defaults for all others', async () => 
   );
 });
 
-test('restoring everything leaves no preset, restoring one value leaves it', async () => {
-  const tab = await browser.show(recording('<hearth-fire preset="seed"></hearth-fire>'));
-  await tab.ready();
-  await tab.fire((fire) => fire.restore('walls'));
-  assert.equal(await tab.fire((fire) => fire.preset), 'seed');
-  await tab.fire((fire) => fire.restore());
-  const { preset, params } = await tab.fire((fire) => ({ preset: fire.preset, params: fire.params }));
-  assert.equal(preset, 'default');
-  assert.deepEqual(params, DEFAULTS);
-  const sources = new Set((await events(tab, 'params-change')).map(({ source }) => source));
-  assert.deepEqual([...sources], ['property']);
-});
-
-test('a change is reported with its value', async () => {
-  const tab = await browser.show(recording(FIRE));
-  await tab.ready();
-  await tab.fire((fire) => fire.set('viscosity', 0.02));
-  await tab.fire((fire) => fire.restore('viscosity'));
-  const changes = await events(tab, 'params-change');
-  assert.deepEqual(
-    changes.map(({ id, value }) => [id, value]),
-    [
-      ['viscosity', 0.02],
-      ['viscosity', DEFAULTS.viscosity],
-    ],
-  );
-});
-
 test('pause and reset are reported by events and statistics', async () => {
   const tab = await browser.show(recording('<hearth-fire model="classic"></hearth-fire>'));
   await tab.burnt(0.3);
@@ -289,16 +268,6 @@ test('pause and reset are reported by events and statistics', async () => {
   );
   assert.equal((await events(tab, 'pause')).length, 1);
   assert.deepEqual(tab.problems, []);
-});
-
-test('a paused fire makes no steps until it plays', async () => {
-  const tab = await browser.show('<hearth-fire paused></hearth-fire>');
-  await tab.ready();
-  assert.equal(await tab.fire((fire) => fire.paused), true);
-  await assertStands(tab);
-  await tab.fire((fire) => fire.removeAttribute('paused'));
-  await tab.burnt(1);
-  await assertBurns(tab);
 });
 
 test('with reduced motion a still picture of the fire has a play button', async () => {
@@ -325,11 +294,4 @@ test('the accessibility tree has the text alternative', async () => {
   await tab.ready();
   const tree = await tab.page.accessibility.snapshot({ interestingOnly: false });
   assert.match(JSON.stringify(tree), /"A camp fire"/);
-});
-
-test('the host page scrolls with a finger on the fire', async () => {
-  const tab = await browser.open(`${FIRE}<div style="height: 3000px"></div>`, { touch: true });
-  await tab.burnt(0.2);
-  await tab.touchDrag({ x: 120, y: 200 }, { x: 120, y: 40 });
-  await tab.until('the page has scrolled', () => window.scrollY > 50);
 });

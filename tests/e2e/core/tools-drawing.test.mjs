@@ -5,7 +5,8 @@ import assert from 'node:assert/strict';
 import { Buffer } from 'node:buffer';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
-import { close, drag, openTools, PHONES, pixel, tap, tool, WIDE } from '../tools.mjs';
+import { Panel } from '../panel.mjs';
+import { chord, close, drag, openTools, PHONES, pixel, tap, tool, WIDE } from '../tools.mjs';
 import { objects, objectsUntil as until } from '../waits.mjs';
 
 /** @type {Browser} */
@@ -153,5 +154,26 @@ test('a dropped picture is a mask; no picture, a too large one, an absent font a
   assert.equal(await fill(' ', 'serif'), 'A word has at least one letter.');
   await tab.key('Escape');
   assert.equal((await objects(tab)).length, 2);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('Ctrl Z while a shape is drawn cancels that shape, with the panel, too', async () => {
+  const tab = await openTools(browser);
+  await new Panel(tab).mounted();
+  await tool(tab, 'box');
+  await drag(tab, [-0.15, 1.2], [0.15, 1]);
+  const drawn = await until(tab, 'two', (all) => all.length === 2);
+  const [from, to] = [await pixel(tab, -0.3, 0.8), await pixel(tab, 0.3, 0.6)];
+  await tab.page.mouse.move(from.x, from.y);
+  await tab.page.mouse.down();
+  await tab.page.mouse.move(to.x, to.y);
+  await chord(tab, 'Control', 'z');
+  await tab.page.mouse.up();
+  await tab.fire((fire) => fire.exportConfig());
+  assert.deepEqual(await objects(tab), drawn);
+  await chord(tab, 'Control', 'z');
+  await until(tab, 'the first scene', (all) => all.length === 1);
+  await chord(tab, 'Control', 'y');
+  assert.deepEqual(await until(tab, 'the box again', (all) => all.length === 2), drawn);
   assert.deepEqual(tab.problems, []);
 });

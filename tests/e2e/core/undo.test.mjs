@@ -1,11 +1,9 @@
-/**
- * Undo and redo by mouse and keys: undo restores the exact previous values, redo the later
- * ones.
- */
+/** Undo and redo by keys, accessible controls and buttons; `extended/history.test.mjs` has every kind of change. */
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
+import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
 import { Panel, actionOf, along, controlOf } from '../panel.mjs';
+import { chord, drag } from '../tools.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -32,141 +30,84 @@ const can = (panel, action, able) =>
     able,
   );
 
-const differs = (panel, from) =>
-  panel.until(
-    'the values are others',
-    (root, old) => JSON.stringify(root.querySelector('hearth-fire').params) !== old,
-    JSON.stringify(from.params),
-  );
+test('a key that is held down on an accessible slider is one step, which keys and accessible controls undo and redo', async () => {
+  const { tab, panel } = await openPage();
+  const first = await look(tab);
+  await tab.page.focus(controlOf('buoyancy'));
+  for (let repeat = 0; repeat < 5; repeat += 1) await tab.page.keyboard.down('ArrowRight');
+  await tab.page.keyboard.up('ArrowRight');
+  await can(panel, 'undo', true);
+  const second = await look(tab);
+  const press = async (...keys) => {
+    for (const key of keys) await tab.page.keyboard.down(key);
+    for (const key of keys.reverse()) await tab.page.keyboard.up(key);
+  };
+  for (const [back, forth] of [
+    [
+      ['Control', 'z'],
+      ['Control', 'Shift', 'z'],
+    ],
+    [
+      ['Meta', 'z'],
+      ['Control', 'y'],
+    ],
+  ]) {
+    await press(...back);
+    await can(panel, 'redo', true);
+    assert.deepEqual(await look(tab), first, back.join(' '));
+    await press(...forth);
+    await can(panel, 'redo', false);
+    assert.deepEqual(await look(tab), second, forth.join(' '));
+  }
+  // A field has an undo of its own.
+  await tab.click(along(await panel.rectangleOf('search'), 0.5));
+  await tab.page.keyboard.type('x');
+  await press('Control', 'z');
+  await tab.frames(6);
+  assert.deepEqual(await look(tab), second);
 
-/** Acts of a user, each one step. @type {[string, (panel: Panel, tab: any) => Promise<void>][]} */
-const DEEDS = [
-  ['a drag of a slider', (panel) => panel.dragSlider('buoyancy', 0.2, 0.8)],
-  ['a drag of the number of particles', (panel) => panel.dragSlider('max_particles', 0.5, 0.2)],
-  ['a choice', (panel) => panel.choose('walls', 'solid')],
-  ['a flag', async (panel, tab) => tab.click(along(await panel.reveal('printed_kernel'), 0.5))],
-  [
-    'a number that is typed',
-    async (panel, tab) => {
-      await panel.reveal('viscosity');
-      await tab.click(along(await panel.rectangleOf('value:viscosity'), 0.8));
-      await tab.page.keyboard.type('0.03');
-      await tab.key('Enter');
-    },
-  ],
-  ['the way back to one default', (panel) => panel.restore('viscosity')],
-  ['another model', (panel) => panel.choose('model', 'combustion')],
-  ['a slider of that model', (panel) => panel.dragSlider('fuel_power', 0.5, 0.8)],
-  ['a scene', (panel) => panel.scene('seed')],
-  ['a slider of that scene', (panel) => panel.dragSlider('buoyancy', 0.3, 0.8)],
-  ['all defaults of that scene', (panel) => panel.press('reset-all')],
-];
+  await tab.page.$eval(actionOf('undo'), (button) => /** @type {HTMLElement} */ (button).click());
+  await can(panel, 'redo', true);
+  assert.deepEqual(await look(tab), first);
+});
 
-describe('one step back and forth', () => {
-  test('undoes each kind of change exactly, and does it again', async () => {
-    const { tab, panel } = await openPage('scene=classic&viscosity=0.01');
-    await can(panel, 'undo', false);
-    for (const [what, act] of DEEDS) {
-      const first = await look(tab);
-      await act(panel, tab);
-      await differs(panel, first);
-      await can(panel, 'redo', false);
-      await can(panel, 'undo', true);
-      const second = await look(tab);
-      assert.notDeepEqual(second, first, what);
-      await panel.press('undo');
-      await can(panel, 'redo', true);
-      assert.deepEqual(await look(tab), first, `back from ${what}`);
-      await panel.press('redo');
-      await can(panel, 'redo', false);
-      assert.deepEqual(await look(tab), second, `${what} again`);
-    }
+/** The settings of a fire, and the places of its objects, once it has this preset. */
+async function sceneOf(tab, preset) {
+  await tab.until(`the scene is ${preset}`, (name) => document.querySelector('hearth-fire').preset === name, preset);
+  return tab.fire(async (fire) => [await fire.exportConfig(), fire.objects.map(({ x }) => x)]);
+}
+
+for (const [where, width] of Object.entries({ 'with the panel': 900, 'before the panel is loaded': 500 })) {
+  test(`a drag of the base and a scene of the strip are a step each, by keys on its thumbnail, ${where}`, async () => {
+    const tab = await browser.open('index.html', { width, height: 640 });
+    await tab.ready();
+    if (width > 700) await new Panel(tab).mounted();
+    const until = (can, value) =>
+      tab.until(
+        `${can} is ${value}`,
+        (name, wanted) => document.querySelector('hearth-fire').history[name] === wanted,
+        can,
+        value,
+      );
+    const first = await sceneOf(tab, 'fireside');
+    await drag(tab, [0, 0.06], [0.2, 0.06]);
+    await until('canUndo', true);
+    const dragged = await sceneOf(tab, 'fireside');
+    assert.ok(
+      dragged[1].every((x, at) => x > first[1][at] + 0.1),
+      'all moved',
+    );
+    await tab.page.click('[data-starts="candle"]');
+    const candle = await sceneOf(tab, 'candle');
+    assert.deepEqual(candle, [{ hearth: 3, preset: 'candle', values: {} }, candle[1].map(() => 0)]);
+    await chord(tab, 'Control', 'z');
+    assert.deepEqual(await sceneOf(tab, 'fireside'), dragged);
+    await tab.page.focus('[data-opens="about"]');
+    await chord(tab, 'Control', 'z');
+    await until('canUndo', false);
+    assert.deepEqual(await sceneOf(tab, 'fireside'), first);
+    for (const key of ['y', 'y']) await chord(tab, 'Control', key);
+    assert.deepEqual(await sceneOf(tab, 'candle'), candle);
     assert.deepEqual(tab.problems, []);
   });
-
-  test('works by keys, except while typing, and by accessible controls', async () => {
-    const { tab, panel } = await openPage();
-    const first = await look(tab);
-    await panel.dragSlider('buoyancy', 0.2, 0.8);
-    await can(panel, 'undo', true);
-    const second = await look(tab);
-    const press = async (...keys) => {
-      for (const key of keys) await tab.page.keyboard.down(key);
-      for (const key of keys.reverse()) await tab.page.keyboard.up(key);
-    };
-    for (const [back, forth] of [
-      [
-        ['Control', 'z'],
-        ['Control', 'Shift', 'z'],
-      ],
-      [
-        ['Meta', 'z'],
-        ['Control', 'y'],
-      ],
-    ]) {
-      await press(...back);
-      await can(panel, 'redo', true);
-      assert.deepEqual(await look(tab), first, back.join(' '));
-      await press(...forth);
-      await can(panel, 'redo', false);
-      assert.deepEqual(await look(tab), second, forth.join(' '));
-    }
-    // A field has an undo of its own.
-    await tab.click(along(await panel.rectangleOf('search'), 0.5));
-    await tab.page.keyboard.type('x');
-    await press('Control', 'z');
-    await tab.frames(6);
-    assert.deepEqual(await look(tab), second);
-
-    await tab.page.$eval(actionOf('undo'), (button) => /** @type {HTMLElement} */ (button).click());
-    await can(panel, 'redo', true);
-    assert.deepEqual(await look(tab), first);
-  });
-
-  test('counts a key that is held down on an accessible slider as one step', async () => {
-    const { tab, panel } = await openPage();
-    const first = await look(tab);
-    await tab.page.focus(controlOf('buoyancy'));
-    for (let repeat = 0; repeat < 5; repeat += 1) await tab.page.keyboard.down('ArrowRight');
-    await tab.page.keyboard.up('ArrowRight');
-    await can(panel, 'undo', true);
-    await differs(panel, first);
-    await tab.page.$eval(actionOf('undo'), (button) => /** @type {HTMLElement} */ (button).click());
-    await can(panel, 'undo', false);
-    assert.deepEqual(await look(tab), first);
-  });
-});
-
-test('a drag of a campfire is one step, which brings back the fire and its logs', async () => {
-  const tab = await browser.open('index.html', { width: 900, height: 640 });
-  await tab.ready();
-  const panel = await new Panel(tab).mounted();
-  const places = () =>
-    tab.fire(async (fire) => {
-      await fire.exportConfig();
-      return fire.objects.map(({ x }) => x);
-    });
-  const before = await places();
-  const [from, to] = await tab.fire((fire) => {
-    const { left, top } = fire.getBoundingClientRect();
-    return [0, 0.2].map((x) => {
-      const at = fire.toPixels(x, 0.06);
-      return { x: left + at.x, y: top + at.y };
-    });
-  });
-  await tab.drag(from, to);
-  await can(panel, 'undo', true);
-  assert.ok(
-    (await places()).every((x, at) => x > before[at] + 0.1),
-    'all moved',
-  );
-  await panel.press('undo');
-  await can(panel, 'undo', false);
-  assert.deepEqual(await places(), before);
-  await panel.press('redo');
-  await can(panel, 'redo', false);
-  assert.ok(
-    (await places()).every((x, at) => x > before[at] + 0.1),
-    'all moved again',
-  );
-});
+}

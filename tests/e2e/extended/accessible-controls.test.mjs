@@ -1,15 +1,14 @@
 /**
- * The accessible controls: native controls for keyboards and screen readers. They follow
- * the fire and egui, and egui follows them; each has a name, and Tab leaves them.
+ * The accessible controls: native controls for keyboards and screen readers. Each has a name and a range, and Tab
+ * leaves them. `history.test.mjs` compares them with the fire and egui after any change.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser, eventually } from '../driver.mjs';
+import { Browser } from '../driver.mjs';
 import { Panel, along, entriesOf, controlOf, sharedPage } from '../panel.mjs';
 import { table } from '../site.mjs';
 
-const { PARAMETERS, defaultsOf } = await table();
-const DEFAULTS = defaultsOf('classic');
+const { PARAMETERS } = await table();
 
 /** @type {Browser} */
 let browser;
@@ -23,14 +22,6 @@ async function openPage(options) {
   const tab = await browser.open('index.html?scene=default&model=classic', { width: 760, height: 600, ...options });
   await tab.ready();
   return { tab, panel: await new Panel(tab).mounted() };
-}
-
-/** What the accessible control of a parameter shows. */
-function shown(tab, id) {
-  return tab.page.$eval(controlOf(id), (control) => {
-    const { type, checked, value } = /** @type {HTMLInputElement} */ (control);
-    return type === 'checkbox' ? checked : value;
-  });
 }
 
 const sharePage = sharedPage(() => browser);
@@ -83,73 +74,6 @@ test('accessible sliders have the ranges of the model, also for keys', async () 
   assert.deepEqual(tab.problems, []);
 });
 
-test('an arrow key on an accessible slider changes the value, and egui shows it', async () => {
-  const { tab, panel } = await sharePage('classic', true);
-  const rectangle = await panel.reveal('buoyancy');
-  const picture = await tab.picture(rectangle);
-  await tab.page.focus(controlOf('buoyancy'));
-  for (let press = 0; press < 10; press += 1) await tab.key('ArrowRight');
-  await panel.value('buoyancy', 'more', (value) => value > DEFAULTS.buoyancy);
-  await tab.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
-  const slider = async () => tab.picture(await panel.reveal('buoyancy'));
-  const moved = (after) => after.difference(picture) > 0.5;
-  await eventually(
-    'egui’s slider moves',
-    slider,
-    moved,
-    () => tab.frames(1),
-    () => 'the same picture',
-  );
-});
-
-test('accessible choices, flags, colours and seeds set the fire', async () => {
-  const { tab, panel } = await sharePage();
-  for (const [id, value] of [
-    ['walls', 'solid'],
-    ['printed_kernel', true],
-    ['background', '#204060'],
-    ['seed', '4711'],
-  ]) {
-    await tab.page.$eval(
-      controlOf(String(id)),
-      (control, to) => {
-        const input = /** @type {HTMLInputElement} */ (control);
-        if (typeof to === 'boolean') input.checked = to;
-        else input.value = String(to);
-        input.dispatchEvent(new Event('input', { bubbles: true }));
-        input.dispatchEvent(new Event('change', { bubbles: true }));
-      },
-      value,
-    );
-    await panel.value(String(id), String(value), (now) => String(now) === String(value));
-  }
-});
-
-test('accessible controls follow attributes of the fire', async () => {
-  const { tab } = await sharePage();
-  await tab.fire((fire) => {
-    fire.setAttribute('walls', 'periodic');
-    fire.setAttribute('printed-euler', '');
-    fire.setAttribute('seed', '99');
-  });
-  await tab.until('the accessible controls show them', () => {
-    const of = (id) => /** @type {HTMLInputElement} */ (document.querySelector(`[data-parameter="${id}"]`));
-    return of('walls').value === 'periodic' && of('printed_euler').checked && of('seed').value === '99';
-  });
-});
-
-test('accessible controls follow the mouse on egui', async () => {
-  const { tab, panel } = await sharePage();
-  const before = await shown(tab, 'viscosity');
-  await panel.dragSlider('viscosity', 0.1, 0.9);
-  await tab.until(
-    'the accessible slider has moved',
-    (selector, old) => document.querySelector(selector).value !== old,
-    controlOf('viscosity'),
-    before,
-  );
-});
-
 test('a lost context is reported until it is restored', async () => {
   const { tab, panel } = await openPage({
     // Where the page has the fire's context in reach.
@@ -182,12 +106,6 @@ test('a lost context is reported until it is restored', async () => {
   assert.equal((await rows()).y, top);
 });
 
-test('the panel takes no focus when it loads', async () => {
-  const { tab } = await openPage();
-  await tab.frames(10);
-  assert.equal(await tab.evaluate(() => document.activeElement?.tagName), 'BODY');
-});
-
 test('the Tab key goes through the panel in its order on the screen, and leaves it, forwards and backwards', async () => {
   const { tab, panel } = await sharePage();
   await panel.reveal('time_scale');
@@ -213,14 +131,4 @@ test('the Tab key goes through the panel in its order on the screen, and leaves 
     if (backwards) await tab.page.keyboard.up('Shift');
     assert.ok(presses < 200, 'Tab goes round in the panel for ever');
   }
-});
-
-test('the H key hides the panel and shows it again', async () => {
-  const { tab } = await sharePage();
-  const visible = () => tab.page.$eval('#panel', (panel) => panel.checkVisibility());
-  assert.equal(await visible(), true);
-  await tab.key('h');
-  assert.equal(await visible(), false);
-  await tab.key('h');
-  assert.equal(await visible(), true);
 });

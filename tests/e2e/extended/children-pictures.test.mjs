@@ -358,38 +358,3 @@ test('an image that never loads, and a text whose font does not, are not waited 
   assert.equal(await text.fire((fire) => fire.objects.length), 1, 'it waits for the font');
   await masked(text, 'the glyphs of another font');
 });
-
-test('elements that leave while they load, and fonts that do not exist harm nothing', async () => {
-  const tab = await opened(`<img id="it" src="${DISC}">`, '<hearth-solid of="#it"></hearth-solid>', {
-    style: 'left: 40px; top: 30px; font: 40px serif',
-  });
-  await masked(tab);
-  await tab.evaluate(async (disc) => {
-    for (let round = 0; round < 20; round += 1) {
-      const image = /** @type {HTMLImageElement} */ (document.querySelector('#it'));
-      const next = new Image();
-      next.id = 'it';
-      next.src = `${disc}<!--${round}-->`;
-      if (round % 3 === 0) await new Promise(requestAnimationFrame);
-      image.replaceWith(next);
-      if (round % 4 === 0) next.style.display = 'none';
-    }
-    const headline = document.createElement('h1');
-    headline.id = 'it';
-    headline.textContent = 'Fire \u0301\u200f\ud83d\udd25\ud800';
-    headline.setAttribute(
-      'style',
-      'font-family: "\\\\", "no such font", 12; letter-spacing: -1e9px; word-spacing: 1e9px; position: absolute; left: 20px; top: 30px',
-    );
-    document.querySelector('#it')?.replaceWith(headline);
-    document.querySelector('hearth-solid')?.setAttribute('of-text', '');
-  }, DISC);
-  await tab.frames(20);
-  await restyle(tab, { letterSpacing: '', wordSpacing: '' });
-  await masked(tab, 'the glyphs');
-  await tab.burnt(0.1);
-  assert.deepEqual(
-    tab.problems.filter((problem) => problem.startsWith('uncaught')),
-    [],
-  );
-});

@@ -80,20 +80,6 @@ const DRAWINGS = [
     STROKED,
   ],
   [
-    'a fill that is a variable',
-    ':root { --none: none }',
-    '',
-    '<path style="fill: var(--none); stroke: gold; stroke-width: 8" d="M50 12 88 84H12Z"/>',
-    STROKED,
-  ],
-  [
-    'a width that is a variable',
-    ':root { --w: 8 }',
-    '',
-    '<path style="fill: none; stroke: gold; stroke-width: var(--w)" d="M50 12 88 84H12Z"/>',
-    STROKED,
-  ],
-  [
     'the current colour, which may be transparent',
     '#it { color: transparent } #it .b { color: red }',
     '',
@@ -123,20 +109,6 @@ const DRAWINGS = [
     STROKED,
   ],
   [
-    'a shape inside, with the fill of its use',
-    '#it use { fill: none; stroke: gold; stroke-width: 8 }',
-    '',
-    '<defs><path id="inner" d="M50 12 88 84H12Z"/></defs><use xlink:href="#inner"/>',
-    STROKED,
-  ],
-  [
-    'a use elsewhere of a use elsewhere',
-    '',
-    outside('<g id="deep"><rect width="50" height="100"/></g><g id="deeper"><use href="#deep"/></g>'),
-    '<use href="#deeper"/>',
-    LEFT,
-  ],
-  [
     'a gradient elsewhere, whose stops are another’s',
     '.end { stop-opacity: 0 }',
     hidden(
@@ -152,7 +124,6 @@ const DRAWINGS = [
     '<rect width="100" height="100"/>',
     DISC,
   ],
-  ['a clip path of the style', '#it rect { clip-path: circle(40px) }', '', '<rect width="100" height="100"/>', DISC],
   [
     'a mask elsewhere, with the colour of the style',
     '#m circle { fill: white }',
@@ -200,13 +171,6 @@ const DRAWINGS = [
     STROKED,
   ],
   [
-    'a drawing in a drawing',
-    '#it svg { overflow: hidden } #it rect { opacity: .9 }',
-    '',
-    '<svg width="50" height="100" viewBox="0 0 10 20" style="stroke-width: 0"><rect width="30" height="20"/></svg>',
-    LEFT,
-  ],
-  [
     'a text in a font of the page',
     `${OWN_FONT} #it text { font: 40px "Own", monospace }`,
     '',
@@ -219,13 +183,6 @@ const DRAWINGS = [
     '',
     `<image width="100" height="100" href="${asImage('<circle cx="50" cy="50" r="40"/>')}"/>`,
     DISC,
-  ],
-  [
-    'a text in the size and weight of the style',
-    '#it text { font: 700 2em monospace; letter-spacing: 4px; text-anchor: middle } #it { font-size: 20px }',
-    '',
-    '<text x="50" y="60">HI</text>',
-    '<text x="50" y="60" style="font: 700 40px monospace; letter-spacing: 4px; text-anchor: middle">HI</text>',
   ],
 ];
 
@@ -248,8 +205,6 @@ for (const [about, style, elsewhere, drawing, plain] of DRAWINGS) {
 for (const [why, drawing, elsewhere = '', style = ''] of [
   ['it contains HTML', '<foreignObject width="100" height="50"><p>Fire</p></foreignObject>'],
   ['it refers to another file', '<image href="/web/poster.jpg" width="50" height="100"/>'],
-  ['it refers to another file', '<use href="/sprite.svg#flame"/>'],
-  ['it refers to another file', `${LEFT}<circle r="9" style="fill: url(/other.svg#paint)"/>`],
   [
     'it refers to another file',
     '<filter id="photo"><feImage href="/web/poster.jpg"/></filter><rect width="50" height="50" filter="url(#photo)"/>',
@@ -259,12 +214,6 @@ for (const [why, drawing, elsewhere = '', style = ''] of [
     'a part of its text has a font that only the page has',
     '<use href="#word"/>',
     hidden('<text id="word" y="60" font-family="Own">ab</text>'),
-    OWN_FONT,
-  ],
-  [
-    'a part of its text has a font that only the page has',
-    '<text y="60" style="font: 40px Own; text-transform: uppercase">ab</text>',
-    '',
     OWN_FONT,
   ],
   [

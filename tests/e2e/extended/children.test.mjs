@@ -7,11 +7,6 @@ import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
 import { events, recording } from '../assertions.mjs';
 import { acts, fireOf, openChildren, owned, settled, warnings } from '../children.mjs';
-import { table } from '../site.mjs';
-
-const { PRESETS } = await table();
-/** The power of the candle's source [kW/m]. */
-const CANDLE = PRESETS.find(({ name }) => name === 'candle').values.fuel_power;
 
 /** @type {Browser} */
 let browser;
@@ -192,90 +187,4 @@ test('without the code the fire burns without its children, with a warning', asy
   const [error, ...more] = await events(tab, 'error');
   assert.deepEqual([error.kind, more.length], ['load', 0]);
   assert.match(error.message, /The code for children could not be loaded/);
-});
-
-test('other settings keep the objects of children, and undo, export and links carry them as they are', async () => {
-  const config = { hearth: 2, values: {}, objects: [{ kind: 'source' }, { kind: 'solid', id: 1002, y: 1.1, x: 0.3 }] };
-  const src = `data:application/json,${encodeURIComponent(JSON.stringify(config))}`;
-  const tab = await openChildren(
-    browser,
-    '<hearth-source x="0.2"></hearth-source><hearth-solid x="0.1" y="0.9"></hearth-solid>',
-    `src="${src}"`,
-  );
-  const kept = async (why) => {
-    const [source, solid] = await owned(tab);
-    assert.deepEqual([source?.x, solid?.x, solid?.y, solid?.width], [0.2, 0.3, 1.1, 0.2], why);
-  };
-  await kept('the file of a page with the same children');
-  await acts(tab, (fire) => fire.setAttribute('preset', 'candle'));
-  await kept('a preset');
-  assert.equal(await tab.fire((fire) => fire.params.fuel_power), CANDLE);
-  assert.equal((await listed(tab)).length, 4);
-  await acts(tab, (fire) => fire.importConfig({ hearth: 2, values: { wind: 1 } }));
-  await kept('settings');
-  await acts(tab, (fire) => fire.restore());
-  await kept('all defaults');
-  await acts(tab, (fire) => fire.setAttribute('objects', '[{"kind": "solid", "x": -0.4}]'));
-  await kept('the attribute objects');
-  await acts(tab, (fire) => fire.reset());
-  await kept('a reset');
-  await acts(tab, async (fire) => {
-    await fire.history.step(() => fire.importConfig({ hearth: 2, preset: 'candle' }));
-    await fire.history.undo();
-  });
-  await kept('undo');
-  await acts(tab, async (fire) => {
-    const saved = await fire.exportConfig();
-    await fire.changeObject(fire.lastElementChild.objectId, { x: -0.1 });
-    await fire.importConfig(saved);
-  });
-  await kept('an export');
-  // The engine gets the change after it has replaced the objects.
-  await acts(tab, (fire) => {
-    fire.objects = [];
-    fire.lastElementChild.setAttribute('y', '0.6');
-  });
-  assert.deepEqual(
-    (await owned(tab)).map((object) => object && [object.x, object.y]),
-    [null, [0.1, 0.6]],
-  );
-  assert.deepEqual(tab.problems, []);
-});
-
-test('undo restores what a call did, and never what the page states', async () => {
-  const tab = await openChildren(browser, '', 'preset="match"');
-  /** The places of the objects, by their ids. */
-  const places = () => tab.fire((fire) => Object.fromEntries(fire.objects.map(({ id, x }) => [id, x])));
-  const first = await places();
-  // The step is older than the child that is laid over the same source.
-  await acts(tab, async (fire) => {
-    await fire.history.step(() => fire.changeObject(1, { x: 0.01 }));
-    fire.insertAdjacentHTML('beforeend', '<hearth-source x="-0.2"></hearth-source>');
-  });
-  assert.deepEqual(await places(), { ...first, 1: -0.2 });
-  await acts(tab, (fire) => fire.history.undo());
-  assert.deepEqual(await places(), { ...first, 1: -0.2 });
-  await acts(tab, (fire) => fire.lastElementChild.remove());
-  assert.deepEqual(await places(), first);
-  await acts(tab, (fire) => fire.history.redo());
-  assert.deepEqual(await places(), { ...first, 1: 0.01 });
-  await acts(tab, (fire) => fire.history.undo());
-
-  // The attribute has another value when the step that removed the object is undone.
-  const child = () => tab.fire((fire) => fire.objects.find(({ id }) => id === fire.lastElementChild.objectId)?.x);
-  await acts(tab, (fire) => fire.insertAdjacentHTML('beforeend', '<hearth-solid x="0.1"></hearth-solid>'));
-  await acts(tab, (fire) => fire.history.step(() => fire.removeObject(fire.lastElementChild.objectId)));
-  assert.equal(await child(), undefined);
-  await acts(tab, (fire) => fire.lastElementChild.setAttribute('x', '0.05'));
-  assert.equal(await child(), 0.05);
-  await acts(tab, (fire) => fire.history.undo());
-  assert.equal(await child(), 0.05);
-  // A child that has left by then does not return.
-  await acts(tab, (fire) => fire.history.step(() => fire.changeObject(fire.lastElementChild.objectId, { x: 0.3 })));
-  await acts(tab, (fire) => {
-    fire.lastElementChild.remove();
-    return fire.history.undo();
-  });
-  assert.deepEqual(await places(), first);
-  assert.deepEqual(tab.problems, []);
 });

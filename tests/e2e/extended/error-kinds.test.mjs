@@ -79,14 +79,6 @@ test('a policy that forbids wasm is reported, and the poster stays', async () =>
   await assertReported(tab, 'load', /could not be loaded/);
 });
 
-test('with a policy that forbids workers the fire burns on the page’s thread', async () => {
-  const policy = "script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; worker-src 'none'";
-  const tab = await browser.open(BODY, { headers: { 'content-security-policy': policy } });
-  await tab.burnt(0.5);
-  assert.equal(await tab.fire((fire) => fire.stats.engine), 'main');
-  await assertBurns(tab);
-});
-
 test('a browser without WebGL2 is reported, and the poster stays', async () => {
   const blind = () => {
     for (const type of [globalThis.HTMLCanvasElement, globalThis.OffscreenCanvas]) {

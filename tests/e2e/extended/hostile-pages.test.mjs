@@ -1,5 +1,5 @@
 /**
- * Pages with policies, frozen intrinsics and several copies of the module, and pages without a network.
+ * Pages with policies and several copies of the module, and pages without a network.
  *
  * These pages come from a server of their own: on the driver's, workers are wrapped.
  */
@@ -152,83 +152,6 @@ for (const page of ['index.html', 'web/embed.html']) {
     assert.deepEqual(others, []);
   });
 }
-
-/** Runs in the page before its scripts: freezes all that it finds, as SES does. */
-function freezeAll() {
-  const frozen = new Set();
-  const freeze = (/** @type {any} */ value) => {
-    if (Object(value) !== value || value === globalThis || frozen.has(value)) return;
-    frozen.add(value);
-    freeze(Object.getPrototypeOf(value));
-    for (const descriptor of Object.values(Object.getOwnPropertyDescriptors(value))) {
-      for (const accessor of [descriptor.value, descriptor.get, descriptor.set])
-        if (typeof accessor === 'function') freeze(accessor);
-    }
-    if (typeof value === 'function') freeze(value.prototype);
-    try {
-      Object.freeze(value);
-    } catch {
-      // That of the window's named elements.
-    }
-  };
-  for (const name of Object.getOwnPropertyNames(globalThis)) {
-    const { value } = Object.getOwnPropertyDescriptor(globalThis, name) ?? {};
-    if (typeof value === 'function') freeze(value);
-  }
-  for (const value of [
-    [][Symbol.iterator](),
-    (function* () {})(),
-    (async function* () {})(),
-    async () => {},
-    new Map().values(),
-  ]) {
-    freeze(Object.getPrototypeOf(value));
-  }
-}
-
-for (const thread of ['worker', 'main']) {
-  test(`where every intrinsic is frozen, a fire burns with its engine in: ${thread}`, async () => {
-    const tab = await browser.open(
-      site.publish(
-        PAGE.replace(
-          '</title>',
-          `</title><script type="module">
-      import { HearthFire } from '/web/hearth-fire.js';
-      HearthFire.engine = '${thread}';
-    </script>`,
-        ),
-      ),
-      { before: freezeAll },
-    );
-    await assertBurnsIn(tab, thread);
-    const outcome = await tab.fire(async (fire) => {
-      await fire.to({ wind: 0.3 }, { duration: 20 });
-      const refused = await fire.set('wind', 'x').catch(({ name }) => name);
-      return [refused, (await fire.toBlob()).size > 100, fire.wind];
-    });
-    assert.equal(outcome[0], 'RangeError');
-    assert.equal(outcome[1], true);
-    assert.deepEqual(
-      tab.problems.filter((problem) => problem.startsWith('uncaught')),
-      [],
-    );
-  });
-}
-
-test('where every intrinsic is frozen, a fire that cannot burn rejects with an EngineError', async () => {
-  site.replace({ 'hearth-engine_bg.wasm': { status: 404, body: '' } });
-  const tab = await browser.open(site.publish(PAGE), { before: freezeAll });
-  assert.deepEqual(
-    await tab.fire((fire) =>
-      fire.ready.then(
-        () => '',
-        ({ name, kind }) => [name, kind],
-      ),
-    ),
-    ['EngineError', 'load'],
-  );
-  site.replace({});
-});
 
 test('of several copies of the module the first stays, and the others export its class', async () => {
   site.replace({});

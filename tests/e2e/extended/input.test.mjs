@@ -8,7 +8,7 @@ import { Browser } from '../driver.mjs';
 import { assertBurns, events, recording } from '../assertions.mjs';
 import { table } from '../site.mjs';
 
-const { DEFAULTS, entry } = await table();
+const { DEFAULTS } = await table();
 
 /** @type {Browser} */
 let browser;
@@ -16,24 +16,6 @@ before(async () => {
   browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
-
-test('an attribute out of range is rejected with an error event, and the fire burns with the default', async () => {
-  const tab = await browser.show(recording('<hearth-fire viscosity="99"></hearth-fire>'));
-  await tab.ready();
-  const [{ kind, id, value, min, max, message }, ...more] = await events(tab, 'error');
-  assert.deepEqual(more, []);
-  const { viscosity } = entry;
-  assert.deepEqual([kind, id], ['bad-parameter', 'viscosity']);
-  assert.deepEqual([Number(value), min, max], [99, viscosity.min, viscosity.max]);
-  const words = new RegExp(`viscosity.*99.*${viscosity.min}.*${viscosity.max}`);
-  assert.match(message, words);
-  assert.deepEqual(tab.problems.length, 1);
-  assert.match(tab.problems[0], /^console\.warn/);
-  assert.match(tab.problems[0], words);
-  assert.equal(await tab.fire((fire) => fire.params.viscosity), DEFAULTS.viscosity);
-  await tab.burnt(1);
-  await assertBurns(tab);
-});
 
 const BAD = /** @type {[string, string, RegExp][]} */ ([
   ['viscosity', 'thick', /thick/],

@@ -169,16 +169,6 @@ for (const [about, sizes] of /** @type {[string, number[][]][]} */ ([
   });
 }
 
-test('beside the panel on a low screen the hint does not lie over the words', async () => {
-  const tab = await browser.open('index.html', { width: 844, height: 390, touch: true });
-  await tab.until('the hint', () => document.getElementById('hint')?.checkVisibility());
-  await tab.page.click('#toggle');
-  await tab.until(
-    'the hint is gone',
-    () => document.documentElement.dataset.panel === 'shown' && !document.getElementById('hint')?.checkVisibility(),
-  );
-});
-
 describe('the panel', () => {
   test('is not loaded on a phone before it is opened', async () => {
     const tab = await browser.open('index.html', PHONE);
@@ -208,25 +198,6 @@ describe('the panel', () => {
     assert.deepEqual(await loaded(again, 'hearth-panel'), []);
     await new Panel(again).mounted();
     assert.equal(await again.evaluate(() => localStorage.getItem('hearth-page-panel')), 'shown');
-  });
-
-  test('is hidden in full screen, and shown again after it', async () => {
-    const tab = await browser.open('index.html', WIDE);
-    await new Panel(tab).mounted();
-    const shown = () =>
-      tab.evaluate(() =>
-        ['#head h1', '#scenes', '#panel', '#toggle'].filter((selector) =>
-          document.querySelector(selector)?.checkVisibility(),
-        ),
-      );
-    await tab.page.click('#stage', { offset: { x: 500, y: 300 } });
-    await tab.key('f');
-    await tab.until('the full screen', () => document.fullscreenElement !== null);
-    await tab.until('the panel makes way', () => document.documentElement.dataset.panel === 'hidden');
-    assert.deepEqual(await shown(), []);
-    await tab.evaluate(() => document.exitFullscreen());
-    await tab.until('the panel is back', () => document.documentElement.dataset.panel === 'shown');
-    assert.deepEqual(await shown(), ['#head h1', '#scenes', '#panel', '#toggle']);
   });
 });
 
@@ -263,24 +234,6 @@ describe('the hint', () => {
     await strip(still);
     assert.deepEqual(await hinted(still), []);
   });
-});
-
-test('links and scenes fade without input, and return with it', async () => {
-  const tab = await browser.open('index.html?paused', PHONE);
-  await tab.ready();
-  await strip(tab);
-  const opacity = () => tab.on('#scenes', (strip) => Number(getComputedStyle(strip).opacity));
-  await tab.until(
-    'they step back',
-    () => getComputedStyle(/** @type {Element} */ (document.getElementById('scenes'))).opacity === '0',
-  );
-  assert.equal(await tab.on('#scenes', (scenes) => getComputedStyle(scenes).pointerEvents), 'none');
-  await tab.page.focus(`[data-starts="${LANDING}"]`);
-  await tab.until(
-    'they come back',
-    () => getComputedStyle(/** @type {Element} */ (document.getElementById('scenes'))).opacity === '1',
-  );
-  assert.equal(await opacity(), 1);
 });
 
 test('the embed dialog shows the code of the current fire, and Escape closes it', async () => {

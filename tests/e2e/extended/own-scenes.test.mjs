@@ -1,6 +1,6 @@
 /**
- * The scenes that a visitor saves: they outlive the visit, and a failure shows a message. Files of settings are
- * opened where they are dropped.
+ * The scenes that a visitor saves, whose list `tests/web/own-scenes.test.mjs` tests. Files of settings are opened where
+ * they are dropped.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -23,10 +23,6 @@ async function openCard(query = 'scene=candle&paused', options = {}) {
   return { tab, panel };
 }
 
-const names = (tab) =>
-  tab.evaluate(() =>
-    [...document.querySelectorAll('.hearth-own input')].map((input) => /** @type {HTMLInputElement} */ (input).value),
-  );
 const named = (tab, list) =>
   tab.until(
     `the scenes ${list}`,
@@ -35,12 +31,6 @@ const named = (tab, list) =>
         .map((input) => /** @type {HTMLInputElement} */ (input).value)
         .join() === wanted,
     list.join(),
-  );
-const alerted = (tab, pattern) =>
-  tab.until(
-    `${pattern}`,
-    (source) => new RegExp(source).test(document.querySelector('.hearth-own + [role=alert]')?.textContent ?? ''),
-    pattern.source,
   );
 const press = (tab, label) => tab.page.click(`[aria-label="${label}"]`);
 const rename = (tab, from, to) =>
@@ -74,56 +64,6 @@ test('a saved fire is in the list with its picture, and is shown again after oth
   assert.deepEqual(tab.problems, []);
 });
 
-test('a list of the visit before is there, and a damaged one is reported', async () => {
-  for (const [kept, expected] of [
-    [
-      JSON.stringify([
-        { name: 'Mine', config: { hearth: 2, preset: 'torch', values: {} }, picture: 'javascript:alert(1)' },
-      ]),
-      ['Mine'],
-    ],
-    ['{"name": 1', []],
-    ['[1, null, {"name": 3}, {"name": "x"}]', []],
-  ]) {
-    const tab = await browser.open('index.html?scene=candle&paused', { width: 1000, height: 700 });
-    await tab.evaluate((text) => localStorage.setItem('hearth-scenes', text), kept);
-    await tab.ready();
-    const panel = await new Panel(tab).mounted();
-    await panel.openScenes();
-    assert.deepEqual(await names(tab), expected);
-    if (expected.length === 0) await alerted(tab, /list of your scenes is damaged/);
-    if (expected.length > 0) {
-      assert.equal(await tab.on('.hearth-own img', (image) => image.hidden), true);
-      await press(tab, 'Show Mine');
-      await tab.until('the scene', () => /** @type {any} */ (document.querySelector('hearth-fire')).preset === 'torch');
-      assert.equal(await tab.evaluate(() => document.activeElement?.getAttribute('aria-label')), 'Show Mine');
-      await press(tab, 'Delete Mine');
-      await named(tab, []);
-    }
-    assert.deepEqual(tab.problems, []);
-  }
-});
-
-test('storage that is full or forbidden is reported, and the list stays', async () => {
-  const { tab } = await openCard();
-  await tab.page.click('[data-card="save"]');
-  await named(tab, ['Candle']);
-  for (const [name, pattern] of [
-    ['QuotaExceededError', /storage of this site is full/],
-    ['SecurityError', /does not let the page store anything/],
-  ]) {
-    await tab.evaluate((error) => {
-      Storage.prototype.setItem = () => {
-        throw new DOMException('', error);
-      };
-    }, name);
-    await tab.page.click('[data-card="save"]');
-    await alerted(tab, pattern);
-    assert.deepEqual(await names(tab), ['Candle']);
-  }
-  assert.deepEqual(tab.problems, []);
-});
-
 /** Drops a file on an element. */
 const drop = (tab, selector, file) =>
   tab.evaluate(
@@ -149,7 +89,7 @@ const messaged = (tab, pattern) =>
       ),
     pattern.source,
   );
-const settings = (wind, preset = 'candle') => JSON.stringify({ hearth: 2, preset, values: { wind } });
+const settings = (wind, preset = 'candle') => JSON.stringify({ hearth: 3, preset, values: { wind } });
 const blows = (tab, wind) =>
   tab.until(
     `a wind of ${wind}`,
@@ -162,24 +102,16 @@ test('a file of settings that is dropped anywhere on the page is opened, and any
   await tab.ready();
   await new Panel(tab).mounted();
   let wind = 0.1;
-  for (const selector of ['hearth-fire', '#panel', '.hearth-panel canvas', '#head', 'body']) {
-    for (const [name, type] of [
-      ['mine.json', 'application/json'],
-      ['MINE.JSON', ''],
-      ['mine', 'application/json;charset=utf-8'],
-    ]) {
-      wind += 0.1;
-      assert.deepEqual(await drop(tab, selector, { name, type, text: settings(wind) }), [true, true], selector);
-      await blows(tab, wind);
-    }
+  for (const selector of ['hearth-fire', '.hearth-panel canvas', 'body']) {
+    wind += 0.1;
+    const file = { name: 'mine.json', type: 'application/json', text: settings(wind) };
+    assert.deepEqual(await drop(tab, selector, file), [true, true], selector);
+    await blows(tab, wind);
   }
   const config = await tab.fire((fire) => fire.exportConfig());
   for (const [selector, file, words] of [
     ['body', { name: 'notes.txt', type: 'text/plain', text: settings(0) }, /“notes.txt” is no file of settings/],
-    ['.hearth-panel canvas', { name: 'fire.png', type: 'image/png', text: '' }, /“fire.png” is no file of settings/],
-    ['#panel', { name: 'mine.json', type: '', text: '{"hearth": ' }, /not JSON/],
-    ['#panel', { name: 'mine.json', type: '', text: '{"hearth": 2, "values": {"wind": 99}}' }, /wind/],
-    ['#panel', { name: 'mine.json', type: '', text: ' '.repeat(500_000) }, /500 KB/],
+    ['#panel', { name: 'mine.json', type: '', text: '{"hearth": 3, "values": {"wind": 99}}' }, /wind/],
   ]) {
     assert.deepEqual(await drop(tab, selector, file), [true, true], file.name);
     await messaged(tab, words);
@@ -190,40 +122,6 @@ test('a file of settings that is dropped anywhere on the page is opened, and any
     tab.problems.filter((problem) => !/ is refused: /.test(problem)),
     [],
   );
-});
-
-test('without a panel a dropped file is opened too, and any other file leaves the page where it is', async () => {
-  const tab = await browser.open('index.html?scene=candle&paused', { width: 600, height: 700 });
-  await tab.ready();
-  assert.deepEqual(await drop(tab, 'body', { name: 'MINE.JSON', type: '', text: settings(0.4) }), [true, true]);
-  await blows(tab, 0.4);
-  for (const [file, words] of [
-    [{ name: 'notes.txt', type: 'text/plain', text: '' }, 'no file of settings'],
-    [{ name: 'mine.json', type: '', text: ' '.repeat(500_000) }, '500 KB'],
-  ]) {
-    assert.deepEqual(await drop(tab, 'hearth-fire', file), [true, true]);
-    await tab.until(words, (text) => document.getElementById('toast')?.textContent?.includes(text), words);
-  }
-  assert.deepEqual(tab.problems, []);
-});
-
-test('a saved scene is named at once, and no letter of its name is a shortcut', async () => {
-  const { tab } = await openCard();
-  await tab.page.click('[data-card="save"]');
-  await tab.until('the name', () => document.activeElement?.getAttribute('aria-label') === 'Name of Candle');
-  for (const letter of 'Fish') await tab.key(letter);
-  await tab.key('Enter');
-  await named(tab, ['Fish']);
-  await tab.until('the row', () => document.activeElement?.getAttribute('aria-label') === 'Show Fish');
-  assert.ok(
-    await tab.on('[aria-label="Delete Fish"]', (button) => {
-      const [inner, outer] = [button, /** @type {Element} */ (button.closest('section'))].map((node) =>
-        node.getBoundingClientRect(),
-      );
-      return inner.right <= outer.right;
-    }),
-  );
-  assert.deepEqual(tab.problems, []);
 });
 
 test('with an open toolbar a dropped file is opened once, and the toolbar keeps its pictures', async () => {

@@ -5,8 +5,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
-import { onPageThread, simulateClock } from '../clock.mjs';
-import { assertBurns, assertStands, events, recording } from '../assertions.mjs';
+import { assertBurns, assertStands } from '../assertions.mjs';
 import { Picture } from '../picture.mjs';
 
 /** @type {Browser} */
@@ -118,85 +117,6 @@ test('the poster is shown until the first picture, and while there is no picture
   assert.equal(lime(await good.firePicture()), 0, 'the poster is gone');
 });
 
-test('a picture has no more pixels than `max-pixels`', async () => {
-  const tab = await browser.show(
-    '<hearth-fire max-pixels="10000" quality="low" style="width: 400px; height: 300px"></hearth-fire>',
-  );
-  await tab.burnt(0.1);
-  const size = await tab.fire((fire) => {
-    const { width, height } = fire.shadowRoot.querySelector('canvas');
-    return { width, height };
-  });
-  assert.ok(size.width * size.height <= 10_000, JSON.stringify(size));
-  assert.ok(Math.abs(size.width / size.height - 4 / 3) < 0.03, JSON.stringify(size));
-  await tab.fire((fire) => {
-    fire.maxPixels = '';
-    fire.removeAttribute('max-pixels');
-  });
-  await tab.until(
-    'the whole size',
-    () => document.querySelector('hearth-fire')?.shadowRoot?.querySelector('canvas')?.width === 400,
-  );
-});
-
-test('no more pictures are drawn a second than `fps-limit`', async () => {
-  const tab = await browser.open(
-    onPageThread('<hearth-fire max-pixels="10000" fps-limit="10" quality="low"></hearth-fire>'),
-    { before: simulateClock },
-  );
-  await tab.ready();
-  const pictures = await tab.evaluate(async () => {
-    const { clock } = /** @type {any} */ (window);
-    const { prototype } = ImageBitmapRenderingContext;
-    const original = prototype.transferFromImageBitmap;
-    let count = 0;
-    prototype.transferFromImageBitmap = function transferFromImageBitmap(bitmap) {
-      count += 1;
-      original.call(this, bitmap);
-    };
-    for (const end = clock.frames + 120; clock.frames < end; ) await new Promise(requestAnimationFrame);
-    prototype.transferFromImageBitmap = original;
-    return count;
-  });
-  assert.ok(pictures >= 19 && pictures <= 21, `${pictures} pictures in two seconds`);
-});
-
-test('invalid limits, choices and touch actions are rejected by name', async () => {
-  const tab = await browser.show(
-    recording(
-      '<hearth-fire fps-limit="fast" max-pixels="9" loading="soon" reduced-motion="no" touch-action="wave"></hearth-fire>',
-    ),
-  );
-  await tab.burnt(0.2);
-  const errors = await events(tab, 'error');
-  const ids = errors.map(({ kind, id }) => `${kind} ${id}`).sort();
-  assert.deepEqual(ids, [
-    'bad-parameter fps_limit',
-    'bad-parameter loading',
-    'bad-parameter max_pixels',
-    'bad-parameter reduced-motion',
-    'bad-parameter touch-action',
-  ]);
-  const { message, min, max } = errors.find(({ id }) => id === 'fps_limit');
-  assert.deepEqual([min, max], [10, 240]);
-  assert.match(message, /fast.*from 10 to 240/);
-});
-
-test('a finger on an interactive fire scrolls the page vertically unless `touch-action` forbids it', async () => {
-  const tab = await browser.open('<hearth-fire interactive></hearth-fire><div style="height: 3000px"></div>', {
-    touch: true,
-  });
-  await tab.burnt(0.2);
-  const action = () => tab.fire((fire) => getComputedStyle(fire.shadowRoot.querySelector('.root')).touchAction);
-  assert.equal(await action(), 'pan-y');
-  await tab.touchDrag({ x: 120, y: 200 }, { x: 120, y: 40 });
-  await tab.until('the page has scrolled', () => window.scrollY > 50);
-  await tab.fire((fire) => (fire.touchAction = 'none'));
-  assert.equal(await action(), 'none');
-  await tab.fire((fire) => fire.removeAttribute('touch-action'));
-  assert.equal(await action(), 'pan-y');
-});
-
 test('`toBlob` keeps the transparency of the picture', async () => {
   const tab = await browser.show('<hearth-fire paused></hearth-fire>', { draws: true });
   await tab.fire((fire) => fire.step(600));
@@ -287,36 +207,4 @@ test('`toBlob` draws another width and background for the file, and the element 
   assert.ok(seen.kept, 'the values stay');
   assert.deepEqual(seen.events, []);
   assert.deepEqual(await tab.problemsAfterFrame(), []);
-});
-
-test('`captureStream` of a burning fire is a moving video', async () => {
-  const tab = await browser.show('<hearth-fire></hearth-fire>', { draws: true });
-  await tab.burnt(0.5);
-  const seen = await tab.fire(async (fire) => {
-    const stream = await fire.captureStream(30);
-    const video = document.createElement('video');
-    video.muted = true;
-    video.srcObject = stream;
-    await video.play();
-    const canvas = new OffscreenCanvas(240, 240);
-    const context = /** @type {any} */ (canvas.getContext('2d'));
-    const light = () => {
-      context.drawImage(video, 0, 0, 240, 240);
-      return [...context.getImageData(60, 100, 120, 140).data];
-    };
-    const pictures = [];
-    for (let frame = 0; frame < 2; frame += 1) {
-      await new Promise((resolve) => /** @type {any} */ (video).requestVideoFrameCallback(resolve));
-      pictures.push(light());
-      await fire.step(100);
-    }
-    for (const track of stream.getTracks()) track.stop();
-    const [first, second] = pictures;
-    return {
-      bright: Math.max(...second.filter((_, at) => at % 4 === 0)),
-      moved: first.some((value, at) => Math.abs(value - second[at]) > 20),
-    };
-  });
-  assert.ok(seen.bright > 100, `${seen.bright}`);
-  assert.ok(seen.moved);
 });

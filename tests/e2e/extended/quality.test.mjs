@@ -1,13 +1,13 @@
 /**
- * Quality levels: set by the page or chosen by the engine, how they are reported, and the
- * times of stages and passes.
+ * Quality levels reach the fire and are reported, as are the times of stages and passes. How a level is chosen is tested
+ * in `crates/hearth-engine/tests/engine/pacing`.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser, eventually } from '../driver.mjs';
+import { Browser } from '../driver.mjs';
 import { onPageThread, simulateClock } from '../clock.mjs';
 import { assertBurns, events, recording } from '../assertions.mjs';
-import { Panel, along, controlOf } from '../panel.mjs';
+import { Panel, along } from '../panel.mjs';
 import { table } from '../site.mjs';
 
 const { DEFAULTS } = await table();
@@ -38,22 +38,6 @@ function settles(tab, quality, particles = PARTICLES[quality]) {
   );
 }
 
-for (const quality of Object.keys(PARTICLES)) {
-  test(`${quality} quality has its number of particles, and no parameter has changed`, async () => {
-    const tab = await browser.show(recording(`<hearth-fire quality="${quality}"></hearth-fire>`), small);
-    await tab.burnt(0.1);
-    await settles(tab, quality);
-    const { requested, params, reason } = await tab.fire((fire) => ({
-      requested: fire.quality,
-      params: fire.params,
-      reason: fire.stats.qualityReason,
-    }));
-    assert.deepEqual([requested, params, reason], [quality, DEFAULTS, 'as requested']);
-    assert.deepEqual(await events(tab, 'params-change'), []);
-    assert.deepEqual(tab.problems, []);
-  });
-}
-
 test('a burning fire changes its quality and burns on', async () => {
   const tab = await browser.show(recording('<hearth-fire quality="medium"></hearth-fire>'), small);
   await tab.burnt(1);
@@ -81,23 +65,6 @@ test('a burning fire changes its quality and burns on', async () => {
 
 /** Sets the number of processor cores that a page reads, from which it chooses low or medium. */
 const eightCores = () => Object.defineProperty(navigator, 'hardwareConcurrency', { value: 8 });
-
-test('quality is kept when set early, in the address, and off the page', async () => {
-  const tab = await browser.show(`<hearth-fire id="fire"></hearth-fire><script>fire.quality = 'low'</script>`, small);
-  await tab.burnt(0.1);
-  await settles(tab, 'low');
-  await tab.fire(async (fire) => {
-    fire.remove();
-    for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
-    document.body.append(fire);
-    await fire.ready;
-  });
-  await settles(tab, 'low');
-  const page = await browser.open('index.html?scene=default&quality=low', { width: 480, height: 320 });
-  await page.burnt(0.1);
-  await settles(page, 'low');
-  assert.deepEqual([...tab.problems, ...page.problems], []);
-});
 
 test('with quality auto, a fire that does not fit its frames gets a lower quality and reports why', async () => {
   const tab = await browser.open(
@@ -177,23 +144,4 @@ test('the panel and its accessible controls set the quality, and show a quality 
   const unfolded = await panel.rectangleOf('quality');
   assert.ok(unfolded.y > before.y + 30, 'the times are shown');
   assert.deepEqual(tab.problems, []);
-});
-
-test('another quality does not remove the message that a visitor is reading', async () => {
-  const tab = await browser.open('index.html?scene=default&quality=medium', { width: 760, height: 900 });
-  await tab.burnt(0.1);
-  await new Panel(tab).mounted();
-  // Words in the header push down the rows below it.
-  const top = () =>
-    tab.page.$eval(controlOf('fuel_power'), (control) =>
-      Number(/** @type {any} */ (control).dataset.rect?.split(' ')[1]),
-    );
-  const before = await top();
-  await tab.fire((fire) => fire.setAttribute('quality', 'best'));
-  const isLower = (reported) => reported > before + 10;
-  const reported = await eventually('the row is below the words', top, isLower, () => tab.frames(1));
-  await tab.fire((fire) => fire.setAttribute('quality', 'low'));
-  await settles(tab, 'low');
-  await tab.frames(6);
-  assert.equal(await top(), reported);
 });

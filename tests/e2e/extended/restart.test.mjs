@@ -122,33 +122,6 @@ for (const [what, call] of /** @type {[string, 'reset' | 'sparks'][]} */ ([
   });
 }
 
-test('children have their objects in the next fire, with what changed while the engine stopped', async () => {
-  const children = '<hearth-source x="0.1"></hearth-source><hearth-solid x="0.2"></hearth-solid>';
-  const tab = await browser.open(BODY.replace('</hearth-fire>', `${children}</hearth-fire>`), {
-    before: countManually,
-    beforeWorker: mortal,
-  });
-  await tab.burnt(0.1);
-  await tab.fire((fire) => {
-    fire.reset();
-    fire.querySelector('hearth-source').setAttribute('x', '-0.1');
-    fire.querySelector('hearth-solid').setAttribute('y', '0.9');
-    fire.append(Object.assign(document.createElement('hearth-solid'), { id: 'last' }));
-  });
-  await reported(tab, 1);
-  await assertReturns(tab);
-  await tab.until('every child has its object', () => {
-    const fire = /** @type {any} */ (document.querySelector('hearth-fire'));
-    const list = [...fire.querySelectorAll('hearth-source, hearth-solid')].map(({ objectId }) =>
-      fire.objects
-        .filter(({ id }) => id === objectId)
-        .map(({ kind, x, y }) => [kind, x, y].join(' '))
-        .join(),
-    );
-    return fire.objects.length === 3 && list.join() === 'source -0.1 0.25,solid 0.2 0.9,solid 0 0.5';
-  });
-});
-
 test('the picture of a stopped fire stays until the next one', async () => {
   const tab = await browser.open(BODY, { before: countManually, beforeWorker: mortal });
   await tab.burnt(0.5);
@@ -317,40 +290,6 @@ test('a fire out of sight is ready without a picture, and a picture of it is ref
   });
   assert.equal(drawn, false);
   assert.match(refused, /no frame was drawn in 10 s, because the fire is not visible/);
-});
-
-test('a fire of a main thread whose engine has damaged memory is continued with other memory', async () => {
-  const tab = await browser.open(
-    `${BODY}<script type="module">
-    import { HearthFire } from '/web/hearth-fire.js';
-    HearthFire.engine = 'main';
-  </script>`,
-    {
-      before: () => {
-        const { instantiate } = WebAssembly;
-        const scope = /** @type {any} */ (window);
-        scope.memories = [];
-        WebAssembly.instantiate = async (/** @type {any[]} */ ...of) => {
-          const made = /** @type {any} */ (await /** @type {any} */ (instantiate)(...of));
-          scope.memories.push(made.exports.memory);
-          return made;
-        };
-        const { prototype } = WebGL2RenderingContext;
-        const original = prototype.drawArraysInstanced;
-        prototype.drawArraysInstanced = function drawArraysInstanced(...call) {
-          if (scope.defect) new Uint8Array(scope.memories.at(-1).buffer).fill(255);
-          scope.defect = false;
-          return original.apply(this, call);
-        };
-      },
-    },
-  );
-  await tab.burnt(0.3);
-  await tab.evaluate(() => Object.assign(window, { defect: true }));
-  await tab.until('the fire is back', () => /** @type {any} */ (window).restored === 1);
-  assert.match((await events(tab, 'error'))[0].message, /engine has stopped/);
-  assert.equal(await tab.evaluate(() => new Set(/** @type {any} */ (window).memories).size), 2);
-  await assertBurns(tab);
 });
 
 test('a fire of a main thread whose engine throws is continued', async () => {

@@ -94,33 +94,6 @@ describe('the bar', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('stays from one display to the next, and is removed with the last one', async () => {
-    const tab = await browser.show('<hearth-fire display-mode="temperature" max-pixels="10000"></hearth-fire>');
-    await labelled(tab, /^Temperature/);
-    await tab.fire((fire) => {
-      const bar = fire.shadowRoot.querySelector('[part="scale"]');
-      const seen = [];
-      /** @type {any} */ (window).seen = seen;
-      new MutationObserver(() => seen.push(bar.hidden ? '' : bar.getAttribute('aria-label'))).observe(bar, {
-        attributeFilter: ['hidden', 'aria-label'],
-      });
-    });
-    for (const mode of ['particles', 'velocity', 'temperature']) {
-      await tab.fire(async (fire, wanted) => {
-        // Until all steps are made nothing is drawn, and statistics have no range.
-        const made = fire.step(300);
-        await fire.set('display_mode', wanted);
-        await made;
-      }, mode);
-      await labelled(tab, mode === 'velocity' ? /^Speed/ : /^Temperature/);
-      await tab.until('its range', () => /** @type {any} */ (document.querySelector('hearth-fire')).stats.scale);
-    }
-    const seen = await tab.evaluate(() => /** @type {any} */ (window).seen);
-    assert.ok(seen.some((label) => label.startsWith('Speed')) && !seen.includes(''), String(seen));
-    await tab.fire((fire) => fire.set('display_mode', 'fire'));
-    await gone(tab);
-  });
-
   test('never shows the numbers of another quantity', async () => {
     const tab = await browser.show('<hearth-fire display-mode="temperature"></hearth-fire>');
     await labelled(tab, /^Temperature/);
@@ -139,23 +112,6 @@ describe('the bar', () => {
     const drawn = reported.findIndex((scale) => scale !== null);
     assert.ok(drawn > 0, `the speed is reported only once it is drawn: ${JSON.stringify(reported)}`);
     for (const scale of reported.slice(drawn)) assert.ok(scale?.[1] < 100, `${scale} m/s`);
-  });
-
-  test('shows the range of the picture, and follows it', async () => {
-    // The engine's word about its range is put in its mouth.
-    const beforeWorker = () => {
-      const post = globalThis.postMessage.bind(globalThis);
-      globalThis.postMessage = (/** @type {any} */ message, /** @type {any} */ ...rest) => {
-        if (message?.type === 'stats') message.stats.scale = message.stats.time < 0.5 ? [0, 1000] : [200, 5000];
-        post(message, ...rest);
-      };
-    };
-    const tab = await browser.open('<hearth-fire display-mode="temperature"></hearth-fire>', { beforeWorker });
-    await labelled(tab, /^Temperature, 0 to 1000\u00a0K$/);
-    await labelled(tab, /^Temperature, 200 to 5000\u00a0K$/);
-    assert.deepEqual(await tab.fire((fire) => fire.stats.scale), [200, 5000]);
-    const { marks } = await bar(tab);
-    assert.deepEqual([marks[0], marks.at(-1)], ['200\u00a0K', '5000\u00a0K']);
   });
 
   test('has the colours of the picture', async () => {
@@ -179,20 +135,6 @@ describe('the bar', () => {
     }
     assert.ok(opaque > 500, `${opaque} opaque pixels`);
     assert.ok(alike > 0.97 * opaque, `${alike} of ${opaque} have a colour of the bar`);
-  });
-
-  test('is left out of a fire too small for it, and of one that is gone', async () => {
-    const sized = (side) =>
-      `<hearth-fire display-mode="density" style="width: ${side}px; height: ${side}px"></hearth-fire>`;
-    const tab = await browser.show(sized(150));
-    await tab.burnt(0.3);
-    await tab.until('its range', () => /** @type {any} */ (document.querySelector('hearth-fire')).stats?.scale);
-    await tab.frames(10);
-    assert.equal(await bar(tab), null);
-    await tab.fire((fire) => (fire.style.height = fire.style.width = '170px'));
-    await labelled(tab, /^Density/);
-    await tab.fire((fire) => fire.destroy());
-    await gone(tab);
   });
 
   test('stands above the panel of its fire, and above the button that pauses it', async () => {
@@ -223,24 +165,5 @@ describe('the bar', () => {
     await labelled(tab, /^Pressure, −.* to .*Pa$/);
     const { left } = await bar(tab);
     assert.ok(left > 0 && left < 20);
-  });
-
-  test('that fails to load is reported once, and the fire burns on', async () => {
-    const tab = await browser.open('<hearth-fire display-mode="density"></hearth-fire>', {
-      without: 'element/view/scale.js',
-      before: () => {
-        const errors = [];
-        /** @type {any} */ (window).errors = errors;
-        addEventListener('error', () => {}, true);
-        document.addEventListener('DOMContentLoaded', () =>
-          document.querySelector('hearth-fire')?.addEventListener('error', ({ detail }) => errors.push(detail.kind)),
-        );
-      },
-    });
-    // The element requests the bar once the quantity has a range, and its code on demand.
-    await tab.until('the failure is reported', () => /** @type {any} */ (window).errors.length);
-    const before = await tab.fire((fire) => fire.stats.time);
-    await tab.burnt(before + 1);
-    assert.deepEqual(await tab.evaluate(() => /** @type {any} */ (window).errors), ['load']);
   });
 });

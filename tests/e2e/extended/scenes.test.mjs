@@ -1,14 +1,11 @@
-/**
- * The scene chooser of the panel: pictures that mouse, keys and fingers select, the
- * current scene marked, and one step of undo for each choice.
- */
+/** The scene chooser of the panel: pictures that keys and fingers select. `history.test.mjs` undoes a choice. */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { Browser } from '../driver.mjs';
 import { Panel, actionOf } from '../panel.mjs';
 import { table } from '../site.mjs';
 
-const { PARAMETERS, PRESETS, DEFAULTS: PAGE, defaultsOf } = await table();
+const { PRESETS } = await table();
 
 /** @type {Browser} */
 let browser;
@@ -76,45 +73,6 @@ describe('the scenes', () => {
       );
     }
     assert.deepEqual(tab.problems, []);
-  });
-
-  test('are named in the panel, with a mark after changes', async () => {
-    const { tab, panel } = await openPage();
-    for (const { name, label } of PRESETS) {
-      await tab.fire((fire, preset) => fire.importConfig({ hearth: 2, preset, values: {} }), name);
-      assert.equal(await heading(panel), `Scene: ${label}`);
-    }
-    await tab.fire((fire) => fire.set('gravity', 3));
-    assert.equal(await heading(panel), `Scene: ${PRESETS.at(-1).label}, changed`);
-    await tab.fire((fire) => fire.restore());
-    assert.equal(await heading(panel), `Scene: ${PRESETS[0].label}`);
-  });
-
-  test('are one step of undo each, chosen by mouse, and the list stays for the next', async () => {
-    const { tab, panel } = await openPage();
-    await tab.fire((fire) => fire.set('gravity', 3));
-    await panel.openScenes();
-    assert.deepEqual(await marked(panel), ['default']);
-    for (const { name, values } of PRESETS.slice(1, 3)) {
-      await tab.page.click(`[data-scene="${name}"]`);
-      await isScene(tab, name);
-      const expected = { ...defaultsOf(values.model ?? PAGE.model), ...values };
-      const used = PARAMETERS.filter(({ models }) => models.includes(expected.model));
-      const now = await tab.fire((fire) => fire.params);
-      for (const { id } of used) assert.equal(now[id], expected[id], `${id} of ${name}`);
-      await tab.until(
-        'it is marked',
-        (wanted) => document.querySelector('.hearth-card [aria-current="true"]')?.getAttribute('data-scene') === wanted,
-        name,
-      );
-      assert.equal((await marked(panel)).length, 1);
-    }
-    await tab.page.click('[data-card="close"]');
-    await panel.press('undo');
-    await isScene(tab, PRESETS[1].name);
-    await panel.press('undo');
-    await isScene(tab, 'default');
-    assert.equal(await tab.fire((fire) => fire.params.gravity), 3);
   });
 
   test('are gone through by keys: one stop for Tab, arrows, Enter, Escape', async () => {
@@ -201,42 +159,33 @@ describe('the scenes', () => {
   });
 });
 
-describe('on a phone', () => {
-  for (const inside of [false, true]) {
-    test(`a finger pushes and taps them in the sheet ${inside ? 'of a fire' : 'of the page'}`, async () => {
-      const tab = await browser.open(
-        inside
-          ? '<hearth-fire controls style="width: 360px; height: 640px"></hearth-fire>'
-          : 'index.html?scene=default',
-        PHONE,
-      );
-      await tab.ready();
-      const panel = await new Panel(tab, { inside }).mounted();
-      await panel.openScenes();
-      const rowBox = (name) =>
-        panel.in((root, wanted) => {
-          const { x, y, width, height } = root.querySelector(`[data-scene="${wanted}"]`).getBoundingClientRect();
-          return { x: x + width / 2, y: y + height / 2, top: y, bottom: y + height };
-        }, name);
-      const { top, bottom } = await rowBox('default');
-      assert.ok(top >= 0.55 * PHONE.height && bottom <= PHONE.height, 'the fire stays in sight');
-      const cut = await panel.in((root) =>
-        [...root.querySelectorAll('[data-scene] > span')]
-          .filter((name) => name.scrollHeight > name.clientHeight + 1 || name.scrollWidth > name.clientWidth + 1)
-          .map((name) => name.textContent),
-      );
-      assert.deepEqual(cut, [], 'names are read to their ends');
-      for (const name of [PRESETS[1].name, PRESETS[5].name]) {
-        for (let pushes = 0; (await rowBox(name)).x > PHONE.width - 20 && pushes < 20; pushes += 1) {
-          const { y } = await rowBox('default');
-          await tab.touchDrag({ x: 300, y }, { x: 60, y });
-          await tab.frames(20);
-        }
-        const { x, y } = await rowBox(name);
-        await (await tab.finger({ x, y })).end();
-        await isScene(tab, name);
-      }
-      assert.deepEqual(tab.problems, []);
-    });
+test('a finger pushes and taps the scenes in the sheet of a phone', async () => {
+  const tab = await browser.open('index.html?scene=default', PHONE);
+  await tab.ready();
+  const panel = await new Panel(tab).mounted();
+  await panel.openScenes();
+  const rowBox = (name) =>
+    panel.in((root, wanted) => {
+      const { x, y, width, height } = root.querySelector(`[data-scene="${wanted}"]`).getBoundingClientRect();
+      return { x: x + width / 2, y: y + height / 2, top: y, bottom: y + height };
+    }, name);
+  const { top, bottom } = await rowBox('default');
+  assert.ok(top >= 0.55 * PHONE.height && bottom <= PHONE.height, 'the fire stays in sight');
+  const cut = await panel.in((root) =>
+    [...root.querySelectorAll('[data-scene] > span')]
+      .filter((name) => name.scrollHeight > name.clientHeight + 1 || name.scrollWidth > name.clientWidth + 1)
+      .map((name) => name.textContent),
+  );
+  assert.deepEqual(cut, [], 'names are read to their ends');
+  for (const name of [PRESETS[1].name, PRESETS[5].name]) {
+    for (let pushes = 0; (await rowBox(name)).x > PHONE.width - 20 && pushes < 20; pushes += 1) {
+      const { y } = await rowBox('default');
+      await tab.touchDrag({ x: 300, y }, { x: 60, y });
+      await tab.frames(20);
+    }
+    const { x, y } = await rowBox(name);
+    await (await tab.finger({ x, y })).end();
+    await isScene(tab, name);
   }
+  assert.deepEqual(tab.problems, []);
 });

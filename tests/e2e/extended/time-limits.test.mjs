@@ -5,18 +5,14 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { assertBurns, events, recording } from '../assertions.mjs';
-import { settled } from '../children.mjs';
-import { IframeFixture, call, inIframe, received } from '../iframe-fixture.mjs';
+import { Browser } from '../driver.mjs';
 
-/** @type {IframeFixture} */
-let fixture;
-/** @type {import('../driver.mjs').Browser} */
+/** @type {Browser} */
 let browser;
 before(async () => {
-  fixture = await IframeFixture.start();
-  browser = fixture.browser;
+  browser = await Browser.launchWithoutDrawing();
 });
-after(() => fixture?.close());
+after(() => browser?.close());
 
 const WASM = 'hearth-engine_bg.wasm';
 const SMALL = 'quality="low" style="width: 60px; height: 80px"';
@@ -39,7 +35,7 @@ function holdFile() {
   };
 }
 
-const settings = (values, more) => ({ body: JSON.stringify({ hearth: 2, values, ...more }), type: 'application/json' });
+const settings = (values) => ({ body: JSON.stringify({ hearth: 3, values }), type: 'application/json' });
 
 /** The sources of the changes, of this page's fire, that set a value. */
 const changes = (tab, id) =>
@@ -89,28 +85,8 @@ test('a file that arrives late is applied, and the values of the page still over
   assert.deepEqual(await changes(tab, 'bloom'), [[0.3, 'src']]);
 });
 
-test('a file that arrives late has its objects beside those of children', async () => {
-  const child = '<hearth-solid x="0.1"></hearth-solid>';
-  const tab = await browser.open(
-    recording(`<hearth-fire ${SMALL} src="late.json" source-x="0.3">${child}</hearth-fire>`),
-    {
-      files: { 'late.json': settings({ bloom: 0.3 }, { objects: [{ kind: 'source' }, { kind: 'solid', y: 0.7 }] }) },
-      before: holdFile,
-    },
-  );
-  await tab.ready();
-  await settled(tab);
-  await tab.evaluate(() => /** @type {any} */ (window).arrive());
-  await tab.until('it is applied', () => /** @type {any} */ (document.querySelector('hearth-fire')).bloom === 0.3);
-  assert.deepEqual(await tab.fire((fire) => fire.objects.map(({ kind, x, y }) => [kind, x, y].join(' '))), [
-    'source 0.3 0.25',
-    'solid 0 0.7',
-    'solid 0.1 0.5',
-  ]);
-});
-
 for (const [how, act] of /** @type {[string, (fire: any) => unknown][]} */ ([
-  ['settings', (fire) => fire.importConfig({ hearth: 2, values: { bloom: 0.4 } })],
+  ['settings', (fire) => fire.importConfig({ hearth: 3, values: { bloom: 0.4 } })],
   ['another file', (fire) => (fire.src = 'data:application/json,{"hearth":2,"values":{"bloom":0.4}}')],
 ])) {
   test(`of a late file and ${how} that the page names meanwhile, the last applies`, async () => {
@@ -219,19 +195,4 @@ test('code that never comes rejects the call that needs it', async () => {
     ['load', 'load'],
   );
   await assertBurns(tab);
-});
-
-test('in an iframe, wasm that never comes is reported to the page', async () => {
-  fixture.fireServer.replace({ [WASM]: { silent: true } });
-  try {
-    const tab = await fixture.open({ allow: fixture.pageOrigin }, { before: hurry });
-    await received(tab, 'hello');
-    const answer = await call(tab, 'ready');
-    assert.equal(answer.ok, false);
-    assert.equal(answer.error.kind, 'load');
-    assert.match(answer.error.message, /no answer within 60 s/);
-    assert.match(await inIframe(tab, (fire) => fire.shadowRoot.querySelector('[role=status]').textContent), /60 s/);
-  } finally {
-    fixture.fireServer.replace({});
-  }
 });

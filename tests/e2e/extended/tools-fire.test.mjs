@@ -1,5 +1,5 @@
 /**
- * The tools that light solids and spray water, and the tools at solids that fall, with a real mouse and keys.
+ * The tools that light solids and spray water, with a real mouse and keys. What they do is in `web/tool-effects.test.mjs`.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -39,21 +39,7 @@ async function sprayed(tab, act) {
   return tab.evaluate(() => window.sprayed);
 }
 
-/** Sprays enough water from there; returns the state of the fuels that the fire then reports. */
-async function putOut(tab, x, y) {
-  await tab.fire(
-    async (fire, [across, up]) => {
-      for (let call = 0; call < 60; call += 1) {
-        await fire.spray(across, up, 0, -3, 20);
-        await fire.step(16);
-      }
-    },
-    [x, y],
-  );
-  return fuelAfter(tab, 400);
-}
-
-test('a press lights wood and keys spray water, which puts it out; a solid that has fallen is dragged from where it is', async () => {
+test('a press lights wood; a drag and keys spray water', async () => {
   const tab = await openTools(browser, WIDE, PAUSED);
   const id = await add(tab, { kind: 'solid', shape: 'box', x: 0.3, y: 0.6, width: 0.1, height: 0.1, material: 'wood' });
   const fuel = () =>
@@ -72,7 +58,6 @@ test('a press lights wood and keys spray water, which puts it out; a solid that 
   assert.match(await toolStatus(tab), /^Water: Hold to spray/);
   const calls = await sprayed(tab, () => drag(tab, [0.25, 0.8], [0.35, 0.8]));
   assert.ok(calls.length > 0 && calls.every(([, y, , v]) => close(y, 0.8, 0.05) && v < 0), JSON.stringify(calls));
-  assert.equal(await putOut(tab, 0.3, 0.8), 'out');
   await tab.on('.hearth-overlay', (layer) => layer.focus());
   const byKeys = await sprayed(tab, async () => {
     await tab.key('Enter');
@@ -86,37 +71,6 @@ test('a press lights wood and keys spray water, which puts it out; a solid that 
     'no fuel',
     (solid) => document.querySelector('hearth-fire').objects.find((object) => object.id === solid)?.fuel === 'none',
     id,
-  );
-
-  const free = await add(tab, {
-    kind: 'solid',
-    shape: 'box',
-    x: 0.3,
-    y: 1,
-    width: 0.12,
-    height: 0.12,
-    motion: 'free',
-    material: 'wood',
-  });
-  const now = () => tab.fire(async (fire, solid) => (await fire.freeSolids()).find((body) => body.id === solid), free);
-  await tab.fire((fire) => fire.step(300));
-  const fallen = await now();
-  assert.ok(fallen.y < 0.8, `it has fallen to ${fallen.y} m`);
-  await tab.frames(3);
-  await tool(tab, 'select');
-  await drag(tab, [fallen.x, fallen.y], [fallen.x + 0.1, fallen.y + 0.2]);
-  await tab.until(
-    'the move',
-    (solid) => {
-      const object = document.querySelector('hearth-fire').objects.find((found) => found.id === solid);
-      return object.motion === 'free' && object.x > 0.36;
-    },
-    free,
-  );
-  const moved = await now();
-  assert.ok(
-    close(moved.x, fallen.x + 0.1, 0.03) && close(moved.y, fallen.y + 0.2, 0.03),
-    `it is at ${moved.x}, ${moved.y} m`,
   );
   assert.deepEqual(tab.problems, []);
 });

@@ -164,17 +164,9 @@ test('plots are loaded with their first use, their CSV has the numbers of stats 
   assert.ok(Math.abs(times.at(-1) - stats.time) < 1e-3, `${times.at(-1)} and ${stats.time} s`);
   assert.ok(times.every((time, at) => at === 0 || time > times[at - 1]));
   assert.ok(Math.abs(power.at(-1) - measures.power) < 0.01);
-  // The average of stats: a tenth of each frame's power.
-  const average = power.reduce((mean, value) => mean + 0.1 * (value - mean));
-  assert.ok(Math.abs(average - stats.power) < 0.2 * stats.power, `${average}, and ${stats.power} kW/m`);
   assert.ok(shown['Flame height'].startsWith(`now ${heights.at(-1).toFixed(2)} m`), shown['Flame height']);
 
-  const temperatures = columns['temperature [K]'];
-  assert.equal(columns['height at x = 0 m [m]'].length, 64);
-  assert.equal(temperatures.length, 64);
-  for (const [at, { temperature }] of measures.profile.entries())
-    assert.ok(Math.abs(temperature - temperatures[at]) < 0.01);
-  assert.ok(Math.max(...columns['mean temperature [K]']) > 1000);
+  assert.equal(columns['temperature [K]'].length, 64);
 
   const now = async () => Number(/^now (\d+) kW/.exec((await charts(tab)).Power)?.[1]);
   const before = await now();
@@ -183,45 +175,7 @@ test('plots are loaded with their first use, their CSV has the numbers of stats 
   const after = await now();
   assert.ok(after > 1.5 * before, `${before}, then ${after} kW/m`);
 
-  await tab.fire((fire) => {
-    const seen = fire.stats ? [1000 / fire.stats.fps] : [];
-    /** @type {any} */ (window).seen = seen;
-    fire.addEventListener('stats', ({ detail }) => seen.push(1000 / detail.fps));
-    fire.play();
-  });
-  await tab.until('a frame time', () =>
-    /^Frame time: now \d+ ms/.test(document.querySelector('.hearth-plots .chart')?.getAttribute('aria-label') ?? ''),
-  );
-  await tab.fire((fire) => fire.pause());
-  const frames = (await csv(tab)).columns['frame time [ms]'];
-  const seen = await tab.evaluate(() => /** @type {any} */ (window).seen);
-  assert.ok(
-    seen.some((time) => Math.abs(frames.at(-1) - time) < 0.01 * time),
-    `${frames.at(-1)} ms, and ${seen} in stats`,
-  );
   await tab.key('g');
   assert.equal(await tab.evaluate(() => document.querySelector('.hearth-plots')), null);
-  assert.deepEqual(tab.problems, []);
-});
-
-test('the classic model has no power, and its own height, light, spectrum and profiles', async () => {
-  const tab = await openTools(browser, WIDE, `${PAUSED}&model=classic`);
-  await openPlots(tab);
-  await burn(tab, 28);
-  const shown = await charts(tab);
-  assert.deepEqual(
-    Object.keys(shown),
-    CHARTS.filter((title) => title !== 'Power'),
-  );
-  assert.match(shown['Flame height'], /^now (0\.[1-9]|[1-9])/);
-  const { columns } = await csv(tab);
-  assert.equal('power [kW/m]' in columns, false);
-  assert.ok(columns['luminosity [m²]'].at(-1) > 0);
-  const lines = columns['frequency [Hz]'].map((frequency, at) => [frequency, columns['luminosity spectrum [1]'][at]]);
-  assert.equal(Math.max(...columns['luminosity spectrum [1]']), 1);
-  // Slower swings are a trend.
-  const [peak] = lines.slice(3).reduce((most, line) => (line[1] > most[1] ? line : most));
-  assert.equal(shown['Luminosity spectrum'], `the peak is at ${peak.toFixed(1)} Hz`);
-  assert.ok(Math.max(...columns['temperature [K]']) > 900);
   assert.deepEqual(tab.problems, []);
 });

@@ -50,13 +50,6 @@ test('keys and clicks add to the selection, move, duplicate, align and order all
   await tab.page.focus('[data-tool="align-left"]');
   for (const key of ['ArrowRight', 'ArrowRight', 'Enter']) await tab.key(key);
   await until(tab, 'aligned at the right', ([, a, b]) => close(a.x + 0.05, b.x + 0.1, 2e-3));
-  const names = await tab.evaluate(() =>
-    [...document.querySelectorAll('.hearth-align button')].map((button) => button.getAttribute('aria-label')),
-  );
-  assert.deepEqual(
-    names,
-    ['left', 'centre', 'right', 'top', 'middle', 'bottom'].map((to) => `Align: ${to}`),
-  );
   const aligns = () => tab.on('.hearth-align', (bar) => bar.checkVisibility());
   assert.equal(await aligns(), true);
   await tool(tab, 'several');
@@ -68,17 +61,5 @@ test('keys and clicks add to the selection, move, duplicate, align and order all
   await tap(tab, 0.35, 0.98);
   await tab.page.keyboard.up('Shift');
   assert.equal(await toolStatus(tab), '2 objects are selected.');
-  await tab.page.select('.hearth-toolbar select[aria-label="Selected object"]', '2');
-  await tool(tab, 'front');
-  await until(tab, 'the other order', (all) => all.map(({ id }) => id).join() === '1,3,2');
-  await tool(tab, 'back');
-  await until(tab, 'the order of drawing', (all) => all.map(({ id }) => id).join() === '2,1,3');
-  await tab.page.select('.hearth-toolbar select[aria-label="Selected object"]', '1');
-  const disabled = (name) => tab.on(`[data-tool="${name}"]`, (button) => button.getAttribute('aria-disabled'));
-  assert.deepEqual(
-    [await disabled('front'), await disabled('back')],
-    ['true', 'true'],
-    'a source has no place in front',
-  );
   assert.deepEqual(tab.problems, []);
 });

@@ -1,10 +1,11 @@
 /**
- * Values that only a page can resolve: automatic seeds and CSS colours.
+ * The rule for values of another type, and values that only a page can resolve: automatic seeds and CSS colours.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
 import { events, recording } from '../assertions.mjs';
+import { DEFAULT, REFUSED, RULE } from '../../value-rule.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -23,47 +24,6 @@ function seeds(tab) {
     return fires.map((fire) => fire.seed);
   });
 }
-
-test('fires with seed="auto" differ from each other, and are the same in the same page', async () => {
-  const html = `<hearth-fire ${SMALL} seed="auto"></hearth-fire>`.repeat(5);
-  const tab = await browser.open(html);
-  const found = await seeds(tab);
-  assert.equal(new Set(found).size, 5, `${found}`);
-  for (const seed of found) assert.ok(Number.isInteger(seed) && seed >= 0 && seed < 2 ** 32, `${seed}`);
-  // Well mixed: of each pair about half of the bits differ.
-  const bits = (x) => x.toString(2).replaceAll('0', '').length;
-  for (const [at, a] of found.entries()) {
-    for (const b of found.slice(at + 1)) {
-      const differ = bits((a ^ b) >>> 0);
-      assert.ok(differ > 6 && differ < 26, `${a} and ${b} differ in ${differ} bits`);
-    }
-  }
-  const config = await tab.fire((fire) => fire.exportConfig());
-  assert.deepEqual(config, { hearth: 2, values: { seed: found[0] } });
-  assert.deepEqual(await seeds(await browser.open(`<p></p>${html}`)), found);
-  assert.deepEqual(tab.problems, []);
-});
-
-test('the order on the page counts, not the order of making', async () => {
-  const tab = await browser.open(`<hearth-fire ${SMALL} seed="auto"></hearth-fire>`);
-  await tab.ready();
-  const found = await tab.evaluate(async (style) => {
-    const make = () => {
-      const fire = /** @type {any} */ (document.createElement('hearth-fire'));
-      fire.setAttribute('seed', 'auto');
-      fire.setAttribute('quality', 'low');
-      fire.style.cssText = style;
-      return fire;
-    };
-    const [late, early] = [make(), make()];
-    document.body.append(early);
-    document.body.append(late);
-    await Promise.all([late.ready, early.ready]);
-    return [document.querySelector('hearth-fire')?.seed, early.seed, late.seed];
-  }, 'width: 40px; height: 50px');
-  const again = await browser.open(`<hearth-fire ${SMALL} seed="auto"></hearth-fire>`.repeat(3));
-  assert.deepEqual(found, await seeds(again));
-});
 
 test('a fire keeps its automatic seed when it is moved or inserted again, until another is set', async () => {
   const tab = await browser.show(`<hearth-fire ${SMALL} seed="auto"></hearth-fire><div></div>`);
@@ -105,9 +65,9 @@ test('replacing all values keeps an automatic seed, unless they name one', async
     };
     fire.preset = 'torch';
     await next();
-    await fire.importConfig({ hearth: 2, preset: 'seed', values: {} });
+    await fire.importConfig({ hearth: 3, preset: 'seed', values: {} });
     await next();
-    await fire.importConfig({ hearth: 2, values: { seed: 3 } });
+    await fire.importConfig({ hearth: 3, values: { seed: 3 } });
     await next();
     await fire.restore();
     await next();
@@ -146,7 +106,7 @@ test('a colour is any colour of CSS, and its settings hold it as hex', async () 
   );
   await tab.ready();
   assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), {
-    hearth: 2,
+    hearth: 3,
     values: { background: '#663399', hot_colour: '#008080' },
   });
   const elements = () => tab.fire((fire) => fire.shadowRoot.querySelectorAll('i').length);
@@ -157,7 +117,7 @@ test('a colour is any colour of CSS, and its settings hold it as hex', async () 
       await fire.set({ background: value });
       const set = fire.background;
       await fire.set('background', '#010203');
-      await fire.importConfig({ hearth: 2, values: { background: value } });
+      await fire.importConfig({ hearth: 3, values: { background: value } });
       return [set, fire.background];
     }, colour);
     assert.deepEqual(found, [hex, hex], colour);
@@ -213,4 +173,48 @@ test('colours of a file and of an address are those of CSS too', async () => {
   await other.ready();
   assert.equal(await other.fire((fire) => fire.background), '#ffd700');
   assert.deepEqual([...tab.problems, ...other.problems], []);
+});
+
+test('one rule says what a value of another type is, wherever it is given', async () => {
+  const tab = await browser.open(`<hearth-fire ${SMALL}></hearth-fire>`);
+  await tab.ready();
+  const rows = Object.entries(RULE).flatMap(([id, all]) =>
+    // What the driver sends to a page is JSON.
+    all.filter(([value]) => !Number.isNaN(value)).map(([value, becomes]) => ({ id, value, becomes, other: all[0][0] })),
+  );
+  const found = await tab.fire(async (fire, rows) => {
+    const outcomes = [];
+    for (const { id, value, other } of rows) {
+      const property = id.replace(/_(.)/g, (_, letter) => letter.toUpperCase());
+      const attribute = id.replace('_', '-');
+      const initial = fire.get(id);
+      /** @type {[way: string, give: () => any][]} */
+      const ways = [
+        ['set(id, value)', () => fire.set(id, value)],
+        ['set({ id: value })', () => fire.set({ [id]: value })],
+        ['property', () => void (fire[property] = value)],
+      ];
+      if (typeof value === 'string') ways.push(['attribute', () => fire.setAttribute(attribute, value)]);
+      for (const [way, give] of ways) {
+        if (value === null) await fire.set(id, other);
+        const refused = await Promise.resolve(give()).then(
+          () => false,
+          (/** @type {any} */ error) => error.name === 'RangeError' && error.id === id,
+        );
+        await fire.set({});
+        outcomes.push({ id, value, way, refused, got: fire.get(id), initial });
+        fire.removeAttribute(attribute);
+        await fire.restore(id);
+      }
+    }
+    return outcomes;
+  }, rows);
+  for (const { id, value, way, refused, got, initial } of found) {
+    const [, becomes] = RULE[id].find(([given]) => JSON.stringify(given) === JSON.stringify(value)) ?? [];
+    const words = `${id} = ${JSON.stringify(value)} by ${way}`;
+    assert.equal(got, [REFUSED, DEFAULT].includes(/** @type {any} */ (becomes)) ? initial : becomes, words);
+    if (way.startsWith('set')) assert.equal(refused, becomes === REFUSED, words);
+  }
+  const missing = await tab.fire((fire) => Promise.all([fire.set('wind'), fire.set('wind', undefined)]).catch(String));
+  assert.match(missing, /wind = "undefined" is refused: it must be a number from -3 to 3/);
 });

@@ -65,27 +65,6 @@ test('they follow the height of the world, and have no value without a picture',
   assert.deepEqual(without, [null, null, null, null]);
 });
 
-test('particles appear where toPixels puts their source', async () => {
-  const tab = await browser.show(`<hearth-fire paused model="classic" display-mode="paper"
-    source-width="0.05" source-height="0.1" emission-speed="0"></hearth-fire>`);
-  await tab.ready();
-  await tab.fire((fire) => fire.step(10));
-  await tab.frames(4);
-  const source = await tab.fire((fire) => fire.toPixels(0, fire.params.source_height));
-  const picture = await tab.firePicture();
-  const reach = 16;
-  const { width, height } = picture;
-  const around = picture.crop(
-    (source.x - reach) / width,
-    (source.y - reach) / height,
-    (source.x + reach) / width,
-    (source.y + reach) / height,
-  );
-  const lit = (crop) => Math.round((1 - crop.dark()) * crop.width * crop.height);
-  assert.ok(lit(around) > 10, `${lit(around)} pixels are lit around the source`);
-  assert.equal(lit(picture), lit(around), 'nothing is lit elsewhere');
-});
-
 /** Transforms of an ancestor, and of the element. */
 const TRANSFORMS = [
   ['turned', 'transform: rotate(90deg)', ''],

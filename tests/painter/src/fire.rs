@@ -26,7 +26,7 @@ impl Fire {
     /// There is no such preset.
     pub fn lit(request: &Request) -> Result<Fire, Failure> {
         let name = request.text("lit");
-        let preset = Preset::find(name).ok_or_else(|| format!("no preset `{name}`"))?;
+        let preset = Preset::find(name)?;
         let mut scene = preset.scene();
         let mut settings = scene.settings().clone();
         let most = request.number("particles") as u32;

@@ -3,10 +3,11 @@
 mod boundary;
 
 use glam::DVec2;
-use hearth_core::params::Input;
-use hearth_core::{Parameters, Particle};
+use hearth_core::scene::SceneSource;
+use hearth_core::{Parameters, Particle, Scene};
 
 use super::{Crowd, Domain, Kernel, Mixture, Neighbour, Plain, Sum};
+use crate::fires::source;
 
 /// Prandtl and Schmidt number of the eddies.
 const PRANDTL: f64 = 0.7;
@@ -40,6 +41,7 @@ pub struct Combustion {
 /// The figures of a fire that all particles share.
 struct Common<'a> {
     p: &'a Parameters,
+    source: SceneSource<'a>,
     kernel: Kernel,
     domain: Domain,
     spacing: f64,
@@ -79,9 +81,9 @@ impl Combustion {
     }
 
     /// Burns on by one step.
-    pub fn step(&mut self, parameters: &Parameters) {
-        let parameters = &self.at_limit(parameters);
-        let common = Common::new(parameters, self.particles.len());
+    pub fn step(&mut self, scene: &Scene) {
+        let scene = &self.at_limit(scene);
+        let common = Common::new(scene, self.particles.len());
         let reach = common.kernel.support();
         let near = common.domain.neighbours(&self.particles, reach);
         self.crowd = Domain::crowd(&near, reach);
@@ -98,7 +100,7 @@ impl Combustion {
             .map(|(i, near)| self.exchanged(i, &common, near))
             .collect();
         self.confine(&common, &near, &mut rates);
-        self.add_body_forces(parameters, &mut rates);
+        self.add_body_forces(common.p, &mut rates);
         let dt = self.max_stable_step(&common, &rates);
 
         let max_speed = self.accelerate(&common, &rates, dt);
@@ -191,7 +193,7 @@ impl Combustion {
         let (p, h) = (common.p, common.kernel.h);
         let lift = (f64::from(p.buoyancy) * f64::from(p.gravity)).max(0.1);
         let heat = f64::from(p.ambient_density) * HEAT_CAPACITY * f64::from(p.ambient_temperature);
-        let length = (f64::from(p.fuel_power) / heat).powi(2) / lift;
+        let length = (f64::from(common.source.power) / heat).powi(2) / lift;
         let length = length.cbrt();
         let own = 2.5 * f64::from(p.eddy_viscosity) * h;
         let square = (f64::from(p.roll_mixing) * length).powi(2) - own * own;
@@ -281,19 +283,16 @@ impl Combustion {
 
     /// The values with an artificial viscosity of at least 0.2 while more than a hundredth of the gas is at
     /// the speed limit.
-    fn at_limit(&self, parameters: &Parameters) -> Parameters {
-        let mut values = parameters.clone();
-        let sound = Common::new(parameters, self.particles.len()).sound;
+    fn at_limit(&self, scene: &Scene) -> Scene {
+        let mut scene = scene.clone();
+        let sound = Common::new(&scene, self.particles.len()).sound;
         let speeds = self.particles.iter().map(|q| q.velocity.value.length());
         let fast = speeds.filter(|&speed| speed > 0.99 * 1.5 * sound).count();
         if fast * 100 > self.particles.len() {
-            let more = f64::from(values.artificial_viscosity).max(0.2);
-            assert_eq!(
-                values.set("artificial_viscosity", Input::Number(more)),
-                Ok(())
-            );
+            let more = f64::from(scene.world().artificial_viscosity).max(0.2);
+            assert_eq!(scene.set("artificial_viscosity", more), Ok(()));
         }
-        values
+        scene
     }
 
     /// The longest step that all three limits allow.
@@ -340,7 +339,7 @@ impl Combustion {
             f64::from(p.ambient_temperature),
             f64::from(p.ignition_temperature),
         );
-        let hottest = f64::from(p.source_temperature).max(ignition) + f64::from(p.flame_rise);
+        let hottest = f64::from(common.source.temperature).max(ignition) + f64::from(p.flame_rise);
         let mut share = Sum::new(1.0);
         share.add(-(-dt / f64::from(p.burn_time)).exp());
         let left = |life: f32| 1.0 / (1.0 + dt / f64::from(life));
@@ -405,13 +404,15 @@ fn expansion(p: &Parameters, temperature: f64) -> f64 {
 }
 
 impl Common<'_> {
-    fn new(p: &Parameters, count: usize) -> Common<'_> {
+    fn new(scene: &Scene, count: usize) -> Common<'_> {
+        let (p, source) = (scene.world(), source(scene));
         let (width, height) = (f64::from(p.domain_width), f64::from(p.domain_height));
         let spacing = (width * height / f64::from(p.particles)).sqrt();
-        let drive = f64::from(p.buoyancy) * f64::from(p.gravity) * f64::from(p.fuel_power);
+        let drive = f64::from(p.buoyancy) * f64::from(p.gravity) * f64::from(source.power);
         let risen = f64::from(p.stiffness) * (drive / USUAL_DRIVE).max(1.0).cbrt();
         Common {
             p,
+            source,
             kernel: Kernel::new(f64::from(p.smoothing_ratio) * spacing),
             domain: Domain {
                 width,

@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use hearth_core::params::{Edges, Input, Model, Walls};
 use hearth_core::random::Random;
 use hearth_core::scene::Surface;
-use hearth_core::{Parameters, Scene, Simulation, Vec2};
+use hearth_core::{Scene, Simulation, Vec2};
 
 use super::{MAX_CLAMPED, Outcome, PARTICLES, corner, described, open_corner, set, watched};
 
@@ -89,24 +89,24 @@ impl Crowd {
     /// A corner of the combustion model in a closed domain, with solids. It has the larger number
     /// of particles: with fewer, the narrowest domain is narrower than a kernel.
     pub fn closed(random: &mut Random) -> Crowd {
-        let mut parameters = corner(Model::Combustion, random);
-        set(&mut parameters, "particles", Input::Number(PARTICLES.1));
-        Crowd::in_fire(parameters, random)
+        let mut scene = corner(Model::Combustion, random);
+        set(&mut scene, "particles", Input::Number(PARTICLES.1));
+        Crowd::in_fire(scene, random)
     }
 
     /// A corner of the combustion model in the open, with solids.
     pub fn open(random: &mut Random) -> Crowd {
-        let parameters = open_corner(random);
-        Crowd::in_fire(parameters, random)
+        let scene = open_corner(random);
+        Crowd::in_fire(scene, random)
     }
 
     /// A corner of the classic model, with solids.
     pub fn classic(random: &mut Random) -> Crowd {
-        let parameters = corner(Model::Classic, random);
-        Crowd::in_fire(parameters, random)
+        let scene = corner(Model::Classic, random);
+        Crowd::in_fire(scene, random)
     }
 
-    fn in_fire(parameters: Parameters, random: &mut Random) -> Crowd {
+    fn in_fire(scene: Scene, random: &mut Random) -> Crowd {
         let is_full = random.bits().is_multiple_of(FULL);
         let solids = SOLIDS.0 + random.bits() % (SOLIDS.1 - SOLIDS.0);
         let (solids, sources) = if is_full {
@@ -114,20 +114,20 @@ impl Crowd {
         } else {
             (solids, 1 + random.bits() % 3)
         };
-        Crowd::of(parameters, solids, sources, random)
+        Crowd::of(scene, solids, sources, random)
     }
 
     /// So many solids and sources in a fire.
     ///
     /// # Panics
     /// If an object is refused, because the test is wrong.
-    pub fn of(parameters: Parameters, solids: u32, sources: u32, random: &mut Random) -> Crowd {
+    pub fn of(scene: Scene, solids: u32, sources: u32, random: &mut Random) -> Crowd {
         let mut crowd = Crowd {
-            scene: Scene::new(parameters),
+            scene,
             motions: Vec::new(),
         };
         for _ in 1..sources {
-            let half = 0.5 * crowd.scene.settings().domain_width;
+            let half = 0.5 * crowd.scene.world().domain_width;
             let x = random.between(-half, half);
             let added = crowd.scene.add(&[
                 ("kind", Input::Text("source")),
@@ -144,7 +144,7 @@ impl Crowd {
     }
 
     fn add(&mut self, number: u32, solids: u32, random: &mut Random) {
-        let settings = self.scene.settings();
+        let settings = self.scene.world();
         let frame = Vec2::new(settings.domain_width, settings.domain_height);
         let unit = frame.min_element() * (8.0 / solids as f32).sqrt();
         let mut size = || {
@@ -212,7 +212,7 @@ impl Crowd {
 
     /// Moves the solids on by a time \[s\].
     fn advance(&mut self, seconds: f32) {
-        let settings = self.scene.settings();
+        let settings = self.scene.world();
         let frame = Vec2::new(settings.domain_width, settings.domain_height);
         for motion in &mut self.motions {
             let found = self.scene.objects().find(|object| object.id == motion.id);
@@ -250,7 +250,7 @@ impl Crowd {
 
     /// The settings and the shapes of the solids, as one line.
     pub fn described(&self) -> String {
-        let mut text = described(self.scene.settings());
+        let mut text = described(&self.scene);
         let _ = write!(text, "; {} sources", self.scene.sources().count());
         let _ = write!(text, ", {} solids", self.motions.len());
         text

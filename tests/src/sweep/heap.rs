@@ -62,7 +62,7 @@ impl Heap {
         let bodies = BODIES.0 + random.bits() % (BODIES.1 - BODIES.0 + 1);
         // Every second heap lies on a burner.
         let power = f64::from(random.between(-60.0, 60.0).max(0.0));
-        let mut settings = on_floor(in_the_open(
+        let mut scene = on_floor(in_the_open(
             combustion(&[
                 ("fuel_power", power),
                 ("ember_rate", 20.0),
@@ -71,8 +71,7 @@ impl Heap {
             ]),
             PARTICLES,
         ));
-        assert_eq!(settings.set("spacing", Input::Number(SPACING)), Ok(()));
-        let mut scene = Scene::new(settings);
+        assert_eq!(scene.set("spacing", SPACING), Ok(()));
         if random.bits().is_multiple_of(STIRRED) {
             let motion = ["sway", "spin"][random.bits() as usize % 2];
             let added = scene.add(&[
@@ -104,7 +103,7 @@ impl Heap {
 
     /// The settings and the bodies, as one line.
     pub fn described(&self) -> String {
-        let mut text = described(self.scene.settings());
+        let mut text = described(&self.scene);
         let _ = write!(text, "; {} bodies, lit at {:?}", self.bodies, self.lit);
         text
     }

@@ -2,7 +2,7 @@
 
 use hearth_core::params::{Edges, IN_DOMAIN, Input};
 use hearth_core::random::Random;
-use hearth_core::{Parameters, Particle, Simulation, Vec2};
+use hearth_core::{Particle, Scene, Simulation, Vec2};
 
 use crate::fires;
 
@@ -24,9 +24,9 @@ impl GasBox {
         f64::from(self.rows) * self.spacing
     }
 
-    /// The parameters of the closed box: nothing acts but pressure, and what
+    /// The scene of the closed box: nothing acts but pressure, and what
     /// `values` switch on.
-    pub(super) fn parameters(&self, values: &[(&str, f64)]) -> Parameters {
+    pub(super) fn scene(&self, values: &[(&str, f64)]) -> Scene {
         let closed = [
             ("domain_width", self.width()),
             ("domain_height", self.height()),
@@ -67,7 +67,7 @@ impl GasBox {
 
     /// A simulation of that gas.
     pub(super) fn simulation(&self, values: &[(&str, f64)], gas: &[Particle]) -> Simulation {
-        let mut simulation = Simulation::new(self.parameters(values));
+        let mut simulation = Simulation::new(self.scene(values));
         fill(&mut simulation, gas);
         simulation
     }
@@ -77,7 +77,7 @@ impl GasBox {
 ///
 /// # Panics
 /// As [`combustion`].
-pub(super) fn closed<'a>(values: impl IntoIterator<Item = (&'a str, f64)>) -> Parameters {
+pub(super) fn closed<'a>(values: impl IntoIterator<Item = (&'a str, f64)>) -> Scene {
     gas("periodic", values)
 }
 
@@ -85,20 +85,22 @@ pub(super) fn closed<'a>(values: impl IntoIterator<Item = (&'a str, f64)>) -> Pa
 ///
 /// # Panics
 /// If a value is invalid, because the case is wrong.
-pub(super) fn combustion<'a>(values: impl IntoIterator<Item = (&'a str, f64)>) -> Parameters {
+pub(super) fn combustion<'a>(values: impl IntoIterator<Item = (&'a str, f64)>) -> Scene {
     gas("open", values)
 }
 
-fn gas<'a>(edges: &str, values: impl IntoIterator<Item = (&'a str, f64)>) -> Parameters {
+fn gas<'a>(edges: &str, values: impl IntoIterator<Item = (&'a str, f64)>) -> Scene {
     let model = [
         ("model", Input::Text("combustion")),
         ("edges", Input::Text(edges)),
     ];
     let values: Vec<_> = values.into_iter().collect();
     let numbers = values.iter().map(|&(id, value)| (id, Input::Number(value)));
-    let mut parameters = fires::with(model.into_iter().chain(numbers));
-    parameters.complete(&|id| values.iter().any(|&(name, _)| name == id), IN_DOMAIN);
-    parameters
+    let mut scene = fires::with(model.into_iter().chain(numbers));
+    let mut world = scene.world().clone();
+    world.complete(&|id| values.iter().any(|&(name, _)| name == id), IN_DOMAIN);
+    scene.set_world(world);
+    scene
 }
 
 /// The same in open air, in a frame and with particles of this spacing \[m\].
@@ -106,7 +108,7 @@ pub(super) fn open<'a>(
     frame: (f64, f64),
     spacing: f64,
     values: impl IntoIterator<Item = (&'a str, f64)>,
-) -> Parameters {
+) -> Scene {
     let fixed = [
         ("domain_width", frame.0),
         ("domain_height", frame.1),
@@ -118,13 +120,13 @@ pub(super) fn open<'a>(
 }
 
 /// The same on a floor.
-pub(super) fn on_floor(mut parameters: Parameters) -> Parameters {
-    set(&mut parameters, "floor", "solid");
-    parameters
+pub(super) fn on_floor(mut scene: Scene) -> Scene {
+    set(&mut scene, "floor", "solid");
+    scene
 }
 
-fn set(parameters: &mut Parameters, id: &str, choice: &str) {
-    if let Err(refusal) = parameters.set(id, Input::Text(choice)) {
+fn set(scene: &mut Scene, id: &str, choice: &str) {
+    if let Err(refusal) = scene.set(id, choice) {
         panic!("{refusal}");
     }
 }

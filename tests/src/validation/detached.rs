@@ -1,6 +1,5 @@
 //! Light of torn flames: what shines apart from the flame that is on its source.
 
-use hearth_core::params::Input;
 use hearth_core::preset::Preset;
 use hearth_core::{Simulation, Vec2};
 
@@ -51,19 +50,18 @@ struct Light {
 }
 
 fn detached_light((name, top): (&str, f32)) -> Row {
-    let mut scene = Preset::find(name).map_or_else(Default::default, Preset::scene);
-    let mut settings = scene.settings().clone();
-    let spacing = HIGH * f64::from(settings.spacing());
+    let mut scene = Preset::find(name).map(Preset::scene).unwrap_or_default();
+    let spacing = HIGH * f64::from(scene.world().spacing());
     for (id, value) in [("spacing", spacing), ("max_particles", 30_000.0)] {
-        if let Err(refusal) = settings.set(id, Input::Number(value)) {
+        if let Err(refusal) = scene.set(id, value) {
             panic!("{refusal}");
         }
     }
-    let (width, h) = (settings.domain_width, settings.smoothing_length());
-    scene.set_settings(settings);
+    let world = scene.world();
+    let (width, h) = (world.domain_width, world.smoothing_length());
     let sources = || scene.sources();
-    let base = f64::from(sources().map(|s| s.source_height).fold(f32::MAX, f32::min));
-    let widest = f64::from(sources().map(|s| s.source_width).fold(0.0, f32::max));
+    let base = f64::from(sources().map(|s| s.y).fold(f32::MAX, f32::min));
+    let widest = f64::from(sources().map(|s| s.width).fold(0.0, f32::max));
     let sampler = Sampler::new(width.into(), top.into(), 0.4 * f64::from(h), h.into());
     let rows = sampler.rows;
     let mut light = Light {

@@ -2,13 +2,14 @@
 
 mod height;
 
-use hearth_core::{Parameters, Simulation};
+use hearth_core::{Scene, Simulation};
 
 use super::boxes::{combustion, on_floor, open};
 use super::measure::{fit, signal};
 use super::plot::{Plot, Series};
 use super::record::{Record, SEEDS, delivered, mean_spectrum, watch};
 use super::{Case, Expected, Outcome, Pace, Row};
+use crate::fires::source;
 
 pub(super) const CASES: &[Case] = &[
     Case {
@@ -60,9 +61,9 @@ pub(super) const CASES: &[Case] = &[
 
 fn burner_power(sizes: &[(u32, f64)]) -> Outcome {
     Outcome::rows(sizes.iter().map(|&(n, seconds)| {
-        let parameters = combustion([("particles", f64::from(n))]);
-        let nominal = f64::from(parameters.fuel_power);
-        let mut fire = Simulation::new(parameters);
+        let scene = combustion([("particles", f64::from(n))]);
+        let nominal = f64::from(scene.power());
+        let mut fire = Simulation::new(scene);
         delivered(&mut fire, 0.5);
         let expected = Expected::Share {
             value: nominal,
@@ -84,7 +85,7 @@ fn burner_power(sizes: &[(u32, f64)]) -> Outcome {
 fn outer_sheet() -> Outcome {
     // Without premixed air the flame is taller than the default frame.
     let record = watch(open((1.2, 3.0), 0.03, [("source_oxygen", 0.0)]), 1.5, 8.0);
-    let source = f64::from(record.fire.parameters().source_width);
+    let source = f64::from(source(record.fire.scene()).width);
     let half = 0.5 * record.height(0.5);
     let rows = record.sampler.row(record.base + 0.1 * half)..record.sampler.row(record.base + half);
     // How much hotter the cooler rim is than the axis, in each row.
@@ -132,9 +133,9 @@ fn outer_sheet() -> Outcome {
 /// Frequency \[Hz\] at which a slot burner puffs: St = 0.55 Ri^0.45 with
 /// St = fD/v₀, Ri = (1 − ρ/ρ₀) g D / v₀² (Cetegen, Dong and Soteriou, Phys.
 /// Fluids 10, 1998, planar plumes), ρ being the density of the gas that rises.
-fn planar_frequency(parameters: &Parameters) -> f64 {
-    let p = parameters;
-    let [width, speed] = [p.source_width, p.emission_speed].map(f64::from);
+fn planar_frequency(scene: &Scene) -> f64 {
+    let (p, source) = (scene.world(), source(scene));
+    let [width, speed] = [source.width, source.speed].map(f64::from);
     let deficit = 1.0 - f64::from(p.ambient_temperature) / FLAME_TEMPERATURE;
     let richardson = deficit * f64::from(p.gravity) * width / (speed * speed);
     0.55 * richardson.powf(0.45) * speed / width
@@ -176,7 +177,7 @@ fn puffing(width: f64) -> Outcome {
         )
     };
     let records = SEEDS.map(record);
-    let expected = planar_frequency(records[0].fire.parameters());
+    let expected = planar_frequency(records[0].fire.scene());
     let mean = |of: &dyn Fn(&Record) -> Vec<(f64, f64)>| mean_spectrum(&records.each_ref().map(of));
     let spectrum = mean(&|record| record.breath_spectrum(0.5 * width));
     let light = mean(&|record| record.light_spectrum(width));
@@ -235,16 +236,16 @@ fn scaled(spectrum: &[(f64, f64)]) -> Vec<(f64, f64)> {
 /// The page's default fire by the figures of realism that need no pixels.
 fn default_flame() -> Outcome {
     // The tips of the flame leave the default frame now and then.
-    let spacing = f64::from(combustion([]).spacing());
+    let spacing = f64::from(combustion([]).world().spacing());
     let tall = |seed| combustion([("seed", seed), ("domain_height", 2.6), ("spacing", spacing)]);
     // Which way the flame of one seed leans is chance.
     let record = Record::joined(SEEDS.map(|seed| watch(tall(seed), SETTLED, SPECTRUM_SECONDS)));
-    let expected = planar_frequency(record.fire.parameters());
+    let expected = planar_frequency(record.fire.scene());
     // Higher up, a flame of this length sways, and two puffs shine at a time.
-    let spectrum = record.light_spectrum(f64::from(record.fire.parameters().source_width));
+    let spectrum = record.light_spectrum(f64::from(source(record.fire.scene()).width));
     let whole = record.light_spectrum(f64::INFINITY);
     let [tall, half, short] = [0.05, 0.5, 0.95].map(|share| record.height(share));
-    let source = f64::from(record.fire.parameters().source_width);
+    let source = f64::from(source(record.fire.scene()).width);
     let width = |part: f64| record.widths[record.sampler.row(record.base + part * half)];
     let (rise, rows) = rises(&record, tall);
     let heights: Vec<_> = rows

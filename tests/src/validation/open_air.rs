@@ -1,6 +1,6 @@
 //! Open air without a fire: at rest, and in the wind.
 
-use hearth_core::{Parameters, Simulation, Vec2};
+use hearth_core::{Scene, Simulation, Vec2};
 
 use super::boxes::{on_floor, open, run};
 use super::{Case, Expected, Outcome, Pace, Row};
@@ -19,7 +19,7 @@ pub(super) const CASES: &[Case] = &[
 ];
 
 /// The air around an unlit source of this width \[m\].
-fn unlit(width: f64, wind: f64) -> Parameters {
+fn unlit(width: f64, wind: f64) -> Scene {
     let values = [
         ("fuel_power", 0.0),
         ("ember_rate", 0.0),
@@ -31,8 +31,8 @@ fn unlit(width: f64, wind: f64) -> Parameters {
 
 /// Mean velocity along x and root mean square of the deviation from `wind` [m/s], from 2 s to
 /// `until` \[s\].
-fn motion(parameters: Parameters, wind: f64, until: f64) -> (f64, f64) {
-    let mut fire = Simulation::new(parameters);
+fn motion(scene: Scene, wind: f64, until: f64) -> (f64, f64) {
+    let mut fire = Simulation::new(scene);
     let (mut sum, mut squares, mut count) = (0.0, 0.0, 0.0);
     let came = run(&mut fire, until, |fire| {
         fire.step();

@@ -34,7 +34,8 @@ fn plume() -> Outcome {
             ],
         ))
     };
-    let p = &parameters(SEEDS[0]);
+    let scene = parameters(SEEDS[0]);
+    let p = scene.world();
     let ambient = f64::from(p.ambient_temperature);
     let record = Record::joined(SEEDS.map(|seed| watch(parameters(seed), 5.0, 65.0)));
     let sampler = &record.sampler;

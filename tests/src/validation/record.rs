@@ -1,11 +1,12 @@
 //! A burning fire watched at 60 Hz: what its fields are on average, and how
 //! its luminous part swings.
 
-use hearth_core::{Parameters, Simulation};
+use hearth_core::{Scene, Simulation};
 
 use super::boxes::{mass, run};
 use super::measure::field::{Field, Sampler};
 use super::measure::signal;
+use crate::fires::source;
 
 /// Frames a second.
 const RATE: f64 = 60.0;
@@ -79,17 +80,18 @@ pub(super) fn delivered(fire: &mut Simulation, seconds: f64) -> f64 {
 }
 
 /// Burns for `settle` seconds, then watches for `seconds`.
-pub(super) fn watch(parameters: Parameters, settle: f64, seconds: f64) -> Record {
+pub(super) fn watch(scene: Scene, settle: f64, seconds: f64) -> Record {
+    let world = scene.world();
     let (width, height) = (
-        f64::from(parameters.domain_width),
-        f64::from(parameters.domain_height),
+        f64::from(world.domain_width),
+        f64::from(world.domain_height),
     );
-    let cell = 0.6 * f64::from(parameters.spacing());
-    let h = f64::from(parameters.smoothing_length());
-    let base = f64::from(parameters.source_height);
+    let cell = 0.6 * f64::from(world.spacing());
+    let h = f64::from(world.smoothing_length());
+    let base = f64::from(source(&scene).y);
     let sampler = Sampler::new(width, height, cell, h);
     let cells = sampler.columns * sampler.rows;
-    let mut fire = Simulation::new(parameters);
+    let mut fire = Simulation::new(scene);
     let mut came = run(&mut fire, settle, Simulation::step);
     let mut record = Record {
         base,
@@ -225,7 +227,7 @@ impl Record {
         let mut light = vec![0.0; self.sampler.rows];
         let mut tip = 0.0;
         let mut breath = Vec::with_capacity(self.sampler.rows);
-        let edge = 0.5 * f64::from(p.source_width);
+        let edge = 0.5 * f64::from(source(fire.scene()).width);
         let (left, right) = (self.sampler.column(-edge), self.sampler.column(edge));
         for row in 0..self.sampler.rows {
             let mut lit = 0.0;

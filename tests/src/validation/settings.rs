@@ -2,10 +2,11 @@
 //! the same frame, and a flame as high.
 
 use hearth_core::params::{Edges, IN_DOMAIN, Input, Model};
-use hearth_core::{Parameters, Simulation};
+use hearth_core::{Parameters, Scene, Simulation};
 
 use super::boxes::run;
 use super::{Case, Expected, Outcome, Pace, Row};
+use crate::fires::source;
 
 pub(super) const CASES: &[Case] = &[
     Case {
@@ -78,30 +79,32 @@ const RATE: f64 = 60.0;
 ///
 /// # Panics
 /// If a value is invalid, because the settings are.
-fn read(values: &str, edges: &str) -> Parameters {
-    let mut parameters = Parameters::new(Model::Combustion);
+fn read(values: &str, edges: &str) -> Scene {
+    let mut scene = Scene::of_model(Model::Combustion);
     let mut ids = Vec::new();
     for (id, value) in values.split(' ').filter_map(|pair| pair.split_once('=')) {
         let value = value.parse().unwrap_or(f64::NAN);
-        set(&mut parameters, id, Input::Number(value));
+        set(&mut scene, id, Input::Number(value));
         ids.push(id);
     }
-    set(&mut parameters, "edges", Input::Text(edges));
-    parameters.complete(&|id| ids.contains(&id), IN_DOMAIN);
-    parameters
+    set(&mut scene, "edges", Input::Text(edges));
+    let mut world = scene.world().clone();
+    world.complete(&|id| ids.contains(&id), IN_DOMAIN);
+    scene.set_world(world);
+    scene
 }
 
-fn set(parameters: &mut Parameters, id: &str, input: Input<'_>) {
-    if let Err(refusal) = parameters.set(id, input) {
+fn set(scene: &mut Scene, id: &str, input: Input<'_>) {
+    if let Err(refusal) = scene.set(id, input) {
         panic!("{refusal}");
     }
 }
 
 /// Mean height of the highest flame above the source from 4 s to 12 s, some ten puffs, in the part of the frame that
 /// the seam of a closed domain leaves \[m\].
-fn height(parameters: Parameters) -> f64 {
-    let (base, [half, top]) = (f64::from(parameters.source_height), room(&parameters));
-    let mut fire = Simulation::new(parameters);
+fn height(scene: Scene) -> f64 {
+    let (base, [half, top]) = (f64::from(source(&scene).y), room(scene.world()));
+    let mut fire = Simulation::new(scene);
     let (mut sum, mut looks) = (0.0, 0.0);
     for look in 0..=(8.0 * RATE) as u32 {
         if !run(&mut fire, 4.0 + f64::from(look) / RATE, Simulation::step) {
@@ -128,10 +131,11 @@ fn room(values: &Parameters) -> [f32; 2] {
 fn heights(all: &[Settings]) -> Outcome {
     Outcome::rows(all.iter().map(|&(name, values)| {
         let [open, closed] = ["open", "periodic"].map(|edges| read(values, edges));
-        assert!(open.edges == Edges::Open && closed.edges == Edges::Periodic);
-        let frame = |values: &Parameters| (values.domain_width, values.domain_height);
+        let [open_edges, closed_edges] = [&open, &closed].map(|scene| scene.world().edges);
+        assert!(open_edges == Edges::Open && closed_edges == Edges::Periodic);
+        let frame = |scene: &Scene| (scene.world().domain_width, scene.world().domain_height);
         let same = frame(&open) == frame(&closed);
-        let top = f64::from(room(&closed)[1] - closed.source_height);
+        let top = f64::from(room(closed.world())[1] - source(&closed).y);
         let [open, closed] = [open, closed].map(height);
         Row::new(
             format!("settings-{name}"),

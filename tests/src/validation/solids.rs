@@ -1,7 +1,7 @@
 //! Flows along and between solids.
 
 use hearth_core::params::Input;
-use hearth_core::{Scene, Simulation, Vec2};
+use hearth_core::{Simulation, Vec2};
 
 use super::boxes::{GasBox, fill, run};
 use super::measure::field::Sampler;
@@ -60,7 +60,7 @@ pub(super) fn around(
     bodies: &[Body],
     speed: f64,
 ) -> Simulation {
-    let mut scene = Scene::new(gas_box.parameters(values));
+    let mut scene = gas_box.scene(values);
     for body in bodies {
         let shape = if body.round { "circle" } else { "box" };
         let fields = [

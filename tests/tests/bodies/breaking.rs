@@ -13,7 +13,7 @@ const LIT: f32 = 0.07;
 
 /// A stick of paper that lies in the air, and its id.
 fn stick(gravity: f64) -> (Scene, u32) {
-    let mut scene = Scene::new(floor(&[("gravity", gravity)]));
+    let mut scene = floor(&[("gravity", gravity)]);
     let id = stick_in(&mut scene, HEIGHT);
     (scene, id)
 }
@@ -140,7 +140,7 @@ fn each_part_goes_on_with_the_velocity_of_its_material() {
 
 #[test]
 fn nothing_breaks_that_does_not_burn() {
-    let mut scene = Scene::new(floor(&[]));
+    let mut scene = floor(&[]);
     for (number, shape) in ["box", "line", "polygon", "mask", "circle"]
         .iter()
         .enumerate()
@@ -191,10 +191,8 @@ fn a_change_of_the_scene_keeps_the_parts_and_reset_restores_the_whole() {
     fire.set_scene(scene.clone());
     same(&fire);
     // Another spacing, as of another quality.
-    let mut settings = scene.settings().clone();
-    assert_eq!(settings.set("spacing", Input::Number(0.08)), Ok(()));
     let mut coarse = scene.clone();
-    coarse.set_settings(settings);
+    assert_eq!(coarse.set("spacing", 0.08), Ok(()));
     fire.set_scene(coarse);
     same(&fire);
     burn_on(&mut fire, 0.2);

@@ -2,7 +2,7 @@
 
 use hearth_core::params::Input;
 use hearth_core::random::Random;
-use hearth_core::{IgnitionTarget, Scene, Simulation, Vec2};
+use hearth_core::{IgnitionTarget, Simulation, Vec2};
 use hearth_tests::fires::burn_on;
 use hearth_tests::sweep::heap::{Heap, gas_in_what_is_left};
 
@@ -10,7 +10,7 @@ use super::{add, floor, free};
 
 #[test]
 fn a_burning_body_has_the_mass_the_centre_and_the_inertia_of_what_is_left() {
-    let mut scene = Scene::new(floor(&[("gravity", 0.0)]));
+    let mut scene = floor(&[("gravity", 0.0)]);
     let plank = [
         ("y", 0.5),
         ("width", 0.6),
@@ -56,7 +56,7 @@ fn a_burning_body_has_the_mass_the_centre_and_the_inertia_of_what_is_left() {
 
 #[test]
 fn a_heap_of_burning_bodies_stays_finite_and_without_gas_inside() {
-    let mut scene = Scene::new(floor(&[]));
+    let mut scene = floor(&[]);
     for number in 0..12 {
         let row = f64::from(number / 4);
         let place = [

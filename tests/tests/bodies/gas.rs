@@ -1,8 +1,7 @@
 //! Gas and bodies push each other, and keep their momentum.
 
 use glam::DVec2;
-use hearth_core::params::Input;
-use hearth_core::{Particle, Scene, Simulation, Vec2};
+use hearth_core::{Particle, Simulation, Vec2};
 use hearth_tests::fires::{burn_on, closed_box, watch, with_numbers};
 use hearth_tests::sweep::heap::gas_in_what_is_left;
 
@@ -22,8 +21,7 @@ pub fn momenta(fire: &Simulation, particle: f64) -> (DVec2, DVec2) {
 
 #[test]
 fn bodies_and_gas_in_a_closed_box_keep_their_momentum() {
-    let settings = closed_box(&[("gravity", 0.0), ("turbulence", 0.0)]);
-    let mut scene = Scene::new(settings);
+    let mut scene = closed_box(&[("gravity", 0.0), ("turbulence", 0.0)]);
     let density = ("density", 20.0);
     let ball = add(
         &mut scene,
@@ -41,7 +39,7 @@ fn bodies_and_gas_in_a_closed_box_keep_their_momentum() {
     ];
     add(&mut scene, "line", "free", &plate);
     // Every particle has the same share of the air that would fill the box without them.
-    let places = Simulation::new(scene.settings().clone()).count();
+    let places = Simulation::new(scene.world().clone()).count();
     let mut fire = Simulation::new(scene);
     let particle = f64::from(fire.parameters().ambient_density) * 0.64 / places as f64;
     // A gust meets them; then nothing acts on the box.
@@ -70,15 +68,14 @@ fn bodies_and_gas_in_a_closed_box_keep_their_momentum() {
 
 #[test]
 fn bodies_and_particles_of_the_classic_model_keep_their_momentum() {
-    let mut settings = with_numbers(&[
+    let mut scene = with_numbers(&[
         ("time_step", 0.004),
         ("gravity", 0.0),
         ("buoyancy", 0.0),
         ("domain_width", 4.0),
         ("domain_height", 4.0),
     ]);
-    assert_eq!(settings.set("walls", Input::Text("open")), Ok(()));
-    let mut scene = Scene::new(settings);
+    assert_eq!(scene.set("walls", "open"), Ok(()));
     scene.clear();
     let place = [("x", 0.15), ("y", 2.0), ("width", 0.2), ("density", 5.0)];
     let ball = add(&mut scene, "circle", "free", &place);
@@ -121,15 +118,14 @@ fn bodies_and_particles_of_the_classic_model_keep_their_momentum() {
 #[test]
 fn a_light_sheet_rises_on_a_plume_and_a_block_does_not() {
     let height = |density: f64| {
-        let mut settings = floor(&[]);
+        let mut scene = floor(&[]);
         for (id, value) in [
             ("fuel_power", 60.0),
             ("source_height", 0.05),
             ("spacing", 0.04),
         ] {
-            assert_eq!(settings.set(id, Input::Number(value)), Ok(()));
+            assert_eq!(scene.set(id, value), Ok(()));
         }
-        let mut scene = Scene::new(settings);
         let sheet = [
             ("y", 0.5),
             ("width", 0.16),
@@ -159,7 +155,7 @@ fn a_balloon_rises_and_a_body_of_the_density_of_air_floats() {
         burn_on(&mut fire, 0.2);
         free(&fire, id).place.y - 0.5
     };
-    let air = f64::from(alone().settings().ambient_density);
+    let air = f64::from(alone().world().ambient_density);
     // With half of its weight, the buoyancy is twice that.
     let path = 0.5 * GRAVITY * 0.04;
     assert!((risen(0.5 * air) / path - 1.0).abs() < 0.05);
@@ -170,9 +166,8 @@ fn a_balloon_rises_and_a_body_of_the_density_of_air_floats() {
 #[test]
 fn gas_yields_to_a_body_that_begins_in_the_floor() {
     // In coarse air the steps are longest. A particle of the first lattice is above each line.
-    let mut settings = floor(&[]);
-    assert_eq!(settings.set("spacing", Input::Number(0.1)), Ok(()));
-    let mut scene = Scene::new(settings);
+    let mut scene = floor(&[]);
+    assert_eq!(scene.set("spacing", 0.1), Ok(()));
     let places = [-0.35, -0.25, -0.15, -0.05, 0.05, 0.15, 0.25, 0.35];
     let ids = places.map(|x| {
         let (length, width) = (("width", 0.08), ("height", 0.02));

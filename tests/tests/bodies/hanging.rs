@@ -68,7 +68,7 @@ fn hook(scene: &mut Scene, x: f64, y: f64) -> u32 {
 #[test]
 fn a_chain_of_twenty_links_hangs_for_a_minute() {
     // Gas that is never quite at rest keeps one awake.
-    for (mut scene, sleeps) in [(alone(), true), (Scene::new(floor(&[])), false)] {
+    for (mut scene, sleeps) in [(alone(), true), (floor(&[]), false)] {
         let nail = hook(&mut scene, 0.1, 1.4);
         let ids = chain(&mut scene, nail, (0.1, 1.4), 90.0, 20);
         let mut fire = Simulation::new(scene);
@@ -166,8 +166,7 @@ fn a_hinge_at_a_solid_that_sways_at_the_greatest_speed_does_not_stretch() {
 
 #[test]
 fn hinged_bodies_exchange_momentum_that_is_opposite() {
-    let settings = closed_box(&[("gravity", 0.0), ("turbulence", 0.0)]);
-    let mut scene = Scene::new(settings);
+    let mut scene = closed_box(&[("gravity", 0.0), ("turbulence", 0.0)]);
     let ball = add(
         &mut scene,
         "circle",
@@ -180,7 +179,7 @@ fn hinged_bodies_exchange_momentum_that_is_opposite() {
             Ok(())
         );
     }
-    let places = Simulation::new(scene.settings().clone()).count();
+    let places = Simulation::new(scene.world().clone()).count();
     let mut fire = Simulation::new(scene);
     let particle = f64::from(fire.parameters().ambient_density) * 0.64 / places as f64;
     let gust = |at: Vec2, _: Vec2| {
@@ -208,10 +207,7 @@ fn hinged_bodies_exchange_momentum_that_is_opposite() {
 fn two_that_hang_from_each_other_do_not_collide_and_others_do() {
     let apart = |hinged: bool| {
         let mut scene = alone();
-        let gravity = Input::Number(0.0);
-        let mut settings = scene.settings().clone();
-        assert_eq!(settings.set("gravity", gravity), Ok(()));
-        scene.set_settings(settings);
+        assert_eq!(scene.set("gravity", 0.0), Ok(()));
         let size = [("y", 1.0), ("width", 0.1), ("height", 0.1)];
         let support = add(&mut scene, "box", "free", &size);
         let other = add(
@@ -305,9 +301,8 @@ fn a_chain_follows_a_hook_that_moves_and_falls_without_it() {
 
 #[test]
 fn two_hinged_bodies_keep_both_momenta() {
-    let mut settings = with_numbers(&[("time_step", 0.002), ("gravity", 0.0)]);
-    assert_eq!(settings.set("walls", Input::Text("open")), Ok(()));
-    let mut scene = Scene::new(settings);
+    let mut scene = with_numbers(&[("time_step", 0.002), ("gravity", 0.0)]);
+    assert_eq!(scene.set("walls", "open"), Ok(()));
     scene.clear();
     // One moves with a solid that sways until it is removed.
     let from = add(

@@ -13,7 +13,7 @@ const BODY: usize = 32;
 
 /// A box that rests on another, and a polygon that falls and turns.
 fn heap() -> Scene {
-    let mut scene = Scene::new(floor(&[]));
+    let mut scene = floor(&[]);
     add(
         &mut scene,
         "circle",
@@ -88,9 +88,7 @@ fn a_saved_fire_has_its_free_solids_where_they_were() {
     same(&fire, &other, 3e-2);
     // At another spacing, too.
     let mut scene = heap();
-    let mut settings = scene.settings().clone();
-    assert_eq!(settings.set("spacing", Input::Number(0.05)), Ok(()));
-    scene.set_settings(settings);
+    assert_eq!(scene.set("spacing", 0.05), Ok(()));
     let mut finer = Simulation::new(scene);
     assert_eq!(finer.restore_burning(&bytes), Ok(()));
     for (then, now) in before.iter().zip(finer.free_solids()) {
@@ -135,7 +133,7 @@ fn a_damaged_free_solid_is_refused_and_changes_nothing() {
 
 #[test]
 fn a_broken_solid_is_whole_again() {
-    let mut scene = Scene::new(floor(&[("gravity", 0.0)]));
+    let mut scene = floor(&[("gravity", 0.0)]);
     let size = [("y", 1.0), ("width", 0.8), ("height", 0.04), ("load", 0.6)];
     let id = add(&mut scene, "box", "free", &size);
     assert_eq!(scene.change(id, &[("fuel", Input::Text("paper"))]), Ok(()));

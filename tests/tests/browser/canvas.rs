@@ -1,6 +1,6 @@
 //! A real canvas with a real WebGL2 context, and what was painted on it.
 
-use hearth_core::params::{DisplayMode, Parameters};
+use hearth_core::params::DisplayMode;
 use hearth_core::{Charred, Instance, Scene};
 use hearth_render::{History, Moment, Renderer, View};
 use js_sys::{Function, Reflect};
@@ -80,10 +80,10 @@ impl Canvas {
     pub fn paint(
         &self,
         instances: &[Instance],
-        parameters: &Parameters,
+        scene: &Scene,
     ) -> Result<Pixels, JsValue> {
         let mut renderer = Renderer::new(&self.gl).map_err(words)?;
-        let painted = self.paint_with(&mut renderer, instances, parameters);
+        let painted = self.paint_with(&mut renderer, instances, scene);
         renderer.destroy(&self.gl);
         painted
     }
@@ -93,9 +93,9 @@ impl Canvas {
         &self,
         renderer: &mut Renderer,
         instances: &[Instance],
-        parameters: &Parameters,
+        scene: &Scene,
     ) -> Result<Pixels, JsValue> {
-        self.paint_at(renderer, self.view.time, [instances, &[]], parameters)
+        self.paint_at(renderer, self.view.time, [instances, &[]], scene)
     }
 
     /// Paints particles and embers as they are at `time` \[s\], without a past, and reads the
@@ -105,9 +105,9 @@ impl Canvas {
         renderer: &mut Renderer,
         time: f64,
         gas: [&[Instance]; 2],
-        parameters: &Parameters,
+        scene: &Scene,
     ) -> Result<Pixels, JsValue> {
-        self.paint_after(&mut History::default(), renderer, time, gas, parameters)
+        self.paint_after(&mut History::default(), renderer, time, gas, scene)
     }
 
     /// As [`paint_at`](Canvas::paint_at), after a past that it continues.
@@ -117,19 +117,19 @@ impl Canvas {
         renderer: &mut Renderer,
         time: f64,
         [particles, embers]: [&[Instance]; 2],
-        parameters: &Parameters,
+        scene: &Scene,
     ) -> Result<Pixels, JsValue> {
-        renderer.upload(&self.gl, parameters.display_mode, particles, embers);
+        renderer.upload(&self.gl, scene.world().display_mode, particles, embers);
         let view = View { time, ..self.view };
-        if parameters.display_mode == DisplayMode::Fire {
+        if scene.world().display_mode == DisplayMode::Fire {
             history.record(&Moment {
                 time,
-                scene: &parameters.clone().into(),
+                scene,
                 poses: &[],
                 particles,
             });
         }
-        let painted = renderer.paint(&self.gl, &view, parameters, history);
+        let painted = renderer.paint(&self.gl, &view, scene, history);
         painted.map_err(words)?;
         let View { width, height, .. } = self.view;
         let mut rgba = vec![0; (width * height * 4) as usize];
@@ -148,7 +148,7 @@ impl Canvas {
             rgba,
             width,
             height,
-            metre: height as f32 / parameters.domain_height,
+            metre: height as f32 / scene.world().domain_height,
         })
     }
 }
@@ -172,7 +172,7 @@ pub fn painted(canvas: &Canvas, scene: &Scene, gas: &[Instance]) -> Result<Pixel
         &[],
         &Charred::default(),
     );
-    let pixels = canvas.paint_with(&mut renderer, gas, scene.settings());
+    let pixels = canvas.paint_with(&mut renderer, gas, scene);
     renderer.destroy(&canvas.gl);
     assert_eq!(canvas.gl_error(), 0);
     pixels

@@ -2,8 +2,8 @@
 //! as particles, fire and smoke apart, its fine structure goes with it, embers
 //! shine.
 
-use hearth_core::Instance;
-use hearth_core::params::{Input, Model, Parameters};
+use hearth_core::params::{Input, Model};
+use hearth_core::{Instance, Scene};
 use hearth_render::{History, Renderer, ResolutionLimits};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -18,8 +18,8 @@ const HEIGHT: u32 = 320;
 const BLOCK: [f32; 4] = [-0.3, 0.6, 0.3, 1.3];
 
 /// The defaults of the combustion model with some values changed.
-fn with(values: &[(&str, Input<'_>)]) -> Result<Parameters, JsValue> {
-    let mut parameters = Parameters::new(Model::Combustion);
+fn with(values: &[(&str, Input<'_>)]) -> Result<Scene, JsValue> {
+    let mut parameters = Scene::of_model(Model::Combustion);
     for &(id, input) in values {
         parameters.set(id, input).map_err(words)?;
     }
@@ -27,7 +27,7 @@ fn with(values: &[(&str, Input<'_>)]) -> Result<Parameters, JsValue> {
 }
 
 /// Without fine structure and glow, and with that number of particles.
-fn plain(particles: f64) -> Result<Parameters, JsValue> {
+fn plain(particles: f64) -> Result<Scene, JsValue> {
     with(&[
         ("detail", Input::Number(0.0)),
         ("bloom", Input::Number(0.0)),
@@ -41,8 +41,8 @@ type State = [f32; 3];
 /// A block of gas at rest or in motion: temperature \[K\], soot, upward speed [m/s].
 /// Its particles fill it without a gap, in rows that are shifted against each
 /// other.
-fn block([kelvin, soot, speed]: State, parameters: &Parameters) -> Vec<Instance> {
-    let spacing = parameters.spacing();
+fn block([kelvin, soot, speed]: State, parameters: &Scene) -> Vec<Instance> {
+    let spacing = parameters.world().spacing();
     let [left, lower, right, upper] = BLOCK;
     let [columns, rows] =
         [right - left, upper - lower].map(|side| (side / spacing).ceil() as usize);
@@ -179,18 +179,6 @@ fn fire_and_smoke_are_separate_layers() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn without_gas_and_embers_nothing_is_painted() -> Result<(), JsValue> {
-    let canvas = Canvas::new(WIDTH, HEIGHT)?;
-    for mode in ["fire", "paper"] {
-        let parameters = with(&[("display_mode", Input::Text(mode))])?;
-        let pixels = canvas.paint(&[], &parameters)?;
-        assert!(pixels.all().all(|(_, _, pixel)| pixel == [0; 4]), "{mode}");
-    }
-    assert_eq!(canvas.gl_error(), 0);
-    Ok(())
-}
-
-#[wasm_bindgen_test]
 fn no_colour_exceeds_its_alpha() -> Result<(), JsValue> {
     for canvas in [
         Canvas::new(WIDTH, HEIGHT)?,
@@ -301,7 +289,7 @@ fn a_spark_has_no_hard_straight_edge_at_low_quality() -> Result<(), JsValue> {
         ("bloom", Input::Number(0.0)),
         ("exposure", Input::Number(2.0)),
     ])?;
-    let pixel = parameters.domain_height / HEIGHT as f32;
+    let pixel = parameters.world().domain_height / HEIGHT as f32;
     for turn in 0..8 {
         let (sin, cos) = (0.4 * turn as f32).sin_cos();
         let [x, y, _, _, _, size, age, life] = ember(0.1, 1.0, 0.003);
@@ -333,7 +321,7 @@ fn a_spark_has_no_hard_straight_edge_at_low_quality() -> Result<(), JsValue> {
 fn an_ember_smaller_than_a_pixel_does_not_flicker() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let parameters = with(&[("bloom", Input::Number(0.0))])?;
-    let pixel = parameters.domain_height / HEIGHT as f32;
+    let pixel = parameters.world().domain_height / HEIGHT as f32;
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
     let mut seen: Vec<f32> = Vec::new();
     for step in 0..9 {
@@ -346,16 +334,5 @@ fn an_ember_smaller_than_a_pixel_does_not_flicker() -> Result<(), JsValue> {
     let least = seen.iter().copied().fold(f32::INFINITY, f32::min);
     let most = seen.iter().copied().fold(0.0, f32::max);
     assert!(least > 0.1 && most < 1.4 * least, "{seen:?}");
-    Ok(())
-}
-
-#[wasm_bindgen_test]
-fn paper_sprites_show_the_glowing_gas() -> Result<(), JsValue> {
-    let canvas = Canvas::new(WIDTH, HEIGHT)?;
-    let parameters = with(&[("display_mode", Input::Text("paper"))])?;
-    let hot = canvas.paint(&block([1700.0, 0.3, 0.0], &parameters), &parameters)?;
-    assert!(mean(&inside(&hot))[0] > 80.0);
-    let cold = canvas.paint(&block([500.0, 0.3, 0.0], &parameters), &parameters)?;
-    assert!(cold.all().all(|(_, _, pixel)| pixel == [0; 4]));
     Ok(())
 }

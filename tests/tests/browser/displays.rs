@@ -3,7 +3,7 @@
 
 mod fields;
 
-use hearth_core::params::{Choice, DisplayMode, Input, Model, Parameters};
+use hearth_core::params::{Choice, DisplayMode, Input, Model};
 use hearth_core::{Instance, Simulation};
 use hearth_render::{History, Renderer, View};
 use wasm_bindgen::prelude::*;
@@ -24,8 +24,8 @@ fn every_mode() -> impl Iterator<Item = DisplayMode> {
 
 /// A model's defaults, with a closed domain of 3000 particles in the combustion model: gas is
 /// everywhere in it.
-fn closed(model: Model) -> Result<Parameters, JsValue> {
-    let mut parameters = Parameters::new(model);
+fn closed(model: Model) -> Result<Scene, JsValue> {
+    let mut parameters = Scene::of_model(model);
     if model == Model::Combustion {
         for (id, input) in [
             ("edges", Input::Text("periodic")),
@@ -63,7 +63,7 @@ fn shown(
 ) -> Result<(Pixels, Option<[f32; 2]>), JsValue> {
     let instances = instances(fire, mode)?;
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-    let pixels = canvas.paint_with(&mut renderer, &instances, fire.parameters())?;
+    let pixels = canvas.paint_with(&mut renderer, &instances, fire.scene())?;
     let scale = renderer.scale().map(|(_, ends)| ends);
     renderer.destroy(&canvas.gl);
     Ok((pixels, scale))
@@ -80,7 +80,7 @@ fn off(pixel: [u8; 4], expected: [f32; 3]) -> f32 {
 #[wasm_bindgen_test]
 fn a_disc_has_the_colour_of_its_particle_and_a_smooth_rim() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
-    let mut parameters = Parameters::new(Model::Classic);
+    let mut parameters = Scene::of_model(Model::Classic);
     let set = [
         ("display_mode", Input::Text("particles")),
         // A spacing of 0.1 m: discs of 19 pixels.
@@ -105,7 +105,7 @@ fn a_disc_has_the_colour_of_its_particle_and_a_smooth_rim() -> Result<(), JsValu
         let pixel = pixels.at(x, y);
         assert!(off(pixel, expected) <= 2.0 && pixel[3] == 255, "{pixel:?}");
     }
-    let radius = 0.4 * parameters.spacing();
+    let radius = 0.4 * parameters.world().spacing();
     let mut between = 0;
     for (x, y, [.., alpha]) in pixels.all() {
         let nearest = particles
@@ -188,8 +188,8 @@ fn removed_particles_leave_no_trace() -> Result<(), JsValue> {
         let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
         for mode in every_mode() {
             let particles = instances(&mut fire, mode)?;
-            canvas.paint_with(&mut renderer, &particles, fire.parameters())?;
-            let pixels = canvas.paint_with(&mut renderer, &[], fire.parameters())?;
+            canvas.paint_with(&mut renderer, &particles, fire.scene())?;
+            let pixels = canvas.paint_with(&mut renderer, &[], fire.scene())?;
             assert!(
                 pixels.all().all(|(_, _, pixel)| pixel == [0; 4]),
                 "{model:?}, {mode:?}"
@@ -208,7 +208,7 @@ fn sprites_do_not_depend_on_the_order_and_rotate_smoothly() -> Result<(), JsValu
         let mut sprites = instances(&mut fire, DisplayMode::Sprites)?;
         let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
         let mut paint = |sprites: &[Instance], time| {
-            canvas.paint_at(&mut renderer, time, [sprites, &[]], fire.parameters())
+            canvas.paint_at(&mut renderer, time, [sprites, &[]], fire.scene())
         };
         let first = paint(&sprites, 1.0)?;
         let later = paint(&sprites, 1.0 + 1.0 / 60.0)?;
@@ -248,7 +248,7 @@ fn no_mode_panics_without_a_context() -> Result<(), JsValue> {
             ..View::default()
         };
         // An error or a picture without effect: neither stops the page.
-        let _ = renderer.paint(&canvas.gl, &view, fire.parameters(), &History::default());
+        let _ = renderer.paint(&canvas.gl, &view, fire.scene(), &History::default());
         renderer.destroy(&canvas.gl);
     }
     Ok(())

@@ -1,7 +1,7 @@
 //! The ground in a real browser: it begins below the fire, in the light of the fire and of the
 //! background, and solids cast shadows on it.
 
-use hearth_core::params::{Choice, Ground, Input, Parameters};
+use hearth_core::params::{Choice, Ground, Input};
 use hearth_core::{Instance, Scene};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -12,7 +12,7 @@ use crate::{HEIGHT, WIDTH, light, puff, with};
 /// Height at which the ground begins \[m\]: a tenth of the domain above the source, with a margin.
 const HORIZON: f32 = 0.15 + 0.02;
 
-fn settings(ground: &str, background: &str) -> Result<Parameters, JsValue> {
+fn settings(ground: &str, background: &str) -> Result<Scene, JsValue> {
     with(&[
         ("ground", Input::Text(ground)),
         ("background", Input::Text(background)),
@@ -30,7 +30,7 @@ fn ground(
     background: &str,
     gas: &[Instance],
 ) -> Result<Pixels, JsValue> {
-    painted(canvas, &Scene::new(settings(name, background)?), gas)
+    painted(canvas, &settings(name, background)?, gas)
 }
 
 /// Whether no channel of two pixels differs by more than dithering.
@@ -124,7 +124,7 @@ fn a_solid_casts_its_shadow_away_from_the_fire() -> Result<(), JsValue> {
     for side in [-1.0, 1.0] {
         let gas = puff((0.4 * side, 0.3), 1900.0);
         let with = |material| -> Result<Pixels, JsValue> {
-            let mut scene = Scene::new(settings("sand", "#000000")?);
+            let mut scene = settings("sand", "#000000")?;
             scene
                 .add(&[
                     ("kind", Input::Text("solid")),

@@ -14,9 +14,9 @@ mod solids;
 mod source;
 
 use canvas::{Canvas, Pixels, words};
-use hearth_core::Instance;
-use hearth_core::params::{DisplayMode, Input, Model, Parameters};
-use hearth_render::{History, Renderer, TargetFormat, View};
+use hearth_core::params::{DisplayMode, Input, Model};
+use hearth_core::{Instance, Scene};
+use hearth_render::{History, Renderer, View};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -49,17 +49,12 @@ fn puff((x, y): (f32, f32), temperature: f32) -> Vec<Instance> {
 }
 
 /// The defaults with some values changed.
-fn with(values: &[(&str, Input<'_>)]) -> Result<Parameters, JsValue> {
-    let mut parameters = Parameters::new(Model::Classic);
+fn with(values: &[(&str, Input<'_>)]) -> Result<Scene, JsValue> {
+    let mut parameters = Scene::of_model(Model::Classic);
     for &(id, input) in values {
         parameters.set(id, input).map_err(words)?;
     }
     Ok(parameters)
-}
-
-/// The defaults with the paper's own drawing.
-fn as_in_the_paper() -> Result<Parameters, JsValue> {
-    with(&[("display_mode", Input::Text("paper"))])
 }
 
 /// Brightness of the brightest channel.
@@ -93,66 +88,10 @@ fn every_shader_compiles_and_links() -> Result<(), JsValue> {
 fn light_is_at_the_particles() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     for place in PLACES {
-        let pixels = canvas.paint(&puff(place, 1900.0), &Parameters::new(Model::Classic))?;
+        let pixels = canvas.paint(&puff(place, 1900.0), &Scene::of_model(Model::Classic))?;
         assert_light_only_at(place, &pixels);
     }
     assert_eq!(canvas.gl_error(), 0);
-    Ok(())
-}
-
-#[wasm_bindgen_test]
-fn paper_sprites_are_at_the_particles() -> Result<(), JsValue> {
-    let canvas = Canvas::new(WIDTH, HEIGHT)?;
-    for place in PLACES {
-        let pixels = canvas.paint(&puff(place, 1900.0), &as_in_the_paper()?)?;
-        assert_light_only_at(place, &pixels);
-    }
-    assert_eq!(canvas.gl_error(), 0);
-    Ok(())
-}
-
-#[wasm_bindgen_test]
-fn without_particles_nothing_is_painted() -> Result<(), JsValue> {
-    let canvas = Canvas::new(WIDTH, HEIGHT)?;
-    for parameters in [Parameters::new(Model::Classic), as_in_the_paper()?] {
-        let pixels = canvas.paint(&[], &parameters)?;
-        assert!(pixels.all().all(|(_, _, pixel)| pixel == [0; 4]));
-    }
-    Ok(())
-}
-
-#[wasm_bindgen_test]
-fn removed_particles_leave_no_light() -> Result<(), JsValue> {
-    let canvas = Canvas::new(WIDTH, HEIGHT)?;
-    let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-    let parameters = Parameters::new(Model::Classic);
-    canvas.paint_with(&mut renderer, &puff((0.0, 0.5), 1900.0), &parameters)?;
-    let pixels = canvas.paint_with(&mut renderer, &[], &parameters)?;
-    renderer.destroy(&canvas.gl);
-    assert!(pixels.all().all(|(_, _, pixel)| pixel == [0; 4]));
-    Ok(())
-}
-
-#[wasm_bindgen_test]
-fn the_background_is_visible_without_fire() -> Result<(), JsValue> {
-    let canvas = Canvas::new(WIDTH, HEIGHT)?;
-    let parameters = with(&[("background", Input::Text("#204060"))])?;
-    let [r, g, b, a] = canvas
-        .paint(&puff((0.0, 0.3), 1900.0), &parameters)?
-        .at(-0.5, 1.4);
-    let off = r.abs_diff(0x20).max(g.abs_diff(0x40)).max(b.abs_diff(0x60));
-    assert!(off <= 3 && a == 255, "#204060 became {:?}", [r, g, b, a]);
-    Ok(())
-}
-
-#[wasm_bindgen_test]
-fn the_page_is_visible_by_alpha() -> Result<(), JsValue> {
-    let canvas = Canvas::new(WIDTH, HEIGHT)?;
-    let pixels = canvas.paint(&puff((0.0, 0.3), 1900.0), &Parameters::new(Model::Classic))?;
-    for (x, y, pixel) in pixels.all() {
-        // Premultiplied: a colour above its alpha is undefined on a page.
-        assert!(light(pixel) <= pixel[3], "{pixel:?} at {x}, {y}");
-    }
     Ok(())
 }
 
@@ -182,46 +121,6 @@ fn cooler_gas_glows_darker_and_redder() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn a_device_without_float_targets_shows_the_fire() -> Result<(), JsValue> {
-    let canvas = Canvas::without_float_targets(WIDTH, HEIGHT)?;
-    let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-    assert_eq!(renderer.target_format(), TargetFormat::Rgba8);
-    for place in PLACES {
-        let instances = puff(place, 1900.0);
-        let pixels =
-            canvas.paint_with(&mut renderer, &instances, &Parameters::new(Model::Classic))?;
-        assert_light_only_at(place, &pixels);
-    }
-    renderer.destroy(&canvas.gl);
-    assert_eq!(canvas.gl_error(), 0);
-    Ok(())
-}
-
-#[wasm_bindgen_test]
-fn one_renderer_follows_a_change_of_size() -> Result<(), JsValue> {
-    let place = (0.2, 0.6);
-    for (width, height) in [(240, 300), (500, 300), (120, 400), (60, 75)] {
-        let canvas = Canvas::new(width, height)?;
-        let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-        let small = View {
-            width: 32,
-            height: 32,
-            time: 0.0,
-            ..View::default()
-        };
-        let parameters = Parameters::new(Model::Classic);
-        renderer
-            .paint(&canvas.gl, &small, &parameters, &History::default())
-            .map_err(words)?;
-        let pixels = canvas.paint_with(&mut renderer, &puff(place, 1900.0), &parameters)?;
-        assert_light_only_at(place, &pixels);
-        renderer.destroy(&canvas.gl);
-        assert_eq!(canvas.gl_error(), 0);
-    }
-    Ok(())
-}
-
-#[wasm_bindgen_test]
 fn a_view_without_size_paints_nothing() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
@@ -242,7 +141,7 @@ fn a_view_without_size_paints_nothing() -> Result<(), JsValue> {
             .paint(
                 &canvas.gl,
                 &view,
-                &Parameters::new(Model::Classic),
+                &Scene::of_model(Model::Classic),
                 &History::default(),
             )
             .map_err(words)?;
@@ -263,38 +162,4 @@ fn a_lost_context_gives_an_error() -> Result<(), JsValue> {
             Ok(())
         }
     }
-}
-
-#[wasm_bindgen_test]
-fn a_renderer_does_not_panic_without_a_context() -> Result<(), JsValue> {
-    let canvas = Canvas::new(WIDTH, HEIGHT)?;
-    let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-    let view = View {
-        width: WIDTH,
-        height: HEIGHT,
-        time: 0.0,
-        ..View::default()
-    };
-    renderer.upload(
-        &canvas.gl,
-        DisplayMode::Fire,
-        &puff((0.0, 0.3), 1900.0),
-        &[],
-    );
-    canvas.lose_context()?;
-    renderer.upload(
-        &canvas.gl,
-        DisplayMode::Fire,
-        &puff((0.1, 0.3), 1900.0),
-        &[],
-    );
-    // An error or a picture without effect: neither stops the page.
-    let _ = renderer.paint(
-        &canvas.gl,
-        &view,
-        &Parameters::new(Model::Classic),
-        &History::default(),
-    );
-    renderer.destroy(&canvas.gl);
-    Ok(())
 }

@@ -141,27 +141,28 @@ fn as_many_solids_as_a_scene_holds_are_drawn_and_removed() -> Result<(), JsValue
         .collect();
     let solids: Vec<_> = solids.iter().map(|solid| &solid[..]).collect();
     let settings = Parameters::new(Model::Classic);
+    let empty = scene(settings.clone(), &[])?;
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
     renderer.upload_solids(
         &canvas.gl,
-        &scene(settings.clone(), &solids)?,
+        &scene(settings, &solids)?,
         &[],
         &[],
         &Charred::default(),
     );
-    let pixels = canvas.paint_with(&mut renderer, &[], &settings)?;
+    let pixels = canvas.paint_with(&mut renderer, &[], &empty)?;
     for [x, y] in (0..MAX_OBJECTS).map(place) {
         let pixel = pixels.at(x as f32, y as f32);
         assert_eq!(pixel[3], 255, "{pixel:?} at {x}, {y}");
     }
     renderer.upload_solids(
         &canvas.gl,
-        &scene(settings.clone(), &[])?,
+        &empty,
         &[],
         &[],
         &Charred::default(),
     );
-    let pixels = canvas.paint_with(&mut renderer, &[], &settings)?;
+    let pixels = canvas.paint_with(&mut renderer, &[], &empty)?;
     renderer.destroy(&canvas.gl);
     assert!(pixels.all().all(|(_, _, pixel)| pixel == [0; 4]));
     Ok(())
@@ -251,7 +252,7 @@ fn an_outline_is_drawn_again_when_it_changes_and_moves_without_an_upload() -> Re
             &[],
             &Charred::default(),
         );
-        let pixels = canvas.paint_with(&mut renderer, &[], scene.settings())?;
+        let pixels = canvas.paint_with(&mut renderer, &[], &scene)?;
         assert_eq!(pixels.at(x, y)[3], 255, "{change:?}");
         assert_eq!(pixels.at(beside[0], beside[1])[3], 0, "{change:?}");
     }

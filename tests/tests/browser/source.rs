@@ -1,7 +1,7 @@
 //! A fire that stands aside is the picture of one in the middle, moved aside.
 
-use hearth_core::Instance;
-use hearth_core::params::{Input, Model, Parameters};
+use hearth_core::params::Model;
+use hearth_core::{Instance, Scene};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -17,7 +17,7 @@ const ASIDE: (usize, f32) = (80, 0.4);
 
 /// Gas on a source that stands at `x`, in a wide domain, whose sides fade far away.
 fn painted(model: Model, x: f32) -> Result<Pixels, JsValue> {
-    let mut parameters = Parameters::new(model);
+    let mut scene = Scene::of_model(model);
     for (id, value) in [
         ("domain_width", 6.0),
         ("domain_height", METRES),
@@ -26,7 +26,7 @@ fn painted(model: Model, x: f32) -> Result<Pixels, JsValue> {
         ("source_height", 0.2),
         ("detail", 0.0),
     ] {
-        parameters.set(id, Input::Number(value)).map_err(words)?;
+        scene.set(id, value).map_err(words)?;
     }
     let gas: Vec<Instance> = (0..400)
         .map(|i| {
@@ -38,7 +38,7 @@ fn painted(model: Model, x: f32) -> Result<Pixels, JsValue> {
             }
         })
         .collect();
-    Canvas::new(WIDTH, HEIGHT)?.paint(&gas, &parameters)
+    Canvas::new(WIDTH, HEIGHT)?.paint(&gas, &scene)
 }
 
 #[wasm_bindgen_test]

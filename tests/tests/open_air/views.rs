@@ -100,7 +100,7 @@ fn a_saved_fire_is_the_same_in_any_view() {
     burn_on(&mut fire, 1.0);
     let bytes = fire.burning().unwrap_or_default();
     for view in [None, seen(5.0, 3.0)] {
-        let mut other = Simulation::new(fire.parameters().clone());
+        let mut other = Simulation::new(fire.scene().clone());
         other.see(view);
         assert_eq!(other.restore_burning(&bytes), Ok(()));
         burn_on(&mut other, 0.05);

@@ -2,13 +2,13 @@
 
 use hearth_core::params::{Input, Model};
 use hearth_core::random::Random;
-use hearth_core::{Parameters, Particle, Vec2};
+use hearth_core::{Particle, Scene, Vec2};
 use hearth_tests::{fires, sweep};
 
-/// A scene before its first step.
-pub struct Scene {
+/// A fire before its first step.
+pub struct Case {
     pub name: String,
-    pub parameters: Parameters,
+    pub scene: Scene,
     pub particles: Vec<Particle>,
 }
 
@@ -21,9 +21,9 @@ pub enum Spread {
     Clumped,
 }
 
-/// A scene of so many particles in random motion, of every mixture.
-pub fn scene(parameters: Parameters, count: usize, spread: Spread, seed: u32) -> Scene {
-    let p = &parameters;
+/// A fire of so many particles in random motion, of every mixture.
+pub fn case(scene: Scene, count: usize, spread: Spread, seed: u32) -> Case {
+    let p = scene.world();
     let size = Vec2::new(p.domain_width, p.domain_height);
     let support = 2.0 * p.smoothing_length();
     let cells = (size / support).floor().max(Vec2::ONE);
@@ -72,18 +72,18 @@ pub fn scene(parameters: Parameters, count: usize, spread: Spread, seed: u32) ->
             }
         }
     });
-    Scene {
+    Case {
         name: format!(
             "{spread:?}, seed {seed}: {count} in {}",
-            sweep::described(p)
+            sweep::described(&scene)
         ),
         particles: particles.collect(),
-        parameters,
+        scene,
     }
 }
 
 /// Classic parameters without births: there are already more particles than may be.
-pub fn classic(walls: &str, values: &[(&str, f64)]) -> Parameters {
+pub fn classic(walls: &str, values: &[(&str, f64)]) -> Scene {
     let few = [("max_particles", 100.0), ("emission_rate", 50.0)];
     let numbers = few.iter().chain(values);
     let numbers = numbers.map(|&(id, value)| (id, Input::Number(value)));
@@ -91,19 +91,19 @@ pub fn classic(walls: &str, values: &[(&str, f64)]) -> Parameters {
 }
 
 /// Combustion parameters without chance.
-pub fn combustion(values: &[(&str, f64)]) -> Parameters {
+pub fn combustion(values: &[(&str, f64)]) -> Scene {
     fires::combustion(&[&[("emission_noise", 0.0), ("ember_rate", 0.0)], values].concat())
 }
 
 /// A corner of all ranges, without what the plain solver leaves out.
-pub fn corner(model: Model, random: &mut Random) -> Parameters {
-    let mut parameters = sweep::corner(model, random);
+pub fn corner(model: Model, random: &mut Random) -> Scene {
+    let mut scene = sweep::corner(model, random);
     let burner = [
-        ("seam", parameters.seam),
-        ("source_height", parameters.source_height),
+        ("seam", scene.world().seam),
+        ("source_height", fires::source(&scene).y),
     ];
     let mut set = |id: &str, value: f64| {
-        assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
+        assert_eq!(scene.set(id, value), Ok(()));
     };
     set("turbulence", 0.0);
     if model == Model::Combustion {
@@ -122,5 +122,5 @@ pub fn corner(model: Model, random: &mut Random) -> Parameters {
             set(side, f64::from(random.between(0.25, 0.5)));
         }
     }
-    parameters
+    scene
 }

@@ -137,8 +137,7 @@ fn no_gas_is_inside_of_as_many_moving_solids_as_a_scene_holds() {
         (&[("model", "classic")], 3),
     ] {
         let scene = scene(choices, &[("particles", 900.0)]);
-        let settings = scene.settings().clone();
-        let crowd = Crowd::of(settings, MOST, MOST, &mut Random::new(seed));
+        let crowd = Crowd::of(scene, MOST, MOST, &mut Random::new(seed));
         assert_eq!(crowd.burn(0.3).fault(), None, "{choices:?}");
     }
 }

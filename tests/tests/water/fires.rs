@@ -1,6 +1,5 @@
 //! Fires that are sprayed, and solids that are wet.
 
-use hearth_core::params::Input;
 use hearth_core::{BurningState, IgniteError, IgnitionTarget, Scene, Simulation, Vec2};
 use hearth_tests::fires::{burn_on, combustion, in_the_open, on_floor};
 
@@ -69,11 +68,9 @@ fn wet_wood_burns_later_than_dry() {
         burn_on(&mut fire, 0.5);
         // A flame below it: `ignite` would dry it.
         let mut scene = fire.scene().clone();
-        let mut settings = scene.settings().clone();
         for (name, value) in [("fuel_power", 200.0), ("source_width", 0.3)] {
-            assert_eq!(settings.set(name, Input::Number(value)), Ok(()));
+            assert_eq!(scene.set(name, value), Ok(()));
         }
-        scene.set_settings(settings);
         fire.set_scene(scene);
         let start = fire.time();
         while fire.burning_solids()[0].gas < 0.01 && fire.time() < start + 20.0 {

@@ -33,8 +33,8 @@ export const CHOICES = {
 /**
  * An `HTMLElement` with the properties that this module and `hearth-fire.js` define on the
  * prototype. Without a DOM, as on servers, it is an empty class.
- * @type {new () => HTMLElement & import('../types.js').HearthReflected &
- *   import('../../parameters.js').HearthProperties}
+ * @type {new () => import('../types.js').HearthListeners<import('../types.js').HearthFireEventMap> & HTMLElement &
+ *   import('../types.js').HearthReflected & import('../../parameters.js').HearthProperties}
  */
 const Base = /** @type {any} */ (globalThis.HTMLElement ?? class {});
 
@@ -43,6 +43,7 @@ export const OBSERVED = [...OWN_ATTRIBUTES, ...ID_OF_ATTRIBUTE.keys()];
 
 /** An element with a fire's attributes. */
 export class FireAttributes extends Base {
+  /** @internal */
   static observedAttributes = OBSERVED;
 
   /**
@@ -216,16 +217,7 @@ export function stated(element, name, value) {
 export function setOrRemove(element, name, value) {
   const text = stated(element, name, value);
   if (text === null) element.removeAttribute(name);
-  else if (text !== undefined) element.setAttribute(name, textOf(text));
-}
-
-/** A value as text, whose own code may throw. @param {unknown} value */
-function textOf(value) {
-  try {
-    return String(value);
-  } catch {
-    return `something of type ${typeof value}`;
-  }
+  else if (text !== undefined) element.setAttribute(name, String(text));
 }
 
 /**

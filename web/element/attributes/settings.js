@@ -9,7 +9,7 @@ import { cut, postable } from '../session/requests.js';
 /** The maximum length of JSON text in characters, and of a file in bytes: the same in `share/fragment.js`. */
 const MAX_LENGTH = 400_000;
 
-/** The nesting of settings and of values: `{objects: [{classic: {property: value}}]}`. */
+/** The nesting of settings and of values: `{children: [{set: {property: value}}]}`. */
 export const DEPTH = 4;
 
 /**

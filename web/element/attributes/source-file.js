@@ -79,7 +79,8 @@ export class SourceFile {
     if (download !== this.#download) return;
     this.drop();
     if (!session.begun) this.config = config;
-    else if (config !== undefined) session.call('import', config, 'src');
-    else if (!src && !late) session.call('preset', session.fire.preset, 'src');
+    else if (late) config && session.call('import', config, 'src');
+    else if (config !== undefined) session.call('import', config, session.history.sourceOfScene('src'));
+    else if (!src) session.call('preset', session.fire.preset, session.history.sourceOfScene('src'));
   }
 }

@@ -69,11 +69,10 @@ export function hexOf(colour, fire) {
  */
 export function resolved([method, given, ...others], fire) {
   if (fire.getAttribute('seed') === 'auto') {
-    // A call that replaces every value keeps the automatic seed, unless it names a seed.
+    // A call that replaces every value keeps the seed, unless it names one.
     if (method === 'preset') [method, given] = ['import', { preset: given }];
-    if ((method === 'import' || method === 'add') && typeof given === 'object' && given && !Array.isArray(given)) {
-      given = { ...given, values: { seed: 'auto', ...given.values } };
-    }
+    if (method === 'import') others[1] = true;
+    if (method === 'add' && given.config?.values?.seed === undefined) given.values = { seed: 'auto', ...given.values };
   }
   /** @type {{[method: string]: any[]}} */
   const all = { set: [given], check: [given], import: [given?.values], add: [given?.values, given?.config?.values] };

@@ -52,7 +52,7 @@ export const attributesOf = (/** @type {string} */ kind) => [
 /** A child of one fire. */
 export class Child {
   #owner;
-  /** The number by which the engine knows it and, if it is free, the id of its object. */
+  /** The number by which the engine knows it, and the id of its object. */
   number;
   /**
    * What its target states: nothing without `of`, null if nothing of the target is seen, undefined until that is known.
@@ -74,11 +74,13 @@ export class Child {
    * @param {import('./children.js').Children} owner
    * @param {Element} element
    * @param {number} number
+   * @param {MutationObserver} names warns about unknown attributes that scripts set
    */
-  constructor(owner, element, number) {
+  constructor(owner, element, number, names) {
     this.#owner = owner;
     this.element = element;
     this.number = number;
+    this.names = names;
     this.kind = KINDS[element.localName];
     this.look = new Look(owner.session, () => `${this.name}: ${OF} = ${this.#shownTarget}`);
   }
@@ -94,23 +96,18 @@ export class Child {
     return `#${this.of.slice(0, MAX_SHOWN)}`;
   }
 
-  /** What the engine knows of it. @returns {{object: number, state: string} | undefined} */
+  /** What the engine knows of it. @returns {{state: string} | undefined} */
   get #known() {
     const { children = [] } = this.#owner.session.state.settings;
     return /** @type {any[]} */ (children).find(({ id }) => id === this.number);
   }
 
-  /** The id of its object, if there is any. @returns {number} */
-  get id() {
-    return this.#known?.object || this.number;
-  }
-
   /** Its object by the last report of the engine. @returns {Values | undefined} */
   get object() {
-    const { id, kind } = this;
+    const { number, kind } = this;
     // Another object may have the id of one that a call has removed.
     if (this.#known?.state === 'removed') return undefined;
-    return this.#owner.session.state.objects.find((object) => object.id === id && object.kind === kind);
+    return this.#owner.session.state.objects.find(({ id, ...object }) => id === number && object.kind === kind);
   }
 
   /** An attribute has changed. @param {string} attribute */
@@ -193,7 +190,7 @@ export class Child {
   /** Finds the solid that it names: 0, which no solid has, if there is none. Returns whether that is another one. */
   updateReference() {
     const name = this.#solidName;
-    const id = name ? (this.#owner.childWith('solid', name)?.id ?? 0) : undefined;
+    const id = name ? (this.#owner.childWith('solid', name)?.number ?? 0) : undefined;
     if (id === 0 && document.readyState !== 'loading')
       this.#warnOnce(`#${name}`, `${attributeOf(this.#reference)} = #${name?.slice(0, MAX_SHOWN)}`, WITHOUT_SOLID);
     const isOther = id !== undefined && id !== this.#solid;

@@ -31,15 +31,6 @@ export class Children {
   /** Whether the fire is in sight; undefined before a child has a target. @type {boolean | undefined} */
   #inSight;
   #frame = 0;
-  /** Warns about unknown attributes that scripts set. */
-  #names = new MutationObserver((records) => {
-    for (const { target, attributeName } of records) {
-      const element = /** @type {Element} */ (target);
-      if (attributeName && element.hasAttribute(attributeName)) spell(element, attributeName);
-    }
-    // A child may name a solid by its id.
-    if (records.some(({ attributeName }) => attributeName === 'id')) this.change();
-  });
 
   /** @param {import('../session/session.js').FireSession} session */
   constructor(session) {
@@ -59,6 +50,7 @@ export class Children {
     );
     for (const child of before.filter((old) => !this.#children.includes(old))) {
       child.look.close();
+      child.names.disconnect();
       if (CHILDREN.get(child.element) === child) CHILDREN.delete(child.element);
     }
     for (const child of this.#children.filter((joined) => !before.includes(joined))) child.readTarget();
@@ -70,9 +62,14 @@ export class Children {
   #join(element) {
     do this.#last += 1;
     while (this.session.state.objects.some(({ id }) => id === this.#last));
-    const child = new Child(this, element, this.#last);
+    const names = new MutationObserver((records) => {
+      for (const { attributeName: name } of records) if (name && element.hasAttribute(name)) spell(element, name);
+      // A child may name a solid by its id.
+      if (records.some(({ attributeName }) => attributeName === 'id')) this.change();
+    });
+    names.observe(element, { attributes: true });
+    const child = new Child(this, element, this.#last, names);
     CHILDREN.set(element, child);
-    this.#names.observe(element, { attributes: true });
     for (const name of element.getAttributeNames()) spell(element, name);
     return child;
   }

@@ -62,20 +62,15 @@ export async function captureStream(session, fps) {
 }
 
 /**
- * The options of a picture, each read once.
+ * The options of a picture.
  * @param {unknown} how
  * @param {unknown} share
  * @returns {{type: string, quality?: number, width?: number, background?: string}}
  * @throws {TypeError} one is of another type
  */
 function optionsOf(how, share) {
-  let given;
-  try {
-    given = { ...(typeof how === 'object' ? how : { type: how, quality: share }) };
-  } catch (cause) {
-    throw new TypeError('options cannot be read', { cause });
-  }
-  const { type = 'image/png', quality, width, background } = /** @type {any} */ (given);
+  const given = /** @type {any} */ (typeof how === 'object' ? (how ?? {}) : { type: how, quality: share });
+  const { type = 'image/png', quality, width, background } = given;
   for (const [name, value, kind] of [
     ['type', type, 'string'],
     ['quality', quality, 'number'],

@@ -185,6 +185,12 @@ export function listenToPointer(session, signal) {
     if (grip(event) !== undefined) event.preventDefault();
   };
 
+  // An undo, another scene or another change of a visitor ends a drag: its object may be gone.
+  const end = (/** @type {CustomEventInit<import('../types.js').HearthHistoryDetail>} */ { detail }) => {
+    if (detail?.type !== 'step' || !detail.key.startsWith('press ')) pressed.clear();
+  };
+
+  fire.addEventListener('history-change', end, { signal });
   fire.addEventListener('pointermove', follow, { signal });
   fire.addEventListener('pointerdown', press, { signal });
   fire.addEventListener('pointerleave', leave, { signal });

@@ -1,15 +1,15 @@
 /**
- * The history of a fire: its settings before and after each step, as whole values.
+ * The history of a fire: what each step has changed, value by value, and what the values were before.
  *
  * A step is what a visitor does at once: a drag of a slider, a typed value, a press of a button. Its changes carry the
  * key of the step in their source, so the engine's events assign them to it. A page's own script may change values
- * sixty times a second: its changes are not steps, and undoing a step keeps them.
+ * sixty times a second: its changes are not steps, and undoing a step keeps them. A scene replaces every value, so it is
+ * a step whoever chooses it.
  *
  * @typedef {import('../types.js').HearthHistoryDetail} HearthHistoryDetail
- * @typedef {import('./state.js').Whole} Whole
- *
- * @typedef {[before: Whole, after: Whole]} Span
- * @typedef {{key: string, spans: Span[]}} Step  Between two spans, the page has changed settings.
+ * @typedef {import('./state.js').Delta} Delta
+ * @typedef {import('./state.js').Fields} Fields
+ * @typedef {{key: string, undo: Delta, redo: Delta}} Step
  */
 
 import { quiet } from './requests.js';
@@ -17,19 +17,30 @@ import { quiet } from './requests.js';
 /** The key of the changes of undo and redo. */
 const MOVE = ' move';
 
-/** The maximum number of steps, and that of spans in a call. */
+/** The maximum number of steps. */
 const MAX_STEPS = 200;
-const MAX_SPANS = 100;
 
-/** @type {(span: Span) => Span} */
-const reversed = ([before, after]) => [after, before];
+/** @type {(value: unknown) => value is Fields} */
+const hasFields = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** The parts of settings that a span changes; parts that it does not change are shared. @type {(span: Span) => Span} */
-const changes = ([before, after]) => {
-  const names = Object.keys(after).filter((name) => after[name] !== before[name]);
-  const parts = [before, after].map((whole) => Object.fromEntries(names.map((name) => [name, whole[name]])));
-  return /** @type {Span} */ (parts);
-};
+/** Fields with those of a later delta; a list or a value replaces another one. @type {(first: Fields, then: Fields) => Fields} */
+function joined(first, then) {
+  const all = { ...first };
+  for (const [name, value] of Object.entries(then)) {
+    // A whole object leaves no field of an earlier one.
+    const isPart = hasFields(value) && !('kind' in value) && hasFields(all[name]);
+    all[name] = isPart ? joined(all[name], value) : value;
+  }
+  return all;
+}
+
+/** Whether two deltas state the same. @type {(one: any, other: any) => boolean} */
+const isEqual = (one, other) =>
+  Object.is(one, other) ||
+  (Object(one) === one &&
+    Object(other) === other &&
+    Object.keys(one).length === Object.keys(other).length &&
+    Object.keys(one).every((name) => isEqual(one[name], other[name])));
 
 /** The steps of one element. */
 export class FireHistory {
@@ -41,10 +52,9 @@ export class FireHistory {
   /** The key of the running step. @type {string | undefined} */
   #key;
   #steps = 0;
-  /**
-   * The step that is undone or redone now, what this has changed, and the step's own late changes.
-   * @type {{key: string, spans: Span[], late: Span[]} | undefined}
-   */
+  /** Whether the fire was ready once: a scene before that is what it starts from. */
+  begun = false;
+  /** The step that is undone or redone now, and whether it has changed since. @type {{step: Step, isLate: boolean} | undefined} */
   #moving;
   /** The last undo or redo. @type {Promise<boolean>} */
   #moved = Promise.resolve(false);
@@ -73,7 +83,8 @@ export class FireHistory {
   }
 
   /**
-   * Runs a function and records the changes that it calls for before it returns or waits.
+   * Runs a function and records the changes that it calls for before it returns or waits. A step in a step belongs to
+   * the outer one.
    * @template T
    * @param {() => T} act
    * @param {string} [key]  Changes with the key of the last step belong to it.
@@ -87,7 +98,7 @@ export class FireHistory {
       throw new TypeError(`key must be a text, not ${key === null ? 'null' : typeof key}`);
     const outer = this.#key;
     this.#steps += 1;
-    this.#key = key ?? `step ${this.#steps}`;
+    this.#key = outer ?? key ?? `step ${this.#steps}`;
     try {
       return act();
     } finally {
@@ -98,6 +109,11 @@ export class FireHistory {
   /** The source of a call, with the key of the running step. @param {string} name */
   source(name) {
     return this.#key === undefined ? name : `${name}:${this.#key}`;
+  }
+
+  /** The source of a call that replaces every value, as a step. @param {string} name */
+  sourceOfScene(name) {
+    return this.begun ? this.step(() => this.source(name)) : this.source(name);
   }
 
   /** Undoes the last step. Resolves to false without one. */
@@ -112,27 +128,26 @@ export class FireHistory {
 
   /**
    * Settings have changed.
-   * @type {(key: string, before: Whole, after: Whole) => void}
+   * @type {(key: string, undo: Delta, redo: Delta) => void}
    */
-  record(key, before, after) {
-    if (key === MOVE || key === this.#moving?.key) {
-      // A change of the step may be on its way when the step is undone.
-      this.#moving?.[key === MOVE ? 'spans' : 'late'].push([before, after]);
+  record(key, undo, redo) {
+    if (key === MOVE) return;
+    const moving = this.#moving?.step.key === key ? this.#moving : undefined;
+    const last = moving?.step ?? this.#done.at(-1);
+    const step = last && last.key === key && (moving || !this.canRedo) ? last : undefined;
+    if (step) {
+      step.undo = joined(undo, step.undo);
+      step.redo = joined(step.redo, redo);
+    }
+    if (moving) {
+      // A change of the step was on its way when the step was undone.
+      moving.isLate = true;
       return;
     }
-    const last = this.#done.at(-1);
-    if (last?.key === key && !this.canRedo) {
-      const span = last.spans[last.spans.length - 1];
-      if (span[1] === before) span[1] = after;
-      else last.spans.push([before, after]);
-      // A drag there and back is no step.
-      if (last.spans.length === 1 && JSON.stringify(span[0]) === JSON.stringify(after)) this.#done.pop();
-    } else if (JSON.stringify(before) === JSON.stringify(after)) {
-      return;
-    } else {
-      this.#done.push({ key, spans: [[before, after]] });
-      if (this.#done.length > MAX_STEPS) this.#done.shift();
-    }
+    // A drag there and back is no step.
+    if (step && isEqual(step.undo, step.redo)) this.#done.pop();
+    if (!step) this.#done.push({ key, undo, redo });
+    if (this.#done.length > MAX_STEPS) this.#done.shift();
     this.#undone.length = 0;
     this.#report({ type: 'step', key });
   }
@@ -151,22 +166,14 @@ export class FireHistory {
     const step = from.pop();
     if (!step) return false;
     const { key } = step;
-    const back = type === 'undo';
-    const moving = { key, /** @type {Span[]} */ spans: [], /** @type {Span[]} */ late: [] };
+    const moving = { step, isLate: false };
     this.#moving = moving;
     try {
-      let { spans } = step;
       do {
-        spans = [...spans, ...moving.late.splice(0)];
-        const ways = (back ? spans.map(reversed).reverse() : spans).map(changes);
-        const calls = [];
-        for (let at = 0; at < ways.length; at += MAX_SPANS) {
-          const [here, there] = [0, 1].map((side) => ways.slice(at, at + MAX_SPANS).map((way) => way[side]));
-          calls.push(this.#session.call('restore', there, here, `property:${MOVE}`));
-        }
-        await Promise.all(calls);
-      } while (back && moving.late.length > 0);
-      to.push({ key, spans: back ? moving.spans.map(reversed).reverse() : [...moving.spans, ...moving.late] });
+        moving.isLate = false;
+        await this.#session.call('restore', [step[type]], `property:${MOVE}`);
+      } while (type === 'undo' && moving.isLate);
+      to.push(step);
     } catch (error) {
       // The fire would refuse a refused step again, so that step is dropped. Another fire follows a stopped one.
       if (!(error instanceof RangeError)) from.push(step);

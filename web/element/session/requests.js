@@ -2,8 +2,8 @@
  * Promises for the calls of an element.
  *
  * Each request has a number, which the engine's `done` or `refused` event carries. Calls made without
- * a fire wait here and are sent in order when there is one, and so do calls while the engine has many
- * unanswered sets. A rejected promise without a handler is no "unhandled rejection": a fire is
+ * a fire wait here and are sent in order when there is one, and so do most calls while the engine has
+ * many unanswered sets. A rejected promise without a handler is no "unhandled rejection": a fire is
  * decoration, and the refusal is also an event and a warning.
  *
  * @typedef {import('../../engine/engine.js').Call} Call
@@ -11,6 +11,8 @@
  * @typedef {{promise: Promise<any>, resolve: (value?: unknown) => void, reject: (error: Error) => void, failed:
  *   boolean}} Deferred
  */
+
+import { AT_ONCE } from '../../engine/at-once.js';
 
 /**
  * The number of unanswered sets from which on calls wait, and the number of waiting calls from which on
@@ -42,6 +44,11 @@ export class Requests {
     const ids = idsOf(call);
     const entry = Object.assign(deferred(), { fire: 0, ids });
     this.#pending.set(request, entry);
+    if (this.#send && AT_ONCE.includes(call[0])) {
+      entry.fire = this.#fire;
+      this.#send(request, call);
+      return entry.promise;
+    }
     this.#makeRoom(ids, entry);
     // The model decides which values are valid.
     const at = ids === 'model' && !this.#send ? this.#models++ : this.#waiting.length;
@@ -89,7 +96,9 @@ export class Requests {
     this.#send = send;
     this.#models = 0;
     // Steps can take long, and nothing depends on them.
-    const answers = this.#waiting.map(({ request, call }) => call[0] === 'step' || this.#pending.get(request)?.promise);
+    const answers = this.#waiting.map(
+      ({ request, call }) => ['step', 'advance'].includes(call[0]) || this.#pending.get(request)?.promise,
+    );
     this.#flush(Infinity);
     return Promise.allSettled(answers);
   }
@@ -193,42 +202,29 @@ export const cut = (text) => (text.length > MAX_SHOWN ? `${text.slice(0, MAX_SHO
 
 /**
  * A copy of a value as plain data, which can be posted, without fields that are undefined. A value that is no plain data becomes a
- * description or an empty value, which the engine refuses with its id. No getter of the page runs after
- * this, and one that throws affects its own value only.
+ * description or an empty value, which the engine refuses with its id. No getter of the page runs after this.
  * @param {unknown} value
  * @param {number} [depth] the levels of nesting that are copied
  * @param {number} [longest] the maximum length of a text
  * @returns {any}
  */
 export function postable(value, depth = 0, longest = MAX_FIELDS) {
-  try {
-    if (longest === MAX_OUTLINE && Array.isArray(value)) return pairs(value);
-    if (Array.isArray(value))
-      return depth > 0 ? value.slice(0, MAX_FIELDS).map((item) => postable(item, depth - 1)) : [];
-    // The type of `document.all`, an object, is "undefined".
-    if (value === Object(value) && typeof value !== 'function') {
-      const names = depth > 0 ? Object.keys(/** @type {object} */ (value)) : [];
-      if (names.length > MAX_FIELDS) return 'an object of more than a thousand fields';
-      const fields = names.map((name) => {
-        try {
-          const most = OUTLINES.includes(name) ? MAX_OUTLINE : MAX_FIELDS;
-          return [cut(name), postable(/** @type {{[name: string]: unknown}} */ (value)[name], depth - 1, most)];
-        } catch {
-          return [cut(name), UNREADABLE];
-        }
-      });
-      // A field without a value states nothing.
-      return Object.fromEntries(fields.filter(([, field]) => field !== undefined));
-    }
-  } catch {
-    return UNREADABLE;
+  if (longest === MAX_OUTLINE && Array.isArray(value)) return pairs(value);
+  if (Array.isArray(value)) return depth > 0 ? value.slice(0, MAX_FIELDS).map((item) => postable(item, depth - 1)) : [];
+  if (typeof value === 'object' && value !== null) {
+    const given = depth > 0 ? Object.entries(value) : [];
+    if (given.length > MAX_FIELDS) return 'an object of more than a thousand fields';
+    const fields = given.map(([name, field]) => {
+      const most = OUTLINES.includes(name) ? MAX_OUTLINE : MAX_FIELDS;
+      return [cut(name), postable(field, depth - 1, most)];
+    });
+    // A field without a value states nothing.
+    return Object.fromEntries(fields.filter(([, field]) => field !== undefined));
   }
   // Wasm would keep the memory of a copy.
   if (typeof value === 'string' && value.length > longest) return `a text of more than ${longest} letters`;
   return ['function', 'symbol', 'bigint'].includes(typeof value) ? `a ${typeof value}` : value;
 }
-
-const UNREADABLE = 'something unreadable';
 
 /** A list of pairs of numbers as text: `0,0.1 0.2,-0.1`. @param {unknown[]} list */
 const pairs = (list) =>

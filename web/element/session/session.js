@@ -67,6 +67,7 @@ export class FireSession {
    * @param {() => Parameters<typeof import('../../engine/engine.js').connect>} engine the engine of a new fire
    */
   constructor(fire, engine) {
+    /** @type {HearthFire} */
     this.fire = fire;
     this.#engine = engine;
     this.reports = new Reports(fire);
@@ -98,7 +99,14 @@ export class FireSession {
 
   /** Changes settings. @type {(call: Call, source?: string) => Promise<any>} */
   change([method, ...given], source = this.history.source('property')) {
-    return this.call(method, ...postable(given, 1 + DEPTH), source);
+    const rest = method === 'set' && Object(given[0]).model !== undefined ? [this.#stated] : [];
+    return this.call(method, ...postable(given, 1 + DEPTH), source, ...rest);
+  }
+
+  /** What attributes state. @returns {{[id: string]: string}} */
+  get #stated() {
+    const values = [...ID_OF_ATTRIBUTE].map(([name, id]) => [id, this.fire.getAttribute(name)]);
+    return Object.fromEntries(values.filter(([, value]) => value !== null));
   }
 
   /** Sets the preset attribute and keeps the values. */
@@ -114,7 +122,6 @@ export class FireSession {
     // A fire that failed tries again.
     if (this.#connection && this.#ready.failed) this.close();
     if (!this.#connection) this.#open();
-    else if (this.view.damaged) this.mend();
   }
 
   /** The element is on no page; perhaps it only moves. */
@@ -123,7 +130,7 @@ export class FireSession {
     this.#leaving = setTimeout(() => this.fire.isConnected || this.close(), GRACE_MS);
   }
 
-  /** Shows the fire on another canvas: its document or the page has taken the last one away. */
+  /** Shows the fire on another canvas: a move to another document has taken the last one away. */
   mend() {
     this.view.dress();
     if (this.#connection) this.#connection.watch(this.view.mend());
@@ -151,7 +158,7 @@ export class FireSession {
     } else if (name === 'objects') {
       this.#setObjects(value);
     } else if (name === 'preset') {
-      if (begun && !this.#reflecting) this.call('preset', value ?? 'default', this.history.source('preset'));
+      if (begun && !this.#reflecting) this.call('preset', value ?? 'default', this.history.sourceOfScene('preset'));
     } else if (name === 'quality') {
       this.call('quality', value ?? 'auto');
     } else if (name === 'paused') {
@@ -216,14 +223,10 @@ export class FireSession {
       message: (message) => this.#receive(message, connection),
       frame: (frame) => {
         view.draw(frame);
-        if (view.damaged) this.mend();
-        else this.#present(connection);
+        // An engine on the page's own thread is still in its frame, and listeners are the page's code.
+        queueMicrotask(() => this.#present(connection));
       },
-      visible: () => {
-        // A canvas that is taken away has no area, so that no frame comes.
-        if (view.damaged && fire.isConnected) this.mend();
-        else this.#present(connection);
-      },
+      visible: () => this.#present(connection),
       start: () => this.#begin(connection, still),
       motion: (reduced) => this.playback.follow(reduced),
     });
@@ -277,7 +280,7 @@ export class FireSession {
       if (!document.hidden) await connection.observed;
       await this.call('warm').catch(() => {});
     } else if (still) {
-      await this.call('burn', STILL_AFTER).catch(() => {});
+      await this.call('advance', STILL_AFTER).catch(() => {});
     }
     if (!connection.live) return;
     this.view.show('shown');
@@ -302,6 +305,7 @@ export class FireSession {
     this.#returns = false;
     const { announced } = this.#ready;
     this.#ready.resolve();
+    this.history.begun = true;
     this.reports.emit(announced ? 'restored' : 'ready');
   }
 
@@ -349,15 +353,15 @@ export class FireSession {
       if (message.source === 'picture') return;
       const [source, key] = message.source.split(/:(.*)/s);
       message.source = source;
-      const { settings } = state;
+      const { objects } = state;
       state.take(message);
-      if (key !== undefined) this.history.record(key, settings, state.settings);
+      if (key !== undefined) this.history.record(key, message.undo, message.redo);
       this.code.reportToChildren(message);
-      if (message.settings.preset && (this.fire.getAttribute('preset') ?? 'default') !== state.preset)
+      if (message.redo.preset && (this.fire.getAttribute('preset') ?? 'default') !== state.preset)
         this.reflectPreset(state.preset);
       if (!this.#ready.announced) return;
       for (const [id, value] of Object.entries(message.values)) reports.emit('params-change', { id, value, source });
-      if (message.objects) reports.emit('objects-change', { objects: this.fire.objects, source });
+      if (state.objects !== objects) reports.emit('objects-change', { objects: this.fire.objects, source });
     } else if (type === 'done') {
       this.#requests.settle(message.request, undefined, message.value);
     } else if (type === 'refused') {

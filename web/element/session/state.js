@@ -6,10 +6,43 @@
  * @typedef {import('../../parameters.js').PresetName} PresetName
  * @typedef {import('../types.js').HearthQuality} HearthQuality
  * @typedef {import('../../parameters.js').HearthStats} HearthStats
- * @typedef {{[part: string]: unknown}} Whole  All settings, as a settings file whose parts do not depend on each other.
+ *
+ * @typedef {{[id: string]: any}} Fields
+ * @typedef {Fields & {id: number, kind: string}} Item
+ *
+ * @typedef {object} Delta  What leads from settings to other ones.
+ * @property {string} [preset]
+ * @property {Fields} [values]  `null` restores a value.
+ * @property {{[id: string]: Fields | null}} [objects]  Changed fields, `null` for an object that is no more. An object
+ *   with a kind is whole.
+ * @property {number[]} [order]  The ids of all objects.
+ * @property {boolean} [replaces]  Whether all objects are of another list than before.
+ * @property {number} [list]  The number of the list.
+ * @property {Fields} [children]  By their numbers.
+ *
+ * @typedef {object} Whole  All settings, as a settings file.
+ * @property {string} [preset]
+ * @property {Fields} [values]
+ * @property {Item[]} [objects]
+ * @property {Fields[]} [children]
  */
 
 import { DEFAULTS } from '../attributes/attributes.js';
+
+/** @type {(fields: Fields) => Fields} */
+const withoutNulls = (fields) => Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== null));
+
+/** A list of objects after a delta: the same list, if it changes none. @type {(list: Item[], delta: Delta) => Item[]} */
+function after(list, { objects, order, replaces }) {
+  if (!objects) return list;
+  const all = new Map(replaces ? [] : list.map((object) => [object.id, object]));
+  for (const [key, fields] of Object.entries(objects)) {
+    const id = Number(key);
+    if (!fields) all.delete(id);
+    else all.set(id, /** @type {Item} */ ('kind' in fields ? fields : { ...all.get(id), ...fields }));
+  }
+  return order ? order.flatMap((id) => all.get(id) ?? []) : [...all.values()];
+}
 
 /** The state of one element's fire; it outlives the fire. */
 export class FireState {
@@ -26,11 +59,22 @@ export class FireState {
   stats = null;
 
   /** Takes over the values of a message. @param {Message} message */
-  take({ type, values, objects, settings }) {
-    if (type === 'ready') this.started = true;
+  take({ type, values, objects, settings, redo, children }) {
     this.params = { ...this.params, ...values };
-    this.objects = objects ?? this.objects;
-    this.settings = { ...this.settings, ...settings };
+    if (type === 'ready') {
+      this.started = true;
+      [this.objects, this.settings] = [objects, settings];
+      return;
+    }
+    const { preset, values: before = {}, objects: list = [], children: known } = this.settings;
+    this.settings = {
+      ...this.settings,
+      preset: redo.preset ?? preset,
+      values: withoutNulls({ ...before, ...redo.values }),
+      objects: after(list, redo),
+      children: children ?? known,
+    };
+    this.objects = /** @type {any} */ (objects ? after(this.objects, objects) : this.settings.objects);
   }
 
   /** @returns {PresetName} */

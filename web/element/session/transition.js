@@ -43,9 +43,7 @@ export function run(calls, session, checked, how, source) {
   calls.transitions ??= new Transitions(session);
   const { transitions } = calls;
   for (const call of calls.splice(0)) transitions.record(call);
-  // Assigning fails where a page has frozen `Array.prototype`.
-  const push = (/** @type {Asked} */ call) => transitions.record(call);
-  Object.defineProperty(calls, 'push', { configurable: true, value: push });
+  calls.push = (/** @type {Asked} */ call) => transitions.record(call);
   calls.end = () => transitions.end();
   return transitions.run(checked, how, source);
 }
@@ -74,7 +72,7 @@ class Transitions {
       return 0;
     }
     if (/^to\b/.test(rest[0]) || !['set', 'preset', 'import', 'restore'].includes(method)) return 0;
-    const named = method === 'set' ? Object.keys(given) : method === 'restore' && this.#restored(given, rest[0]);
+    const named = method === 'set' ? Object.keys(given) : method === 'restore' && Object.keys(given[0].values ?? {});
     // Another model has other values.
     const all = !named || named.includes('model');
     for (const transition of this.#all.values()) {
@@ -90,16 +88,6 @@ class Transitions {
       }
     }
     return 0;
-  }
-
-  /** The values that steps change. @type {(to: Whole[], from: Whole[]) => string[]} */
-  #restored(to, from) {
-    /** @type {(all: Whole[]) => Values[]} */
-    const parts = (all) => all.flatMap((whole) => [whole.values, whole.classic, whole.combustion].map(Object));
-    const before = parts(from);
-    return parts(to).flatMap((values, at) =>
-      Object.keys({ ...values, ...before[at] }).filter((id) => values[id] !== before[at][id]),
-    );
   }
 
   /**
@@ -130,7 +118,7 @@ class Transitions {
   /** @type {(how: unknown) => KeyframeEffect} */
   #effect(how) {
     if (!/^(undefined|object)$/.test(typeof how)) throw new TypeError('options must be an object');
-    const { duration = 600, easing = 'ease-in-out' } = read(how);
+    const { duration = 600, easing = 'ease-in-out' } = /** @type {{[name: string]: unknown}} */ (how ?? {});
     const refuse = (/** @type {'duration' | 'easing'} */ id, /** @type {unknown} */ value) => {
       const words = /^(object|function)$/.test(typeof value) ? `something of type ${typeof value}` : String(value);
       return this.#session.reports.refuse(id, words, ALLOWED[id]);
@@ -236,13 +224,4 @@ function picked(values, ids) {
 /** Stops changing one value. @type {(transition: Transition, id: string) => void} */
 function release(transition, id) {
   if (transition.ids.delete(id)) transition.whole = false;
-}
-
-/** The options of a transition, whose own code may throw. @param {any} how @returns {{[name: string]: unknown}} */
-function read(how) {
-  try {
-    return { ...how };
-  } catch (cause) {
-    throw new TypeError('options cannot be read', { cause });
-  }
 }

@@ -93,7 +93,14 @@ export class FireView {
   /** @type {import('./viewport.js').Camera} */
   camera = { fit: 'height', x: 0.5, y: 0, zoom: 1, panX: 0.5, panY: 0.5 };
   /** What the shadow tree holds. */
-  root = make('div', { class: 'root', 'data-state': 'loading' }, this.#room, this.#posterBox, this.#messageBox);
+  root = make(
+    'div',
+    { class: 'root', 'data-state': 'loading' },
+    ...this.#corners,
+    this.#room,
+    this.#posterBox,
+    this.#messageBox,
+  );
 
   /** @param {HTMLElement} host */
   constructor(host) {
@@ -156,12 +163,7 @@ export class FireView {
     return this.mend();
   }
 
-  /** Whether the page has taken the canvas, its context or what surrounds it away. */
-  get damaged() {
-    return this.#surface === null || !this.canvas || !this.#shadow.contains(this.canvas);
-  }
-
-  /** Restores what the page has taken away, with another canvas, which is empty. */
+  /** Another canvas, which is empty. */
   mend() {
     this.canvas?.remove();
     this.#surface = undefined;
@@ -171,8 +173,7 @@ export class FireView {
     canvas.setAttribute('part', 'canvas');
     this.canvas = canvas;
     this.describe(this.#alt);
-    this.root.prepend(...this.#corners, this.#room, canvas, this.#posterBox, this.#messageBox);
-    if (this.root.parentNode !== this.#shadow) this.#shadow.append(this.root);
+    this.#room.after(canvas);
     return canvas;
   }
 

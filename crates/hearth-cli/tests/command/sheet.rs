@@ -115,7 +115,7 @@ fn wrong_sheets_are_refused() {
         (&["candle", "--tile", "20000x20000"], &["pixels"]),
         (
             &["candle", "nonsense"],
-            &["preset = \"nonsense\" is refused"],
+            &["there is no preset \"nonsense\""],
         ),
         (&["-", "-"], &["standard input"]),
     ];

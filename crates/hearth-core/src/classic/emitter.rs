@@ -12,11 +12,11 @@ use glam::Vec2;
 use super::particles::{ParticleState, Particles};
 use super::solids::MIN_GAP;
 use crate::noise::perlin;
-use crate::params::Physics;
 use crate::particle::Particle;
 use crate::random::Random;
+use crate::scene::SceneSource;
 use crate::solids::Body;
-use crate::source;
+use crate::source::{self, SourcePlace};
 
 /// Minimum distance between a birth and any other particle, in units of the distance of
 /// particles at rest, √(m/ρ₀). It limits the compression of the source to about 1/0.75² = 1.8
@@ -57,11 +57,11 @@ pub(crate) struct Emitter {
 
 impl Emitter {
     /// The births that are due at `time`, `passed` seconds after the last ones.
-    pub fn due(&mut self, values: &Physics, passed: f32, time: f64) -> f32 {
+    pub fn due(&mut self, values: &SceneSource<'_>, passed: f32, time: f64) -> f32 {
         let flicker = perlin(values.seed, 0.5, time * NOISE_PER_SECOND);
-        let rate = values.emission_rate * (1.0 + values.emission_noise * flicker);
+        let rate = values.rate * (1.0 + values.noise * flicker);
         // The backlog is at least the births of one step and a fraction of a birth.
-        let max_backlog = 1.0 + rate * values.time_step.max(MAX_WAIT);
+        let max_backlog = 1.0 + rate * values.world.time_step.max(MAX_WAIT);
         self.backlog = (self.backlog + rate * passed).min(max_backlog);
         self.backlog
     }
@@ -70,7 +70,7 @@ impl Emitter {
     pub fn emit(
         &mut self,
         particles: &mut Particles,
-        (values, solid): (&Physics, &[Body]),
+        (values, solid): (&SceneSource<'_>, &[Body]),
         most: usize,
         random: &mut Random,
         time: f64,
@@ -123,7 +123,7 @@ impl Emitter {
 
     fn try_spawn(
         &mut self,
-        values: &Physics,
+        values: &SceneSource<'_>,
         source: &Source,
         random: &mut Random,
     ) -> Option<Particle> {
@@ -136,25 +136,25 @@ impl Emitter {
                 continue;
             };
             let intensity = source.intensity(values, place.along);
-            if random.unit() * (1.0 + values.emission_noise) > intensity {
+            if random.unit() * (1.0 + values.noise) > intensity {
                 continue;
             }
 
             // The spread turns the jet by at most 45° and only reduces its speed, so that the
             // emission speed is the maximum.
-            let sideways = values.emission_spread * random.between(-1.0, 1.0);
+            let sideways = values.spread * random.between(-1.0, 1.0);
             let inward = -0.5 * values.taper * place.across / source.half_width;
-            let slower = 1.0 - 0.5 * values.emission_spread * random.unit();
-            let speed = values.emission_speed * slower * intensity.min(1.0);
+            let slower = 1.0 - 0.5 * values.spread * random.unit();
+            let speed = values.speed * slower * intensity.min(1.0);
             let velocity = Vec2::new(sideways + inward, 1.0).normalize() * speed;
 
-            let age = random.unit() * values.time_step;
+            let age = random.unit() * values.world.time_step;
             let from = Vec2::new(place.across, velocity.y * age);
             let (position, velocity) = match place.axis {
                 None => (place.from + from, velocity),
                 Some(axis) => (place.from + axis.rotate(from), axis.rotate(velocity)),
             };
-            if place.axis.is_some() && !source::contains(values, position) {
+            if place.axis.is_some() && !source::contains(values.world, position) {
                 continue;
             }
             let room = source.room * source.room;
@@ -168,9 +168,9 @@ impl Emitter {
             let longest_life = source.longest_life(values, place.across);
             return Some(Particle {
                 velocity,
-                temperature: values.maximum_temperature,
+                temperature: values.birth_temperature,
                 age,
-                lifetime: random.between(values.lifetime_min, longest_life),
+                lifetime: random.between(values.life_min, longest_life),
                 ..Particle::at(position)
             });
         }
@@ -178,7 +178,12 @@ impl Emitter {
     }
 
     /// The place of a birth; `None` if it is not near the outline of the solid.
-    fn place(&mut self, values: &Physics, source: &Source, random: &mut Random) -> Option<Place> {
+    fn place(
+        &mut self,
+        values: &SceneSource<'_>,
+        source: &Source,
+        random: &mut Random,
+    ) -> Option<Place> {
         self.along = (self.along + GOLDEN_RATIO_PART).fract();
         let across = 2.0 * self.along - 1.0;
         let part = match source.solid.len() {
@@ -201,7 +206,7 @@ impl Emitter {
         let position = frame.centre + frame.axis.rotate(local);
         let (distance, normal) = body.surface.distance(position);
         (distance > 0.0 && distance < band).then(|| Place {
-            from: position - normal * (distance - MIN_GAP * values.smoothing_radius),
+            from: position - normal * (distance - MIN_GAP * values.world.smoothing_radius),
             axis: Some(-normal.perp()),
             across: 0.0,
             along: source::along(local),
@@ -210,15 +215,12 @@ impl Emitter {
 }
 
 /// The position and width of the source, clamped to the domain.
-pub(crate) fn place(values: &Physics) -> source::Source {
-    let rise = values.emission_speed * values.time_step;
-    let top = (values.domain_height - rise).max(0.0);
-    let width = values.source_width.min(values.domain_width);
-    source::Source {
-        base: Vec2::new(
-            source::middle(values, width, 0.0),
-            values.source_height.min(top),
-        ),
+pub(crate) fn place(values: &SceneSource<'_>) -> SourcePlace {
+    let rise = values.speed * values.world.time_step;
+    let top = (values.world.domain_height - rise).max(0.0);
+    let width = values.width.min(values.world.domain_width);
+    SourcePlace {
+        base: Vec2::new(source::middle(values, width, 0.0), values.y.min(top)),
         width,
         on_solid: false,
     }
@@ -253,34 +255,34 @@ struct Source<'a> {
 }
 
 impl Source<'_> {
-    fn new<'a>(values: &Physics, solid: &'a [Body], time: f64) -> Source<'a> {
+    fn new<'a>(values: &SceneSource<'_>, solid: &'a [Body], time: f64) -> Source<'a> {
         let place = place(values);
         Source {
             middle: place.base,
             half_width: 0.5 * place.width,
             axis: source::axis(values),
             solid,
-            rise: values.emission_speed * values.time_step,
-            room: MIN_DISTANCE * (values.particle_mass / values.rest_density).sqrt(),
+            rise: values.speed * values.world.time_step,
+            room: MIN_DISTANCE * (values.world.particle_mass / values.world.rest_density).sqrt(),
             time,
         }
     }
 
     /// Longest life of a particle born at `x` \[s\].
-    fn longest_life(&self, values: &Physics, x: f32) -> f32 {
-        let longest = values.lifetime_max.max(values.lifetime_min);
+    fn longest_life(&self, values: &SceneSource<'_>, x: f32) -> f32 {
+        let longest = values.life_max.max(values.life_min);
         let off_centre = (x / self.half_width).abs();
-        longest - values.taper * off_centre * (longest - values.lifetime_min)
+        longest - values.taper * off_centre * (longest - values.life_min)
     }
 
     /// Relative emission rate at `x`, one on average.
-    fn intensity(&self, values: &Physics, x: f32) -> f32 {
+    fn intensity(&self, values: &SceneSource<'_>, x: f32) -> f32 {
         // Not the seed of the flicker, so that the two are independent.
         let noise = perlin(
             values.seed ^ 0x5EED,
             x * NOISE_PER_METRE,
             self.time * NOISE_PER_SECOND,
         );
-        1.0 + values.emission_noise * noise
+        1.0 + values.noise * noise
     }
 }

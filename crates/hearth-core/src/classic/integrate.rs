@@ -34,23 +34,22 @@ pub(crate) struct Substeps {
 }
 
 impl Substeps {
-    /// Divides a step into the fewest stable substeps. `max_speed` and `max_acceleration` are the
-    /// largest speed and acceleration of the last substep.
-    pub fn divide(values: &Physics, max_speed: f32, max_acceleration: f32) -> Substeps {
+    /// Divides a step of that length \[s\] into the fewest stable substeps. `last` is the motion of the last substep.
+    pub fn divide(values: &Physics, step: f32, last: &Motion) -> Substeps {
         let h = values.smoothing_radius;
         let stability = Stability {
             courant: COURANT,
             h,
             sound: values.gas_constant.sqrt(),
-            speed: max_speed,
-            acceleration: max_acceleration,
+            speed: last.max_speed,
+            acceleration: last.max_acceleration,
             viscosity: values.viscosity,
             density: DENSITY_FLOOR,
         };
         let longest = stability.longest_step();
-        let count = (values.time_step / longest).ceil();
+        let count = (step / longest).ceil();
         let count = (count as u32).clamp(1, MAX_SUBSTEPS);
-        let length = values.time_step / count as f32;
+        let length = step / count as f32;
         // If the shortest substep is too long for the viscosity, the gas gets the largest
         // stable viscosity.
         let stable = diffusion_limit(h, DENSITY_FLOOR, length);
@@ -232,7 +231,12 @@ mod tests {
         ] {
             let parameters = with(&[(id, value), ("time_step", 1.0 / 120.0)]);
             let (max_speed, max_acceleration) = (3.0, 40.0);
-            let substeps = Substeps::divide(&parameters, max_speed, max_acceleration);
+            let last = Motion {
+                max_speed,
+                max_acceleration,
+                ..Motion::default()
+            };
+            let substeps = Substeps::divide(&parameters, parameters.time_step, &last);
             let h = parameters.smoothing_radius;
             let dt = substeps.length * 0.9999;
             assert!(dt <= 0.35 * h / (parameters.gas_constant.sqrt() + max_speed));
@@ -249,7 +253,7 @@ mod tests {
             ("viscosity", 0.1),
             ("time_step", 1.0 / 60.0),
         ]);
-        let substeps = Substeps::divide(&parameters, 0.0, 0.0);
+        let substeps = Substeps::divide(&parameters, parameters.time_step, &Motion::default());
         assert_eq!(substeps.count, MAX_SUBSTEPS);
         assert!(substeps.viscosity < 0.1);
     }

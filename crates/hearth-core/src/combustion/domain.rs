@@ -50,7 +50,7 @@ impl Domain {
 
     /// Air at rest, or in the wind, for the start of a fire.
     pub fn air(&mut self, scene: &Scene, solids: &Solids, random: &mut Random) -> Gas {
-        let values = scene.settings();
+        let values = scene.world();
         match &mut self.open {
             None => Gas::air(values, values.spacing(), random),
             Some(open) => open.air(scene, solids),
@@ -90,7 +90,7 @@ impl Domain {
 
     /// Replaces the map of open air if the values, or what is seen, need another.
     fn fit_open_air(&mut self, gas: &Gas, scene: &Scene, solids: &Solids) {
-        let values = scene.settings();
+        let values = scene.world();
         let fits = |open: &OpenAir| open.fits(values, self.seen);
         if self.open.as_deref().is_some_and(fits) {
             return;
@@ -121,7 +121,7 @@ impl Domain {
         solids: &Solids,
         random: &mut Random,
     ) -> bool {
-        let parameters = scene.settings();
+        let parameters = scene.world();
         // A new air temperature changes all gas at once; otherwise all of the old air would rise
         // or sink.
         let warmer = parameters.ambient_temperature - self.air_temperature;

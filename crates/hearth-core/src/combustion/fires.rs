@@ -45,14 +45,14 @@ pub(crate) struct Fires {
 impl Fires {
     /// Finds the fires of the sources and of the solids that burn.
     pub fn find(&mut self, scene: &Scene, solids: &Solids, fuels: Option<&Fuels>) {
-        let values: &Physics = scene.settings();
+        let values: &Physics = scene.world();
         self.parts.clear();
         for source in scene.sources() {
-            let boxes = solids.parts(source).iter().map(Body::around);
+            let boxes = solids.parts(&source).iter().map(Body::around);
             let around = boxes.reduce(|[low, high], [from, to]| [low.min(from), high.max(to)]);
-            let block = || Burner::new(source, values.spacing()).map(|burner| burner.around());
+            let block = || Burner::new(&source, values.spacing()).map(|burner| burner.around());
             if let Some(around) = around.or_else(block) {
-                self.add(around, source.fuel_power);
+                self.add(around, source.power);
             }
         }
         for (id, power) in fuels.into_iter().flat_map(Fuels::powers) {

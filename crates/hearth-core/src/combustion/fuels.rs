@@ -47,7 +47,7 @@ impl Fuels {
     // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn set(present: &mut Option<Box<Fuels>>, scene: &Scene, solids: &mut Solids) {
-        let values = scene.settings();
+        let values = scene.world();
         let (air, spacing) = (values.ambient_temperature, values.spacing());
         let mut fuels = present.take().unwrap_or_default();
         let mut before = std::mem::take(&mut fuels.all);

@@ -329,18 +329,23 @@ pub(super) fn periodic_bounds(values: &Physics) -> Bounds {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::params::{Input, Model, Parameters};
+    use crate::params::{Model, Parameters};
+    use crate::scene::Scene;
 
-    /// The combustion model's defaults with these numbers changed.
-    /// The defaults in a closed domain of 3000 particles, with these values changed.
+    /// The world of [`scene_with`].
     pub fn with(values: &[(&str, f64)]) -> Parameters {
-        let mut parameters = Parameters::new(Model::Combustion);
+        scene_with(values).world().clone()
+    }
+
+    /// The defaults in a closed domain of 3000 particles, with these values changed.
+    pub fn scene_with(values: &[(&str, f64)]) -> Scene {
+        let mut scene = Scene::of_model(Model::Combustion);
         let closed = [("particles", 3000.0)];
-        assert_eq!(parameters.set("edges", Input::Text("periodic")), Ok(()));
+        assert_eq!(scene.set("edges", "periodic"), Ok(()));
         for &(id, value) in closed.iter().chain(values) {
-            assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
+            assert_eq!(scene.set(id, value), Ok(()));
         }
-        parameters
+        scene
     }
 
     /// Gas in random motion, of every temperature and mixture.

@@ -17,8 +17,8 @@ use super::gas::Gas;
 use super::reaction::burner::Burner;
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
-use crate::params::{Edges, Floor as FloorChoice, Parameters, Physics};
-use crate::scene::Scene;
+use crate::params::{Edges, Floor as FloorChoice, Physics};
+use crate::scene::{Scene, SceneSource};
 use crate::solids::Solids;
 use awake::{Awake, Rectangle};
 use exchange::{Exchange, Inflow};
@@ -107,7 +107,7 @@ impl OpenAir {
 
     /// The air around the sources.
     pub fn air(&mut self, scene: &Scene, solids: &Solids) -> Gas {
-        let mut gas = Gas::none(scene.settings());
+        let mut gas = Gas::none(scene.world());
         self.exchange_gas(&mut gas, scene, solids, 0.0);
         gas
     }
@@ -124,7 +124,7 @@ impl OpenAir {
 
     /// Finds the cells that are to hold gas of another discretisation, which is resampled.
     pub fn adopt(&mut self, gas: &Gas, scene: &Scene, solids: &Solids) {
-        let values = scene.settings();
+        let values = scene.world();
         awake::activate(&mut self.map, gas, awake::hot(values), 0.0);
         self.update(gas, scene, solids);
     }
@@ -154,14 +154,14 @@ impl OpenAir {
 
     /// Updates the map.
     fn update(&mut self, gas: &Gas, scene: &Scene, solids: &Solids) {
-        let (map, values) = (&mut self.map, scene.settings());
+        let (map, values) = (&mut self.map, scene.world());
         for cell in &mut map.cells {
             cell.remaining -= self.since_map;
         }
         self.kept -= self.since_map;
         awake::activate(map, gas, awake::hot(values), awake::MIN_DEPTH);
         for source in scene.sources() {
-            awake::activate_source(map, &awake_at(source, solids));
+            awake::activate_source(map, &awake_at(&source, solids));
         }
         let per_cell = exchange::per_cell(&map.layout, self.spacing);
         let kept = self.kept > 0.0;
@@ -185,7 +185,7 @@ impl OpenAir {
         if !step.is_multiple_of(EXCHANGE_STEPS) {
             return;
         }
-        let values = scene.settings();
+        let values = scene.world();
         let inflow = Inflow::new(values, self.spacing, self.capacity, solids);
         if step.is_multiple_of(MAP_STEPS) {
             self.update(gas, scene, solids);
@@ -268,7 +268,7 @@ pub(super) fn layout(values: &Physics, seen: Option<Seen>, spacing: f32) -> Layo
 }
 
 /// The rectangle around a source whose cells are awake.
-fn awake_at(source: &Parameters, solids: &Solids) -> Rectangle {
+fn awake_at(source: &SceneSource<'_>, solids: &Solids) -> Rectangle {
     let burner = Burner::of(source);
     let [low, high] = match solids.parts(source) {
         [] => burner.around(),

@@ -36,9 +36,9 @@ impl Reaction {
 
     /// Burns the gas for `dt`. The flames in the film at solids have the power `film` [kW/m].
     pub fn burn(&mut self, gas: &mut Gas, scene: &Scene, film: f32, dt: f32) {
-        let hottest = scene.sources().map(|source| source.source_temperature);
+        let hottest = scene.sources().map(|source| source.temperature);
         let hottest = hottest.fold(0.0, f32::max);
-        self.power = film + chemistry::react(gas, scene.settings(), hottest, dt);
+        self.power = film + chemistry::react(gas, scene.world(), hottest, dt);
     }
 
     /// Feeds the gas at each source whose index `feeds`, from `time` on for `dt`.
@@ -50,14 +50,14 @@ impl Reaction {
         (time, dt): (f64, f32),
         mut feeds: impl FnMut(usize) -> bool,
     ) {
-        let spacing = scene.settings().spacing();
+        let spacing = scene.world().spacing();
         self.preheat = 0.0;
         for (index, source) in scene.sources().enumerate() {
             if feeds(index)
-                && let Some(burner) = Burner::new(source, spacing)
+                && let Some(burner) = Burner::new(&source, spacing)
             {
-                let (bodies, particles) = (solids.parts(source), &mut self.burner_particles);
-                self.preheat += burner.feed(gas, source, (time, dt), bodies, particles) / dt;
+                let (bodies, particles) = (solids.parts(&source), &mut self.burner_particles);
+                self.preheat += burner.feed(gas, &source, (time, dt), bodies, particles) / dt;
             }
         }
     }

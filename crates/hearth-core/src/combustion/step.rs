@@ -14,19 +14,20 @@ use crate::params::Physics;
 use crate::random::Random;
 use crate::report::Stage;
 use crate::scene::Scene;
+use crate::time_step::fitted;
 
 impl Combustion {
-    /// Makes one step from `time`, with the force `user` besides the model's own. Returns its
-    /// length \[s\].
+    /// Makes one step from `time`, with the force `user` besides the model's own, that ends when the time `left`
+    /// has passed or before. Returns its length \[s\].
     pub(super) fn make_step(
         &mut self,
         scene: &Scene,
         random: &mut Random,
-        time: f64,
+        (time, left): (f64, f64),
         user: Option<&dyn BodyForce>,
         on_stage: &mut dyn FnMut(Stage),
     ) -> f32 {
-        let values: &Physics = scene.settings();
+        let values: &Physics = scene.world();
         let kernel = Kernel::new(values.smoothing_length());
         let sound = sound_speed(values, self.total_power(scene));
         let bounds = self.domain.bounds(values);
@@ -46,7 +47,7 @@ impl Combustion {
         forces::add_all(&mut self.gas, values, time, user);
         on_stage(Stage::Forces);
 
-        let dt = time_step::max_stable_step(&self.gas, &context);
+        let dt = fitted(time_step::max_stable_step(&self.gas, &context), left);
         self.drift_embers(&bounds, &context, random, dt);
         self.accelerate(sound, dt);
         self.burn(scene, random, dt);
@@ -127,7 +128,7 @@ impl Combustion {
             let Obstacles { walls, solids, .. } = &mut self.obstacles;
             let around = (self.domain.open_mut(), solids);
             let embers = &mut self.reaction.embers;
-            fuels.burn((gas, walls), around, embers, scene.settings(), random, dt)
+            fuels.burn((gas, walls), around, embers, scene.world(), random, dt)
         });
         self.reaction.burn(gas, scene, film, dt);
     }
@@ -171,7 +172,7 @@ impl Combustion {
             solids: &mut self.obstacles.solids,
             fuels: self.fuels.as_deref_mut(),
             has_floor: self.domain.has_floor(),
-            values: scene.settings(),
+            values: scene.world(),
             dt,
             near: Vec::new(),
         };

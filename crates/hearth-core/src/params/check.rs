@@ -122,7 +122,7 @@ impl Param {
     }
 
     #[cold]
-    pub(super) fn error(&self, input: Input<'_>, kind: ParamErrorKind) -> ParamError {
+    pub(crate) fn error(&self, input: Input<'_>, kind: ParamErrorKind) -> ParamError {
         ParamError {
             id: self.id.to_owned(),
             value: format!("{input}"),
@@ -131,11 +131,13 @@ impl Param {
     }
 }
 
-/// The id nearest to an unknown one, if it is similar.
-pub(super) fn nearest_id(id: &str) -> Option<&'static str> {
-    PARAMETERS
-        .iter()
-        .map(|p| (edit_distance(p.id, id), p.id))
+/// The name nearest to an unknown one, if it is similar.
+pub(crate) fn nearest(
+    unknown: &str,
+    names: &mut dyn Iterator<Item = &'static str>,
+) -> Option<&'static str> {
+    names
+        .map(|name| (edit_distance(name, unknown), name))
         .min_by_key(|&(distance, _)| distance)
         .filter(|&(distance, known)| distance <= known.len() / 2)
         .map(|(_, known)| known)

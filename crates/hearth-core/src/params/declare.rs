@@ -6,7 +6,8 @@
 /// `id: kind "Label" ["unit"] Scale { Model(default, min..=max) … }`,
 /// after its doc. A choice names its type as `(choice Type)`; unit, scale and range depend on the
 /// kind; `Every` is every model. `[Look]` or `[View]` before the id is its [`Role`]; an entry
-/// without one is in [`Physics`](super::Physics). `when { id: names, … }` and
+/// without one is in [`Physics`](super::Physics). `@ name: id` is the property `name` of a source, which is a field
+/// of [`Source`](super::Source); its id is that of the first one in a scene. `when { id: names, … }` and
 /// `unless { id: names, … }` are [`Description::when`] and [`Description::unless`].
 ///
 /// [`PARAMETERS`]: super::PARAMETERS
@@ -14,7 +15,7 @@
 macro_rules! parameters {
     ($( $group:literal { $(
         $(#[doc = $doc:literal])+
-        $([$role:ident] $shown:ident)? $($id:ident)? : $kind:tt $label:literal $([$unit:literal])? $($scale:ident)?
+        $(@ $property:ident: $of_source:ident)? $([$role:ident] $shown:ident)? $($id:ident)? : $kind:tt $label:literal $([$unit:literal])? $($scale:ident)?
             { $( $model:ident $domain:tt )+ } $(when { $( $choice:ident : $names:expr ),+ })?
             $(unless { $( $other:ident : $excluded:expr ),+ })?
     )+ } )+) => {
@@ -26,7 +27,17 @@ macro_rules! parameters {
         pub struct Physics { $($(
             $(#[doc = $doc])+
             $( #[cfg(any())] #[doc = stringify!($shown)] )?
-            pub $($shown)? $($id)?: parameters!(@type $kind),
+            $( #[cfg(any())] #[doc = stringify!($of_source)] )?
+            pub $($shown)? $($of_source)? $($id)?: parameters!(@type $kind),
+        )+)+ }
+
+        /// The values of a source. Every value is in range.
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct Source { $($(
+            $(#[doc = $doc])+
+            $( #[cfg(any())] #[doc = stringify!($shown)] )?
+            $( #[cfg(any())] #[doc = stringify!($id)] )?
+            pub $($shown)? $($property)? $($id)?: parameters!(@type $kind),
         )+)+ }
 
         /// The value of every parameter: those of the look and the view and, through `Deref`,
@@ -37,7 +48,8 @@ macro_rules! parameters {
             $($(
                 $(#[doc = $doc])+
                 $( #[cfg(any())] #[doc = stringify!($id)] )?
-                pub $($shown)? $($id)?: parameters!(@type $kind),
+                $( #[cfg(any())] #[doc = stringify!($of_source)] )?
+                pub $($shown)? $($of_source)? $($id)?: parameters!(@type $kind),
             )+)+
         }
 
@@ -48,62 +60,66 @@ macro_rules! parameters {
             }
         }
 
-        /// The fields of [`Values`]. Two functions over all fields are smaller than two functions
+        /// The fields of [`Values`] and [`Source`]. Two functions over all fields are smaller than two functions
         /// per field.
-        #[expect(non_camel_case_types, reason = "named as the fields are")]
+        #[expect(non_camel_case_types, reason = "named as the entries are")]
         #[derive(Clone, Copy, Debug)]
-        pub(super) enum Field { $($( $($shown)? $($id)?, )+)+ }
+        pub(super) enum Field { $($( $($shown)? $($of_source)? $($id)?, )+)+ }
 
-        impl Values {
-            pub(super) fn slot(&mut self, field: Field) -> Slot<'_> {
+        impl Slots for Values {
+            fn slot(&mut self, field: Field) -> Option<Slot<'_>> {
                 match field { $($(
-                    Field::$($shown)? $($id)? =>
-                        parameters!(@slot $kind, self.$($shown)? $(physics.$id)?),
-                )+)+ }
-            }
-
-            pub(super) fn get(&self, param: &Param) -> Value {
-                let field = param.field.map(|field| self.clone().slot(field).value());
-                field.unwrap_or(param.domains[0].default)
-            }
-
-            /// Writes a value to the field of `param`.
-            pub(super) fn put(&mut self, param: &Param, value: AnyValue<'_>) {
-                if let Some(field) = param.field {
-                    let _ = self.slot(field).put(value);
+                    $( Field::$shown => Some(parameters!(@slot $kind, self.$shown)), )?
+                    $( Field::$id => Some(parameters!(@slot $kind, self.physics.$id)), )?
+                )+)+
+                    _ => None,
                 }
             }
 
-            /// These values in a set with this present model.
-            pub(super) fn belonging_to(mut self, model: Model) -> Values {
-                self.physics.model = model;
-                self
-            }
-
-            pub(super) fn of_model(model: Model) -> Values {
+            fn of_model(model: Model) -> Values {
                 let mut values = Values {
                     physics: Physics { $($(
                         $( #[cfg(any())] #[doc = stringify!($shown)] )?
-                        $($shown)? $($id)?: parameters!(@first $kind, $($domain)+),
+                        $( #[cfg(any())] #[doc = stringify!($of_source)] )?
+                        $($shown)? $($of_source)? $($id)?: parameters!(@first $kind, $($domain)+),
                     )+)+ },
                     $($(
                         $( #[cfg(any())] #[doc = stringify!($id)] )?
-                        $($shown)? $($id)?: parameters!(@first $kind, $($domain)+),
+                        $( #[cfg(any())] #[doc = stringify!($of_source)] )?
+                        $($shown)? $($of_source)? $($id)?: parameters!(@first $kind, $($domain)+),
                     )+)+
                 };
-                for param in PARAMETERS {
-                    if let Some(domain) = param.domain(model) {
-                        values.put(param, domain.default);
-                    }
+                values.put_defaults(model);
+                values.physics.model = model;
+                values
+            }
+        }
+
+        impl Slots for Source {
+            fn slot(&mut self, field: Field) -> Option<Slot<'_>> {
+                match field { $($(
+                    $( Field::$of_source => Some(parameters!(@slot $kind, self.$property)), )?
+                )+)+
+                    _ => None,
                 }
-                values.belonging_to(model)
+            }
+
+            fn of_model(model: Model) -> Source {
+                let mut values = Source { $($(
+                    $( #[cfg(any())] #[doc = stringify!($shown)] )?
+                    $( #[cfg(any())] #[doc = stringify!($id)] )?
+                    $($shown)? $($property)? $($id)?: parameters!(@first $kind, $($domain)+),
+                )+)+ };
+                values.put_defaults(model);
+                values
             }
         }
 
         /// Every parameter, in the order of a panel.
         pub static PARAMETERS: &[Param] = &[ $($(
             Param {
-                id: stringify!($($shown)? $($id)?),
+                id: stringify!($($shown)? $($of_source)? $($id)?),
+                property: concat!($(stringify!($property))?),
                 unit: concat!($($unit)?),
                 kind: parameters!(@kind $kind $($scale)?),
                 domains: &[ $(
@@ -114,7 +130,7 @@ macro_rules! parameters {
                     },
                 )+ ],
                 role: parameters!(@role $($role)?),
-                field: Some(Field::$($shown)? $($id)?),
+                field: Some(Field::$($shown)? $($of_source)? $($id)?),
             },
         )+)+ ];
 
@@ -215,6 +231,7 @@ macro_rules! properties {
         /// Every property, in the order of a panel.
         pub static $entries: &[Param] = &[ $( Param {
             id: stringify!($id),
+            property: stringify!($id),
             unit: concat!($($unit)?),
             kind: parameters!(@kind $kind $($scale)?),
             domains: &[Domain {

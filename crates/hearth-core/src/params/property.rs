@@ -9,9 +9,6 @@ use super::tables::name::COMMON;
 pub struct Property {
     /// Its name.
     pub name: &'static str,
-    /// The id of its entry: of a source's property, the parameter whose value it is in the
-    /// first source.
-    pub id: &'static str,
     /// The table of its entry, unless objects of every kind have it.
     pub(crate) table: &'static [Param],
 }
@@ -20,12 +17,17 @@ impl Property {
     /// Its entry.
     pub fn entry(&self) -> Option<&'static Param> {
         let mut all = self.table.iter().chain(COMMON);
-        all.find(|param| param.id == self.id)
+        all.find(|param| param.property == self.name)
+    }
+
+    /// The id of its entry: of a source's property, that of the parameter.
+    pub fn id(&self) -> &'static str {
+        self.entry().map_or(self.name, |param| param.id)
     }
 
     /// Whether objects of every kind have it.
     pub fn is_common(&self) -> bool {
-        self.id == COMMON[0].id
+        self.name == COMMON[0].property
     }
 
     /// Its entry, if `model` uses it.

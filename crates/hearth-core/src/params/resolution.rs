@@ -124,6 +124,7 @@ impl Parameters {
     }
 
     fn is_default(&self, id: &str) -> bool {
-        Param::find(id).is_some_and(|param| param.get(self) == param.any_domain(self.model).default)
+        Param::find(id)
+            .is_some_and(|param| self.get(id) == Some(param.any_domain(self.model).default))
     }
 }

@@ -2,34 +2,31 @@
 
 use std::ops::Deref;
 
-use super::check::nearest_id;
-use super::choices::Model;
+use super::check::nearest;
+use super::choices::{Choice, Model};
 use super::entry::Condition;
-use super::table::{PARAMETERS, Param, Values};
+use super::slot::Slots;
+use super::table::{Param, Source, Values};
 use super::value::{AnyValue, Input, ParamError, ParamErrorKind, Value, abbreviated};
 
 /// The id of the model, which decides the domains of the other parameters.
 const MODEL: &str = "model";
 
 /// Whether a condition is met.
-fn is_met(parameters: &Parameters, &(id, names): &Condition) -> bool {
-    match parameters.get(id) {
+fn is_met(get: &impl Fn(&str) -> Option<Value>, &(id, names): &Condition) -> bool {
+    match get(id) {
         Some(Value::Choice(name)) => names.contains(&name),
         _ => true,
     }
 }
 
-/// A checked set of values: all are in range for their model.
+/// The values of a world: all parameters but those of sources, each in range for the model.
 ///
-/// Fields read the values (`parameters.viscosity`), and only [`set`](Parameters::set) writes
-/// them. A parameter with the same domain in both models has one value, every other parameter a
-/// value per model. So a change of the model and back loses nothing.
+/// Fields read the values (`parameters.viscosity`), and only [`set`](Parameters::set) writes them. Another model
+/// keeps the values of parameters that have the same domain in both models. The others get that model's defaults.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
-    /// The values of the present model.
-    current: Values,
-    /// The values of the other model.
-    other: Values,
+    values: Values,
 }
 
 impl Default for Parameters {
@@ -41,38 +38,50 @@ impl Default for Parameters {
 impl Deref for Parameters {
     type Target = Values;
     fn deref(&self) -> &Values {
-        &self.current
+        &self.values
     }
 }
 
 impl Parameters {
-    /// The defaults, with `model` as the present model.
+    /// The defaults of `model`.
     pub fn new(model: Model) -> Parameters {
-        let other = match model {
-            Model::Classic => Model::Combustion,
-            Model::Combustion => Model::Classic,
-        };
         Parameters {
-            current: Values::of_model(model),
-            other: Values::of_model(other).belonging_to(model),
+            values: Values::of_model(model),
         }
     }
 
-    /// The present model.
+    /// The model.
     pub fn model(&self) -> Model {
         self.model
     }
 
-    /// Sets the parameter `id`, or returns an error and changes nothing. A parameter that the
-    /// present model does not use is set in the other model.
+    /// Sets the parameter `id`, or returns an error and changes nothing.
+    ///
+    /// ```
+    /// # use hearth_core as hearth_fire;
+    /// let mut parameters = hearth_fire::Parameters::default();
+    /// parameters.set("wind", 0.5)?;
+    /// parameters.set("palette", "copper")?;
+    /// # Ok::<(), hearth_fire::params::ParamError>(())
+    /// ```
     ///
     /// # Errors
-    /// An unknown id, a value of the wrong kind or one outside the range.
-    pub fn set(&mut self, id: &str, input: Input<'_>) -> Result<(), ParamError> {
-        let param = Param::find(id).ok_or_else(|| unknown(id, input))?;
+    /// An unknown id, a parameter of another model or of sources, a value of the wrong kind or one outside the range.
+    pub fn set<'a>(&mut self, id: &str, input: impl Into<Input<'a>>) -> Result<(), ParamError> {
+        let input = input.into();
+        let param = Param::of_model(id, self.model, input)?;
         let value = param.check(self.model, input)?;
-        self.write(param, value);
-        Ok(())
+        if let (MODEL, AnyValue::Choice(name)) = (id, value) {
+            if let Some(model) = Model::from_name(name).filter(|model| *model != self.model) {
+                self.values = self.values.in_model(model);
+                self.values.put(param, value);
+            }
+            return Ok(());
+        }
+        match self.values.put(param, value) {
+            true => Ok(()),
+            false => Err(param.error(input, ParamErrorKind::OfSource)),
+        }
     }
 
     /// Sets several parameters, all of them or none. The model is set first, because it decides
@@ -84,75 +93,47 @@ impl Parameters {
         &mut self,
         values: impl IntoIterator<Item = (&'a str, Input<'a>), IntoIter: Clone>,
     ) -> Result<(), Vec<ParamError>> {
-        let values = values.into_iter();
         let mut new = self.clone();
-        let mut errors = Vec::new();
-        // The model first: it decides which values the others belong to.
-        for models in [true, false] {
-            for (id, input) in values.clone() {
-                if (id == MODEL) == models
-                    && let Err(error) = new.set(id, input)
-                {
-                    errors.push(error);
-                }
-            }
-        }
-        if errors.is_empty() {
-            *self = new;
-            Ok(())
-        } else {
-            Err(errors)
-        }
+        model_first(values, &mut |id, input| new.set(id, input))?;
+        *self = new;
+        Ok(())
     }
 
-    /// The value of the parameter `id`, in the other model if the present one does not use it;
-    /// `None` for an unknown id.
+    /// The value of the parameter `id`; `None` for an unknown id and a parameter of sources.
     pub fn get(&self, id: &str) -> Option<Value> {
-        Param::find(id).map(|param| param.get(self))
+        self.values.value(Param::find(id)?)
     }
 
     /// Restores the default of the parameter `id`.
     ///
     /// # Errors
-    /// An unknown id.
+    /// Those of [`set`](Parameters::set).
     pub fn restore(&mut self, id: &str) -> Result<(), ParamError> {
         self.set(id, Input::Default)
     }
+}
 
-    /// The parameters of the present model whose value is not the default, with that value.
-    pub fn changed(&self) -> impl Iterator<Item = (&'static Param, Value)> + '_ {
-        PARAMETERS.iter().filter_map(move |param| {
-            let default = param.domain(self.model)?.default;
-            let value = param.get(self);
-            (value != default).then_some((param, value))
-        })
-    }
-
-    /// Writes a checked value to the present model, to the other one, or to both.
-    fn write(&mut self, param: &Param, value: AnyValue<'_>) {
-        let domain = param.domain(self.model);
-        let shared = domain.is_some_and(|domain| domain.model.is_none());
-        let before = self.model;
-        if domain.is_some() {
-            self.current.put(param, value);
-        }
-        if shared || domain.is_none() {
-            self.other.put(param, value);
-        }
-        if self.model != before {
-            std::mem::swap(&mut self.current, &mut self.other);
+/// Sets values with the model first, because it decides the domains of the others.
+///
+/// # Errors
+/// The error of every value that is refused, in order.
+pub(crate) fn model_first<'a>(
+    values: impl IntoIterator<Item = (&'a str, Input<'a>), IntoIter: Clone>,
+    set: &mut dyn FnMut(&'a str, Input<'a>) -> Result<(), ParamError>,
+) -> Result<(), Vec<ParamError>> {
+    let values = values.into_iter();
+    let mut errors = Vec::new();
+    for models in [true, false] {
+        for (id, input) in values.clone() {
+            if (id == MODEL) == models {
+                errors.extend(set(id, input).err());
+            }
         }
     }
-
-    /// Copies the values of `id` in both models from `source`.
-    pub(crate) fn copy_both_models(&mut self, id: &str, source: &Parameters) {
-        let Some(param) = Param::find(id) else { return };
-        let (present, absent) = match source.model == self.model {
-            true => (&source.current, &source.other),
-            false => (&source.other, &source.current),
-        };
-        self.current.put(param, present.get(param));
-        self.other.put(param, absent.get(param));
+    if errors.is_empty() {
+        Ok(())
+    } else {
+        Err(errors)
     }
 }
 
@@ -164,35 +145,84 @@ fn unknown(id: &str, input: Input<'_>) -> ParamError {
         id: format!("{start}{dots}"),
         value: format!("{input}"),
         kind: ParamErrorKind::UnknownId {
-            nearest: nearest_id(id),
+            nearest: nearest(id, &mut PARAMETERS.iter().map(|param| param.id)),
         },
     }
 }
 
+impl Source {
+    /// The values of a source in another model: see [`Parameters`].
+    pub(crate) fn in_model(&self, model: Model) -> Source {
+        Slots::in_model(self, model)
+    }
+
+    /// The defaults of a model.
+    pub fn new(model: Model) -> Source {
+        Slots::of_model(model)
+    }
+
+    /// The value of an entry; `None` if it is no property of a source.
+    pub fn get(&self, param: &Param) -> Option<Value> {
+        self.value(param)
+    }
+
+    /// Sets the property that is an entry of [`PARAMETERS`].
+    pub(crate) fn set(
+        &mut self,
+        param: &Param,
+        model: Model,
+        input: Input<'_>,
+    ) -> Result<(), ParamError> {
+        let value = param.check(model, input)?;
+        self.put(param, value);
+        Ok(())
+    }
+}
+
 impl Param {
-    /// The value in the present model of `parameters` or, if that does not use it, in the other
-    /// model.
-    pub fn get(&self, parameters: &Parameters) -> Value {
-        match self.domain(parameters.model) {
-            Some(_) => parameters.current.get(self),
-            None => parameters.other.get(self),
+    /// The parameter with this id, if `model` uses it.
+    ///
+    /// # Errors
+    /// An unknown id, or a parameter that only the other model uses.
+    pub(crate) fn of_model(
+        id: &str,
+        model: Model,
+        input: Input<'_>,
+    ) -> Result<&'static Param, ParamError> {
+        let param = Param::find(id).ok_or_else(|| unknown(id, input))?;
+        match param.only_in(model) {
+            Some(other) => Err(param.error(input, ParamErrorKind::OfModel(other))),
+            None => Ok(param),
         }
     }
 
-    /// The unmet conditions of [`Description::when`](super::Description::when).
+    /// The only model that uses it, if that is another one than `model`.
+    pub fn only_in(&self, model: Model) -> Option<Model> {
+        match self.domain(model) {
+            Some(_) => None,
+            None => self.domains[0].model,
+        }
+    }
+
+    /// Whether it is a property of objects.
+    pub fn is_of_objects(&self) -> bool {
+        !self.property.is_empty()
+    }
+
+    /// The unmet conditions of [`Description::when`](super::Description::when), where `get` returns a value by its id.
     pub fn unmet_conditions(
         &self,
-        parameters: &Parameters,
+        get: impl Fn(&str) -> Option<Value>,
     ) -> impl Iterator<Item = &'static Condition> {
         let when = self.description().when.iter();
-        when.filter(|chosen| !is_met(parameters, chosen))
+        when.filter(move |chosen| !is_met(&get, chosen))
     }
 
     /// The conditions of [`Description::unless`](super::Description::unless) if all are met,
     /// else none.
-    pub fn met_exclusions(&self, parameters: &Parameters) -> &'static [Condition] {
+    pub fn met_exclusions(&self, get: impl Fn(&str) -> Option<Value>) -> &'static [Condition] {
         let unless = self.description().unless;
-        if unless.iter().all(|chosen| is_met(parameters, chosen)) {
+        if unless.iter().all(|chosen| is_met(&get, chosen)) {
             unless
         } else {
             &[]

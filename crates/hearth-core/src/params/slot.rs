@@ -1,10 +1,56 @@
 //! The field of a parameter in the generated struct, whatever its type.
 
-use super::choices::Choice;
+use super::choices::{Choice, Model};
 use super::outline::FromText;
+use super::table::{Field, PARAMETERS, Param};
 use super::value::{AnyValue, Colour, Value};
 
-/// The field of a parameter in [`Values`](super::Values).
+/// A struct whose fields are entries of [`PARAMETERS`].
+pub(super) trait Slots: Clone {
+    /// The defaults of a model.
+    fn of_model(model: Model) -> Self;
+
+    /// A field; `None` if it is one of another struct.
+    fn slot(&mut self, field: Field) -> Option<Slot<'_>>;
+
+    /// The value of an entry; `None` if it is no field of this struct.
+    fn value(&self, param: &Param) -> Option<Value> {
+        param
+            .field
+            .and_then(|field| Some(self.clone().slot(field)?.value()))
+    }
+
+    /// Writes a checked value, and returns whether it is a field of this struct.
+    fn put(&mut self, param: &Param, value: AnyValue<'_>) -> bool {
+        let slot = param.field.and_then(|field| self.slot(field));
+        slot.map(|slot| slot.put(value)).is_some()
+    }
+
+    /// Writes the defaults of a model.
+    fn put_defaults(&mut self, model: Model) {
+        for param in PARAMETERS {
+            if let Some(domain) = param.domain(model) {
+                self.put(param, domain.default);
+            }
+        }
+    }
+
+    /// The values that both models have with the same domain, and the other defaults of `model`.
+    fn in_model(&self, model: Model) -> Self {
+        let mut values = Self::of_model(model);
+        for param in PARAMETERS
+            .iter()
+            .filter(|param| param.domains[0].model.is_none())
+        {
+            if let Some(value) = self.value(param) {
+                values.put(param, value);
+            }
+        }
+        values
+    }
+}
+
+/// The field of a parameter in a struct.
 pub(super) enum Slot<'a> {
     Number(&'a mut f32),
     Whole(&'a mut u32),

@@ -13,14 +13,16 @@ use super::choices::{
 };
 use super::declare::parameters;
 use super::entry::{Description, Domain, Kind, Role, Scale};
-use super::slot::Slot;
-use super::value::{AnyValue, Colour, Value};
+use super::slot::{Slot, Slots};
+use super::value::{Colour, Value};
 
 /// One entry of the parameter table.
 #[derive(Debug)]
 pub struct Param {
     /// Unique, flat, snake_case; the attribute is the same in kebab-case.
     pub id: &'static str,
+    /// Its name as a property of an object; empty for a parameter of the world.
+    pub property: &'static str,
     /// Unit of its values; empty for a pure number.
     pub unit: &'static str,
     /// Kind of its values.
@@ -29,7 +31,7 @@ pub struct Param {
     pub domains: &'static [Domain],
     /// The part of Hearth that reads it.
     pub role: Role,
-    /// Its field in [`Values`]; `None` for a property of an object that is not a source.
+    /// Its field in [`Values`] or [`Source`]; `None` for a property of an object that is not a source.
     pub(super) field: Option<Field>,
 }
 
@@ -67,15 +69,15 @@ parameters! {
         model: (choice Model) "Model" { Every(DEFAULT) }
         /// A taller, brighter flame. Power of the burner per metre of depth: the heat of
         /// combustion of its fuel, without the heat of its hot gas. 0 turns it off.
-        fuel_power: number "Strength" ["kW/m"] Linear { Combustion(220.0, 0.0..=600.0) }
+        @power: fuel_power: number "Strength" ["kW/m"] Linear { Combustion(220.0, 0.0..=600.0) }
         /// A denser, brighter flame. Particles born per second, limited by the space at the
         /// source and by the number of particles.
-        emission_rate: number "Strength" ["1/s"] Log { Classic(1500.0, 50.0..=100_000.0) }
+        @rate: emission_rate: number "Strength" ["1/s"] Log { Classic(1500.0, 50.0..=100_000.0) }
         /// A wider fire. Width of the source. In the combustion model it is at least four
         /// particles.
-        source_width: number "Size" ["m"] Linear { Classic(0.36, 0.05..=0.6) Combustion(0.4, 0.01..=1.0) } when { source_shape: LINE }
+        @width: source_width: number "Size" ["m"] Linear { Classic(0.36, 0.05..=0.6) Combustion(0.4, 0.01..=1.0) } when { source_shape: LINE }
         /// A taller flame. Longest life of a particle, at least the shortest life.
-        lifetime_max: number "Longest life" ["s"] Linear { Classic(1.2, 0.1..=3.0) }
+        @life_max: lifetime_max: number "Longest life" ["s"] Linear { Classic(1.2, 0.1..=3.0) }
         /// A livelier, wilder flame. Acceleration by a random field of drifting eddies, which
         /// does not compress the gas.
         turbulence: number "Turbulence" ["m/s²"] Linear { Every(0.0, 0.0..=10.0) }
@@ -104,38 +106,38 @@ parameters! {
     "Fire" {
         /// A source that burns. One that is off emits nothing and keeps its values. So does one on a
         /// solid that is off.
-        source_enabled: flag "Source enabled" { Every(true) }
+        @enabled: source_enabled: flag "Source enabled" { Every(true) }
         /// A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the
         /// whole outline of a solid burns, wherever the solid is.
-        source_shape: (choice SourceShape) "Source shape" { Every(Line) }
+        @shape: source_shape: (choice SourceShape) "Source shape" { Every(Line) }
         /// A fire on another solid. Id of the solid whose surface is the source. If no solid has it,
         /// the source is a line.
-        source_solid: integer "Source solid" [""] Linear { Every(0, 0.0..=1_000_000.0) } when { source_shape: SOLID }
+        @solid: source_solid: integer "Source solid" [""] Linear { Every(0, 0.0..=1_000_000.0) } when { source_shape: SOLID }
         /// A fire farther to the right, or below 0 to the left. Position of the middle of the
         /// source, which stays inside the domain.
-        source_x: number "Place" ["m"] Linear { Every(0.0, -3.0..=3.0) } when { source_shape: LINE }
+        @x: source_x: number "Place" ["m"] Linear { Every(0.0, -3.0..=3.0) } when { source_shape: LINE }
         /// A flame that starts higher above the floor. Height of the source. In the combustion
         /// model it stays above the seam.
-        source_height: number "Source height" ["m"] Linear { Classic(0.0, 0.0..=6.0) Combustion(0.25, 0.0..=6.0) } when { source_shape: LINE }
+        @y: source_height: number "Source height" ["m"] Linear { Classic(0.0, 0.0..=6.0) Combustion(0.25, 0.0..=6.0) } when { source_shape: LINE }
         /// A flame that leaves its source to the side. Angle of the width of the source from the
         /// horizontal, counterclockwise; what it emits leaves it at right angles.
-        source_angle: number "Source angle" ["°"] Linear { Every(0.0, -180.0..=180.0) } when { source_shape: LINE }
+        @angle: source_angle: number "Source angle" ["°"] Linear { Every(0.0, -180.0..=180.0) } when { source_shape: LINE }
         /// A flame that shoots up from its source. Speed of a particle at birth, or of the
         /// gas in the burner; upward unless the source is turned. A particle leaves a solid at right
         /// angles. In the combustion model, a solid has none: it supplies no gas.
-        emission_speed: number "Emission speed" ["m/s"] Linear { Classic(1.0, 0.0..=3.0) Combustion(0.25, 0.0..=1.5) } unless { source_shape: SOLID, model: COMBUSTION }
+        @speed: emission_speed: number "Emission speed" ["m/s"] Linear { Classic(1.0, 0.0..=3.0) Combustion(0.25, 0.0..=1.5) } unless { source_shape: SOLID, model: COMBUSTION }
         /// A frayed flame that sprays to the sides. Random part of the velocity at birth.
-        emission_spread: number "Spread" [""] Linear { Classic(0.25, 0.0..=1.0) }
+        @spread: emission_spread: number "Spread" [""] Linear { Classic(0.25, 0.0..=1.0) }
         /// An uneven flame that flares up here and there. How unevenly the source burns:
         /// Perlin noise in place and time.
-        emission_noise: number "Emission noise" [""] Linear { Classic(0.5, 0.0..=1.0) Combustion(0.2, 0.0..=1.0) }
+        @noise: emission_noise: number "Emission noise" [""] Linear { Classic(0.5, 0.0..=1.0) Combustion(0.2, 0.0..=1.0) }
         /// A flame that ends in a point. How much shorter the lives of particles from the
         /// rim of the source are, within the shortest and the longest life.
-        taper: number "Taper" [""] Linear { Classic(0.8, 0.0..=1.0) } when { source_shape: LINE }
+        @taper: taper: number "Taper" [""] Linear { Classic(0.8, 0.0..=1.0) } when { source_shape: LINE }
         /// A fuller flame, up to its top. Shortest life of a particle.
-        lifetime_min: number "Shortest life" ["s"] Linear { Classic(0.3, 0.1..=3.0) }
+        @life_min: lifetime_min: number "Shortest life" ["s"] Linear { Classic(0.3, 0.1..=3.0) }
         /// A whiter flame. Temperature of a particle at birth.
-        maximum_temperature: number "Maximum temperature" ["K"] Linear { Classic(1900.0, 1000.0..=2500.0) }
+        @birth_temperature: maximum_temperature: number "Maximum temperature" ["K"] Linear { Classic(1900.0, 1000.0..=2500.0) }
         /// A shorter flame with a redder top. How fast a particle cools towards the air.
         cooling_rate: number "Cooling rate" ["K/s"] Linear { Classic(900.0, 0.0..=5000.0) }
         /// A hotter, whiter flame. Rise of the temperature if all fuel and all air burn.
@@ -154,10 +156,10 @@ parameters! {
         radiative_cooling: number "Radiative cooling" ["K/s"] Linear { Combustion(500.0, 0.0..=2000.0) }
         /// A flame that burns evenly down to its root; with 0 it is brightest at its rim.
         /// Oxygen in the fuel, relative to air.
-        source_oxygen: number "Source oxygen" [""] Linear { Combustion(0.5, 0.0..=1.0) }
+        @oxygen: source_oxygen: number "Source oxygen" [""] Linear { Combustion(0.5, 0.0..=1.0) }
         /// A brighter root of the flame. Temperature of the gas in the burner, which is always
         /// above the ignition temperature.
-        source_temperature: number "Source temperature" ["K"] Linear { Combustion(700.0, 500.0..=1200.0) }
+        @temperature: source_temperature: number "Source temperature" ["K"] Linear { Combustion(700.0, 500.0..=1200.0) }
         /// A flame that tears off and goes out more easily. Temperature above which fuel
         /// burns where there is oxygen.
         ignition_temperature: number "Ignition" ["K"] Linear { Combustion(450.0, 400.0..=900.0) }

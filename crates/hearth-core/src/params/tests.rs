@@ -1,6 +1,7 @@
 //! Laws of the table that concern two models at once.
 
 use super::*;
+use crate::scene::Scene;
 
 /// A value of the entry's kind that is not the default of the domain.
 fn another(param: &Param, domain: &Domain) -> Value {
@@ -34,90 +35,85 @@ const BOTH: [(Model, Model); 2] = [
 ];
 
 #[test]
-fn switching_the_model_back_and_forth_loses_nothing() {
+fn another_model_keeps_shared_values_and_has_its_defaults_for_the_rest() {
     for (here, there) in BOTH {
-        let mut parameters = Parameters::new(here);
-        for param in PARAMETERS.iter().filter(|param| param.id != "model") {
+        let mut scene = Scene::of_model(here);
+        let all = || PARAMETERS.iter().filter(|param| param.id != "model");
+        for param in all() {
             if let Some(domain) = param.domain(here) {
-                set(&mut parameters, param.id, another(param, domain));
+                let text = another(param, domain).to_string();
+                assert_eq!(scene.set(param.id, &*text), Ok(()), "{}", param.id);
             }
         }
-        let before = parameters.clone();
-        switch(&mut parameters, there);
-        assert_eq!(parameters.model(), there);
-        assert_ne!(parameters, before);
-        for param in PARAMETERS.iter().filter(|param| param.id != "model") {
-            let domain = param.any_domain(there);
-            let expected = match (param.domain(there), param.domain(here)) {
-                // Of both models, with one value: it came along.
-                (Some(Domain { model: None, .. }), _) => another(param, domain),
-                // Of both, with a value for each: this model's is untouched.
-                (Some(_), _) => domain.default,
-                // Hidden, and kept.
-                (None, _) => another(param, domain),
-            };
-            assert_eq!(param.get(&parameters), expected, "{}", param.id);
+        // The way back restores nothing.
+        for model in [there, here] {
+            assert_eq!(scene.set("model", model.name()), Ok(()));
+            assert_eq!(scene.model(), model);
+            for param in all() {
+                let Some(domain) = param.domain(model) else {
+                    continue;
+                };
+                let expected = match domain.model {
+                    None => another(param, domain),
+                    Some(_) => domain.default,
+                };
+                assert_eq!(scene.value(param), expected, "{}", param.id);
+            }
         }
-        switch(&mut parameters, here);
-        assert_eq!(parameters, before);
     }
 }
 
 #[test]
-fn parameters_of_the_other_model_are_checked_and_kept() {
+fn a_parameter_of_the_other_model_is_refused_by_name() {
     for (here, there) in BOTH {
         let hidden = |param: &&Param| param.domain(here).is_none();
         for param in PARAMETERS.iter().filter(hidden) {
-            let domain = param.domain(there).unwrap();
-            let mut parameters = Parameters::new(here);
-            set(&mut parameters, param.id, another(param, domain));
-            assert_eq!(param.get(&parameters), another(param, domain));
-            assert_eq!(parameters.model(), here);
-            if domain.range.1 > domain.range.0 {
-                let beyond = Input::Number(domain.range.1 * 2.0 + 1.0);
-                let refusal = parameters.set(param.id, beyond).unwrap_err();
-                assert_eq!(refusal.range(), Some(domain.range), "{}", param.id);
-            }
-            switch(&mut parameters, there);
-            assert_eq!(param.get(&parameters), another(param, domain));
-            switch(&mut parameters, here);
-            assert_eq!(parameters.restore(param.id), Ok(()));
-            assert_eq!(parameters, Parameters::new(here), "{}", param.id);
+            let mut scene = Scene::of_model(here);
+            let before = scene.clone();
+            let value = param.any_domain(there).default.to_string();
+            let refused = scene.set(param.id, &*value).map_err(|error| error.kind);
+            assert_eq!(refused, Err(ParamErrorKind::OfModel(there)), "{}", param.id);
+            assert_eq!(scene, before);
         }
     }
+    let refused = Parameters::new(Model::Combustion).set("viscosity", 0.1);
+    assert_eq!(
+        refused.map_err(|error| error.to_string()),
+        Err("viscosity = 0.1 is refused: only the classic model has it".to_owned())
+    );
 }
 
 #[test]
 fn each_model_has_its_own_range() {
     let mut parameters = Parameters::new(Model::Combustion);
-    assert_eq!(parameters.set("source_width", Input::Number(0.9)), Ok(()));
+    assert_eq!(parameters.set("buoyancy", Input::Number(1.5)), Ok(()));
     assert!(
         parameters
             .set("max_particles", Input::Number(150.0))
             .is_err()
     );
     switch(&mut parameters, Model::Classic);
-    assert!(parameters.set("source_width", Input::Number(0.9)).is_err());
+    assert!(parameters.set("buoyancy", Input::Number(1.5)).is_err());
     assert_eq!(
         parameters.set("max_particles", Input::Number(150.0)),
         Ok(())
     );
     assert_eq!(parameters.max_particles, 150);
     switch(&mut parameters, Model::Combustion);
-    assert_eq!(parameters.source_width, 0.9);
+    assert_eq!(parameters.buoyancy, 1.0);
     assert_eq!(parameters.max_particles, 6000);
 }
 
 #[test]
 fn several_values_take_the_model_first() {
-    // 500 particles are too few for combustion, 0.9 m too wide for the classic model.
+    // 500 particles are too few for combustion, a buoyancy of 1.5 too much for the classic model.
     let classic = [
         ("max_particles", Input::Number(500.0)),
         ("bloom", Input::Number(0.5)),
         ("model", Input::Text("classic")),
     ];
     let combustion = [
-        ("source_width", Input::Number(0.9)),
+        ("buoyancy", Input::Number(1.5)),
         ("model", Input::Text("combustion")),
     ];
     for model in [Model::Classic, Model::Combustion] {
@@ -127,7 +123,7 @@ fn several_values_take_the_model_first() {
         assert_eq!((parameters.max_particles, parameters.bloom), (500, 0.5));
         assert_eq!(parameters.set_all(combustion), Ok(()));
         assert_eq!(parameters.model(), Model::Combustion);
-        assert_eq!((parameters.source_width, parameters.bloom), (0.9, 0.5));
+        assert_eq!((parameters.buoyancy, parameters.bloom), (1.5, 0.5));
     }
 }
 
@@ -157,35 +153,6 @@ fn several_values_are_set_all_or_none() {
 }
 
 #[test]
-fn changed_is_what_differs_from_the_defaults_of_the_model() {
-    let changed = |parameters: &Parameters| -> Vec<&'static str> {
-        parameters.changed().map(|(param, _)| param.id).collect()
-    };
-    for (here, there) in BOTH {
-        let model: &[&str] = if here == Model::DEFAULT {
-            &[]
-        } else {
-            &["model"]
-        };
-        let mut parameters = Parameters::new(here);
-        assert_eq!(changed(&parameters), model);
-        // A value of the other model is not one of this model.
-        let hidden = |param: &&Param| param.domain(here).is_none();
-        let param = PARAMETERS.iter().find(hidden).unwrap();
-        set(
-            &mut parameters,
-            param.id,
-            another(param, param.any_domain(there)),
-        );
-        assert_eq!(changed(&parameters), model);
-        set(&mut parameters, "seed", Value::Seed(7));
-        assert_eq!(changed(&parameters), [model, &["seed"]].concat());
-        assert_eq!(parameters.restore("seed"), Ok(()));
-        assert_eq!(changed(&parameters), model);
-    }
-}
-
-#[test]
 fn restoring_the_model_restores_nothing_else() {
     let mut parameters = Parameters::default();
     set(&mut parameters, "bloom", Value::Number(0.5));
@@ -204,7 +171,7 @@ fn every_default_is_in_its_own_range() {
             for model in [Model::Classic, Model::Combustion] {
                 if domain.model.is_none_or(|own| own == model) {
                     let text = domain.default.to_string();
-                    let set = Parameters::new(model).set(param.id, Input::Text(&text));
+                    let set = Scene::of_model(model).set(param.id, Input::Text(&text));
                     assert_eq!(set, Ok(()), "{}", param.id);
                 }
             }
@@ -255,7 +222,9 @@ fn a_parameter_without_effect_names_its_unmet_conditions_and_can_be_set() {
     let mut parameters = Parameters::default();
     let unmet = |parameters: &Parameters, id| {
         let param = Param::find(id).expect("it is of the table");
-        let ids = param.unmet_conditions(parameters).map(|&(id, _)| id);
+        let ids = param
+            .unmet_conditions(|id| parameters.get(id))
+            .map(|&(id, _)| id);
         ids.collect::<Vec<_>>()
     };
     assert_eq!(unmet(&parameters, "cool_colour"), ["palette"]);

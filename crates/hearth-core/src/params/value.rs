@@ -5,6 +5,7 @@
 
 use std::fmt;
 
+use super::choices::Model;
 use super::decimal::{self, Decimal};
 
 /// A colour with opacity, 8 bits a channel, sRGB, not premultiplied.
@@ -133,6 +134,42 @@ pub enum Input<'a> {
     Default,
 }
 
+impl From<f64> for Input<'_> {
+    fn from(number: f64) -> Self {
+        Input::Number(number)
+    }
+}
+
+impl From<f32> for Input<'_> {
+    fn from(number: f32) -> Self {
+        Input::Number(decimal::shortest(number))
+    }
+}
+
+impl From<u32> for Input<'_> {
+    fn from(number: u32) -> Self {
+        Input::Number(number.into())
+    }
+}
+
+impl From<i32> for Input<'_> {
+    fn from(number: i32) -> Self {
+        Input::Number(number.into())
+    }
+}
+
+impl From<bool> for Input<'_> {
+    fn from(on: bool) -> Self {
+        Input::Flag(on)
+    }
+}
+
+impl<'a> From<&'a str> for Input<'a> {
+    fn from(text: &'a str) -> Self {
+        Input::Text(text)
+    }
+}
+
 impl<'a> Input<'a> {
     /// The number that a text is, or the text.
     pub(crate) fn from_decimal(text: &'a str) -> Input<'a> {
@@ -174,7 +211,7 @@ impl fmt::Display for Input<'_> {
 }
 
 /// The start of a text, and an ellipsis if it is long: a long text must not flood a console.
-pub(super) fn abbreviated(text: &str) -> (&str, &str) {
+pub(crate) fn abbreviated(text: &str) -> (&str, &str) {
     let end = text.char_indices().nth(40);
     match end.and_then(|(end, _)| text.get(..end)) {
         Some(start) => (start, "…"),
@@ -222,6 +259,10 @@ pub enum ParamErrorKind {
     NotAFlag,
     /// Not a colour.
     NotAColour,
+    /// Only this model uses the parameter.
+    OfModel(Model),
+    /// A property of sources, set in a world or in a scene without a source.
+    OfSource,
     /// Another rule of an object; the text names the allowed values.
     Other(&'static str),
 }
@@ -251,6 +292,17 @@ impl fmt::Display for ParamError {
             ParamErrorKind::NotAColour => {
                 must_be(format_args!("transparent, #rgb, #rrggbb or #rrggbbaa"))
             }
+            ParamErrorKind::OfModel(model) => {
+                let model = model.name();
+                write!(
+                    f,
+                    "{id} = {value} is refused: only the {model} model has it"
+                )
+            }
+            ParamErrorKind::OfSource => write!(
+                f,
+                "{id} = {value} is refused: it is a property of the first source, and there is none"
+            ),
             ParamErrorKind::Other(allowed) => must_be(format_args!("{allowed}")),
             ParamErrorKind::UnknownId { nearest } => {
                 write!(f, "there is no parameter \"{id}\"")?;

@@ -1,15 +1,15 @@
 //! The type of a preset, and the reader of their table.
 
-use std::sync::LazyLock;
+use std::fmt;
+use std::sync::{LazyLock, OnceLock};
 
-use crate::params::{IN_DOMAIN, Input, Parameters};
+use crate::params::{IN_DOMAIN, Input, Parameters, abbreviated, nearest};
 use crate::scene::{KIND, Scene};
 
 /// The table of presets. `cargo xtask codegen` writes it from the files of `scenes/`.
 ///
 /// A line is a name, a blank and a value, which extends to the end of the line. `preset` begins a preset; the values
-/// that differ from the defaults follow. `kind` begins an object besides the first source; the fields that differ
-/// from the defaults follow.
+/// that differ from the defaults follow. `kind` begins an object; the fields that differ from the defaults follow.
 const TABLE: &str = include_str!("scenes.txt");
 
 /// A line for each preset: its name, its label and its description, divided by tabulators. A program that shows none
@@ -24,10 +24,12 @@ type Fields = Vec<(&'static str, Input<'static>)>;
 pub struct Preset {
     /// Its name in attributes and URLs.
     pub name: &'static str,
-    /// The values that differ from the defaults.
+    /// The values of the world that differ from the defaults.
     values: Fields,
-    /// The fields of each object besides the first source.
+    /// The fields of each object.
     objects: Vec<Fields>,
+    /// The scene, once it is made.
+    scene: OnceLock<Scene>,
 }
 
 impl Preset {
@@ -38,8 +40,12 @@ impl Preset {
     }
 
     /// The preset with this name.
-    pub fn find(name: &str) -> Option<&'static Preset> {
-        Preset::all().iter().find(|preset| preset.name == name)
+    ///
+    /// # Errors
+    /// There is none. The error names a similar one or, if no name is similar, all.
+    pub fn find(name: &str) -> Result<&'static Preset, UnknownPreset> {
+        let found = Preset::all().iter().find(|preset| preset.name == name);
+        found.ok_or_else(|| UnknownPreset::new(name))
     }
 
     /// Its name for people.
@@ -62,18 +68,14 @@ impl Preset {
         TEXTS.lines().find_map(texts).unwrap_or_default()
     }
 
-    /// The values that differ from the defaults.
+    /// The values of its world that differ from the defaults.
     pub fn values(&self) -> impl Iterator<Item = (&'static str, Input<'static>)> + Clone {
         self.values.iter().copied()
     }
 
-    /// Its values, with their resolution.
-    pub fn parameters(&self) -> Parameters {
-        let mut parameters = Parameters::default();
-        let set = parameters.set_all(self.values());
-        debug_assert!(set.is_ok(), "preset {}: {set:?}", self.name);
-        parameters.complete(&|id| self.names(id), IN_DOMAIN);
-        parameters
+    /// The world of its [scene](Preset::scene), with its resolution, without sources and solids.
+    pub fn world(&self) -> Parameters {
+        self.scene().world().clone()
     }
 
     /// Whether it sets this parameter.
@@ -81,9 +83,27 @@ impl Preset {
         self.values().any(|(known, _)| known == id)
     }
 
-    /// Its scene: these values, with one source and its other objects.
+    /// Its scene: the values, with the first source and every other object.
+    ///
+    /// ```
+    /// # use hearth_core as hearth_fire;
+    /// use hearth_fire::{Simulation, preset::Preset};
+    ///
+    /// let campfire = Simulation::new(Preset::find("campfire")?.scene());
+    /// assert_eq!(campfire.scene().objects().count(), 7);
+    /// # Ok::<(), hearth_fire::preset::UnknownPreset>(())
+    /// ```
     pub fn scene(&self) -> Scene {
-        let mut scene = Scene::new(self.parameters());
+        self.scene.get_or_init(|| self.make()).clone()
+    }
+
+    fn make(&self) -> Scene {
+        let mut world = Parameters::default();
+        let set = world.set_all(self.values());
+        debug_assert!(set.is_ok(), "preset {}: {set:?}", self.name);
+        world.complete(&|id| self.names(id), IN_DOMAIN);
+        let mut scene = Scene::new(world);
+        scene.clear();
         for fields in &self.objects {
             let added = scene.add(fields);
             debug_assert!(added.is_ok(), "preset {}: {added:?}", self.name);
@@ -91,6 +111,42 @@ impl Preset {
         scene
     }
 }
+
+/// The error of an unknown preset.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownPreset {
+    /// The requested name, cut if it is long.
+    pub name: String,
+    /// A similar name, if there is one.
+    pub nearest: Option<&'static str>,
+}
+
+impl UnknownPreset {
+    #[cold]
+    fn new(name: &str) -> UnknownPreset {
+        let (start, dots) = abbreviated(name);
+        UnknownPreset {
+            name: format!("{start}{dots}"),
+            nearest: nearest(name, &mut Preset::all().iter().map(|preset| preset.name)),
+        }
+    }
+}
+
+impl fmt::Display for UnknownPreset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "there is no preset \"{}\"; ", self.name)?;
+        if let Some(nearest) = self.nearest {
+            return write!(f, "did you mean \"{nearest}\"?");
+        }
+        f.write_str("there are ")?;
+        for (at, preset) in Preset::all().iter().enumerate() {
+            write!(f, "{}{}", if at == 0 { "" } else { ", " }, preset.name)?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for UnknownPreset {}
 
 /// The presets of a table.
 fn read(table: &'static str) -> Vec<Preset> {

@@ -8,7 +8,7 @@ impl Preset {
     /// `spacing`, settings without one keep it in the same domain, and have as many particles in
     /// another.
     pub fn complete(&self, settings: &mut Parameters, names: &dyn Fn(&str) -> bool) {
-        let base = self.parameters();
+        let base = self.world();
         let own = self.names("spacing");
         let domain = |values: &Parameters| (values.domain_width, values.domain_height);
         let is_stated = names("spacing") || names("particles");

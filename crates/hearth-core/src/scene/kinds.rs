@@ -1,14 +1,14 @@
 //! THE table of objects: each kind and its properties.
 //!
-//! [`COMMON`](crate::params::COMMON) is the table of what every kind has. Any other property of a
-//! source is a parameter of the settings with a value per source, whose label, unit, range,
-//! default and doc the parameter gives. [`SOLID`] gives those of a solid's properties.
+//! [`COMMON`](crate::params::COMMON) is the table of what every kind has. The other properties of a source are
+//! entries of [`PARAMETERS`], those of a solid are entries of [`SOLID`].
 
 use super::distance::Surface;
-use super::source_properties::{OF_PARAMETERS, values_of_source};
 use crate::params::{
-    AnyValue, PARAMETERS, Param, ParamError, Parameters, Property, SOLID, SOLID_NAMES, Solid, Table,
+    AnyValue, Input, Model, PARAMETERS, Param, ParamError, Property, SOLID, SOLID_NAMES, Solid,
+    Source, Table,
 };
+use std::sync::Arc;
 
 /// A kind of object.
 #[derive(Debug)]
@@ -20,12 +20,10 @@ pub struct Kind {
     /// Whether its objects are bodies: they have a surface, which may burn, is drawn in front of or
     /// behind others, and is what a source can be on.
     pub is_body: bool,
-    /// The values of a new object of a scene with these settings, which has that many of its kind.
-    pub(super) new: fn(&Parameters, usize) -> Values,
-    /// The names of its properties.
+    /// The values of a new object in a model.
+    pub(super) new: fn(Model) -> Values,
+    /// The names of its properties, in the order of a panel.
     pub names: &'static [&'static str],
-    /// The ids of their entries, in the same order.
-    ids: &'static [&'static str],
     /// The table of these entries.
     table: Table,
 }
@@ -35,8 +33,27 @@ static SOURCE: Kind = Kind {
     doc: "Where fuel comes into the air, or where the classic model's particles are born.",
     is_body: false,
     new: Values::new_source,
-    names: OF_PARAMETERS.0,
-    ids: OF_PARAMETERS.1,
+    names: &[
+        "name",
+        "enabled",
+        "shape",
+        "solid",
+        "x",
+        "y",
+        "angle",
+        "width",
+        "power",
+        "rate",
+        "speed",
+        "spread",
+        "noise",
+        "temperature",
+        "oxygen",
+        "birth_temperature",
+        "life_min",
+        "life_max",
+        "taper",
+    ],
     table: &PARAMETERS,
 };
 
@@ -46,7 +63,6 @@ static BODY: Kind = Kind {
     is_body: true,
     new: Values::new_solid,
     names: SOLID_NAMES,
-    ids: SOLID_NAMES,
     table: &SOLID,
 };
 
@@ -57,13 +73,13 @@ pub(super) const NAMES: &str = "source or solid";
 pub static KINDS: &[&Kind] = &[Kind::SOURCE, Kind::SOLID];
 
 impl Kind {
-    /// The kind whose properties are parameters of the settings with a value for each object.
+    /// The kind of sources, whose properties have ids of parameters.
     pub const SOURCE: &'static Kind = &SOURCE;
 
     /// The kind of bodies that gas flows around.
     pub const SOLID: &'static Kind = &BODY;
 
-    /// Whether its properties are parameters of the settings, which have the values of its first object.
+    /// Whether the ids of its properties are ids of parameters.
     pub fn is_of_parameters(&self) -> bool {
         std::ptr::eq(self.table, &PARAMETERS)
     }
@@ -71,8 +87,7 @@ impl Kind {
     /// Its properties, in the order of a panel.
     pub fn properties(&self) -> impl ExactSizeIterator<Item = Property> + use<> {
         let table = self.table;
-        let all = self.names.iter().zip(self.ids);
-        all.map(move |(name, id)| Property { name, id, table })
+        self.names.iter().map(move |name| Property { name, table })
     }
 
     /// The property with this name.
@@ -82,82 +97,83 @@ impl Kind {
 }
 
 /// The values of an object.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(super) enum Values {
-    /// The first source, whose properties are in the scene's settings.
-    FirstSource,
-    /// Another source: the settings with its properties.
-    Source(Box<Parameters>),
-    /// A solid and its surface.
-    Solid(Box<(Solid, Surface)>),
+    /// A source.
+    Source(Source),
+    /// A solid and its surface, which scenes share.
+    Solid(Arc<(Solid, Surface)>),
+}
+
+impl PartialEq for Values {
+    fn eq(&self, other: &Values) -> bool {
+        match (self, other) {
+            (Values::Source(own), Values::Source(other)) => own == other,
+            (Values::Solid(own), Values::Solid(other)) => {
+                Arc::ptr_eq(own, other) || own.0 == other.0
+            }
+            _ => false,
+        }
+    }
 }
 
 impl Values {
     /// Its kind.
     pub fn kind(&self) -> &'static Kind {
         match self {
-            Values::FirstSource | Values::Source(_) => Kind::SOURCE,
+            Values::Source(_) => Kind::SOURCE,
             Values::Solid(_) => Kind::SOLID,
         }
     }
 
-    /// The settings of a source.
-    pub fn of_source<'a>(&'a self, settings: &'a Parameters) -> Option<&'a Parameters> {
+    /// The source.
+    pub fn source(&self) -> Option<&Source> {
         match self {
-            Values::FirstSource => Some(settings),
-            Values::Source(values) => Some(values),
+            Values::Source(source) => Some(source),
             Values::Solid(_) => None,
         }
     }
 
-    /// The parameters that are the properties of a source.
-    pub fn parameters_mut<'a>(
-        &'a mut self,
-        settings: &'a mut Parameters,
-    ) -> Option<&'a mut Parameters> {
+    /// Writes a property.
+    pub fn put(&mut self, entry: &Param, model: Model, input: Input<'_>) -> Result<(), ParamError> {
         match self {
-            Values::FirstSource => Some(settings),
-            Values::Source(values) => Some(values),
-            Values::Solid(_) => None,
+            Values::Source(source) => source.set(entry, model, input),
+            Values::Solid(solid) => {
+                let value = entry.check(model, input)?;
+                if solid.0.get(entry) == Some(value) {
+                    return Ok(());
+                }
+                Arc::make_mut(solid).0.put(entry, value)
+            }
         }
     }
 
-    /// Writes a checked property of a kind whose properties are no parameters.
-    pub fn put(&mut self, entry: &Param, value: AnyValue<'_>) -> Result<(), ParamError> {
+    /// A property.
+    pub fn get(&self, entry: &Param) -> Option<AnyValue<'_>> {
         match self {
-            Values::Solid(solid) => solid.0.put(entry, value),
-            Values::FirstSource | Values::Source(_) => Ok(()),
-        }
-    }
-
-    /// A property; of the first source, from `settings`.
-    pub fn get<'a>(&'a self, entry: &Param, settings: &'a Parameters) -> Option<AnyValue<'a>> {
-        match self {
+            Values::Source(source) => source.get(entry),
             Values::Solid(solid) => solid.0.get(entry),
-            _ => Some(entry.get(self.of_source(settings)?)),
         }
     }
 
-    /// A source like the first one, after so many others.
-    pub fn new_source(settings: &Parameters, count: usize) -> Values {
-        if count == 0 {
-            return Values::FirstSource;
-        }
-        let defaults = Parameters::new(settings.model());
-        Values::Source(Box::new(values_of_source(settings, &defaults, count)))
+    /// A source with the defaults.
+    pub fn new_source(model: Model) -> Values {
+        Values::Source(Source::new(model))
     }
 
     /// A solid with the defaults.
-    pub fn new_solid(_: &Parameters, _: usize) -> Values {
+    pub fn new_solid(_: Model) -> Values {
         let solid = Solid::default();
         let surface = solid.surface();
-        Values::Solid(Box::new((solid, surface)))
+        Values::Solid(Arc::new((solid, surface)))
     }
 
     /// Computes the surface of a solid that was `before`.
     pub fn settle(&mut self, before: Option<&Solid>) {
-        if let Values::Solid(stored) = self {
-            let (solid, surface) = &mut **stored;
+        if let Values::Solid(stored) = self
+            && before.is_none_or(|before| stored.0 != *before)
+        {
+            let (solid, surface) = Arc::make_mut(stored);
             *surface = match before {
                 Some(before) if solid.has_field_of(before) => {
                     solid.surface_with(surface.field.take())

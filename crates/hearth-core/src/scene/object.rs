@@ -1,8 +1,8 @@
 //! An object as callers read it.
 
-use super::kinds::{Kind, Values};
+use super::kinds::Kind;
 use super::stored::Stored;
-use crate::params::{AnyValue, Model, Param, Parameters, Solid};
+use crate::params::{AnyValue, Model, Param, Solid, Source};
 
 /// An object of a scene.
 #[derive(Clone, Copy, Debug)]
@@ -12,32 +12,33 @@ pub struct Object<'a> {
     /// Its kind.
     pub kind: &'static Kind,
     stored: &'a Stored,
-    settings: &'a Parameters,
+    model: Model,
+}
+
+impl PartialEq for Object<'_> {
+    fn eq(&self, other: &Object<'_>) -> bool {
+        self.stored == other.stored
+    }
 }
 
 impl<'a> Object<'a> {
-    pub(super) fn new(stored: &'a Stored, settings: &'a Parameters) -> Object<'a> {
+    pub(super) fn new(stored: &'a Stored, model: Model) -> Object<'a> {
         Object {
             id: stored.id,
             kind: stored.values.kind(),
             stored,
-            settings,
+            model,
         }
     }
 
-    /// Whether it is the source whose properties are parameters of the settings.
-    pub fn is_first_source(&self) -> bool {
-        matches!(self.stored.values, Values::FirstSource)
-    }
-
-    /// The present model, which decides the properties in use.
+    /// The model, which decides the properties in use.
     pub fn model(&self) -> Model {
-        self.settings.model()
+        self.model
     }
 
-    /// The settings with the properties of this source; `None` for another kind.
-    pub fn source(&self) -> Option<&'a Parameters> {
-        self.stored.values.of_source(self.settings)
+    /// This source; `None` for another kind.
+    pub fn source(&self) -> Option<&'a Source> {
+        self.stored.values.source()
     }
 
     /// Its name; empty without one.
@@ -50,7 +51,7 @@ impl<'a> Object<'a> {
         self.stored.values.of_solid().map(|(solid, _)| solid)
     }
 
-    /// The properties that the present model uses: name, entry and value.
+    /// The properties that the model uses: name, entry and value.
     pub fn properties(self) -> impl Iterator<Item = (&'static str, &'static Param, AnyValue<'a>)> {
         let all = self.kind.properties();
         all.filter_map(move |property| {
@@ -58,7 +59,7 @@ impl<'a> Object<'a> {
             let value = if property.is_common() {
                 AnyValue::Text(self.stored.name.text())
             } else {
-                self.stored.values.get(param, self.settings)?
+                self.stored.values.get(param)?
             };
             Some((property.name, param, value))
         })

@@ -1,25 +1,10 @@
-//! The order of the objects, and objects of another scene.
+//! Surgery on the list of objects by their ids.
 
-use super::kinds::Values;
-use super::source_properties::with_properties_of;
 use super::stored::Stored;
-use super::{Fields, MAX_OBJECTS, MAX_PIXELS, Scene};
+use super::{Fields, Scene};
 use crate::params::ParamError;
 
 impl Scene {
-    /// Makes the first source in the order of the objects the source of the settings.
-    fn settle_sources(&mut self) {
-        let mut sources = self.objects.iter_mut();
-        let first = sources.find(|object| object.values.kind().is_of_parameters());
-        if first.is_none_or(|object| object.values == Values::FirstSource) {
-            return self.set_settings(self.settings.clone());
-        }
-        if let Some(before) = sources.find(|object| object.values == Values::FirstSource) {
-            before.values = Values::Source(Box::new(self.settings.clone()));
-        }
-        self.promote();
-    }
-
     /// Puts the objects with these ids into this order, in the positions that they have together.
     pub fn arrange(&mut self, ids: &[u32]) {
         let find = |all: &[Stored], id: u32| all.iter().position(|object| object.id == id);
@@ -39,39 +24,30 @@ impl Scene {
             self.objects.swap(from + next, found);
             from += next + 1;
         }
-        self.settle_sources();
     }
 
-    /// Without a source, the settings keep the values of the next one from another scene.
-    pub fn keep_source_of(&mut self, other: &Scene) {
-        if self.objects().all(|object| object.source().is_none()) {
-            self.settings = with_properties_of(&self.settings, &other.settings);
+    /// Gives an object another id, if no other object has it. Returns whether the object has it then.
+    pub fn rename(&mut self, id: u32, new: u32) -> bool {
+        let is_free = self.objects.iter().all(|object| object.id != new);
+        let mut objects = self.objects.iter_mut();
+        match objects.find(|object| object.id == id) {
+            Some(object) if is_free => {
+                object.id = new;
+                true
+            }
+            _ => false,
         }
     }
 
-    /// Adds an object of another scene, and returns its id: the same, if it is free. `None` if there is no such object,
-    /// or no room.
-    pub fn copy(&mut self, other: &Scene, id: u32) -> Option<u32> {
-        let object = other.objects.iter().find(|object| object.id == id)?;
-        let kind = object.values.kind().name;
-        let of_kind = self.objects().filter(|known| known.kind.name == kind);
-        if of_kind.count() >= MAX_OBJECTS {
-            return None;
-        }
-        let is_free = |id: &u32| self.objects.iter().all(|object| object.id != *id);
-        let id = std::iter::once(id).chain(1..).find(is_free)?;
-        let values = match &object.values {
-            Values::FirstSource => Values::Source(Box::new(other.settings.clone())),
-            values => values.clone(),
+    /// Adds an object of another scene or replaces the one that has its id. Without such an object it does nothing.
+    pub fn take(&mut self, other: &Scene, id: u32) {
+        let Some(object) = other.objects.iter().find(|object| object.id == id) else {
+            return;
         };
-        let name = object.name.clone();
-        self.objects.push(Stored { id, name, values });
-        self.settle_sources();
-        if self.pixels() > MAX_PIXELS {
-            self.objects.pop();
-            return None;
+        match self.objects.iter_mut().find(|own| own.id == id) {
+            Some(own) => own.clone_from(object),
+            None => self.objects.push(object.clone()),
         }
-        Some(id)
     }
 
     /// Changes an object or, without an id, adds one, without the fields that are refused. Appends an error for each,

@@ -2,7 +2,7 @@
 
 use super::distance::Surface;
 use super::kinds::Values;
-use crate::params::{Input, Name, ParamError, Parameters, Property, Solid};
+use crate::params::{Input, Model, Name, ParamError, ParamErrorKind, Property, Solid};
 
 /// An object as a scene stores it.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,26 +25,23 @@ impl Stored {
         solid.is_some_and(|(solid, _)| !solid.enabled)
     }
 
-    /// Writes a property, of the first source to `settings`.
+    /// Writes a property.
     pub fn set(
         &mut self,
         property: &Property,
         input: Input<'_>,
-        settings: &mut Parameters,
+        model: Model,
     ) -> Result<(), ParamError> {
-        if !property.is_common()
-            && let Some(parameters) = self.values.parameters_mut(settings)
-        {
-            return parameters.set(property.id, input);
-        }
         let Some(entry) = property.entry() else {
             return Ok(());
         };
-        let value = entry.check(settings.model(), input)?;
+        if let Some(other) = entry.only_in(model) {
+            return Err(entry.error(input, ParamErrorKind::OfModel(other)));
+        }
         if property.is_common() {
-            self.name.put(entry, value)
+            self.name.put(entry, entry.check(model, input)?)
         } else {
-            self.values.put(entry, value)
+            self.values.put(entry, model, input)
         }
     }
 }

@@ -1,6 +1,6 @@
 use super::*;
 use crate::Simulation;
-use crate::params::{AnyValue, Model, PARAMETERS, Param, Value};
+use crate::params::{AnyValue, Model, Param, Value};
 
 mod fires;
 mod off;
@@ -37,90 +37,121 @@ fn burnt(scene: &Scene, seconds: f64) -> Simulation {
     fire
 }
 
+/// The defaults of a model, of few particles in the combustion model.
+fn few(model: Model) -> Scene {
+    let mut scene = Scene::of_model(model);
+    if model == Model::Combustion {
+        assert_eq!(scene.set("particles", 1500.0), Ok(()));
+    }
+    scene
+}
+
 #[test]
 fn every_property_has_an_entry_and_one_name() {
     for kind in KINDS {
         let mut seen = Vec::new();
         for property in kind.properties() {
-            assert!(property.entry().is_some(), "{}", property.id);
+            assert!(property.entry().is_some(), "{}", property.id());
             let is_parameter = kind.name == "source" && !property.is_common();
             assert_eq!(
                 is_parameter,
-                Param::find(property.id).is_some(),
+                Param::find(property.id()).is_some(),
                 "{}",
-                property.id
+                property.id()
             );
-            assert!(!seen.contains(&property.id), "{}", property.id);
+            assert!(!seen.contains(&property.id()), "{}", property.id());
             assert!(!seen.contains(&property.name), "{}", property.name);
-            seen.extend([property.id, property.name]);
+            seen.extend([property.id(), property.name]);
         }
     }
 }
 
 #[test]
-fn settings_alone_have_one_source_whose_properties_they_are() {
+fn ids_of_properties_read_and_write_the_first_source() {
     for model in [Model::Classic, Model::Combustion] {
-        let mut settings = Parameters::new(model);
-        assert_eq!(settings.set("source_x", number(0.2)), Ok(()));
-        let mut scene = Scene::new(settings);
+        let mut scene = Scene::of_model(model);
         assert_eq!(ids(&scene), [1]);
+        assert_eq!(scene.add(&[SOURCE]), Ok(2));
+        assert_eq!(scene.set("source_x", 0.2), Ok(()));
         assert_eq!(value(&scene, 0, "x"), Some(Value::Number(0.2)));
-
+        assert_eq!(value(&scene, 1, "x"), Some(Value::Number(0.0)));
         assert_eq!(scene.change(1, &[("x", number(-0.1))]), Ok(()));
-        assert_eq!(scene.settings().source_x, -0.1);
-        let mut settings = scene.settings().clone();
-        assert_eq!(settings.set("source_x", number(0.3)), Ok(()));
-        scene.set_settings(settings);
-        assert_eq!(value(&scene, 0, "x"), Some(Value::Number(0.3)));
+        assert_eq!(scene.get("source_x"), Some(Value::Number(-0.1)));
     }
+    let mut none = Scene::default();
+    none.clear();
+    let empty = none.clone();
+    let refused = none.set("fuel_power", 100.0);
+    assert_eq!(
+        refused.map_err(|error| error.to_string()),
+        Err(
+            "fuel_power = 100 is refused: it is a property of the first source, and there is none"
+                .to_owned()
+        )
+    );
+    assert_eq!(none, empty);
+    assert_eq!(none.set("wind", 1.0), Ok(()));
 }
 
 #[test]
-fn a_second_source_has_separate_properties_and_the_other_settings() {
+fn sources_have_separate_properties_and_one_world() {
     let mut scene = Scene::default();
     let added = scene.add(&[SOURCE, ("x", number(0.3)), ("power", number(50.0))]);
     assert_eq!(added, Ok(2));
-    let mut settings = scene.settings().clone();
     for (id, x) in [("fuel_power", 100.0), ("wind", 1.0), ("source_width", 0.2)] {
-        assert_eq!(settings.set(id, number(x)), Ok(()));
+        assert_eq!(scene.set(id, x), Ok(()));
     }
-    scene.set_settings(settings);
-    let powers: Vec<f32> = scene.sources().map(|source| source.fuel_power).collect();
+    let powers: Vec<f32> = scene.sources().map(|source| source.power).collect();
     assert_eq!(powers, [100.0, 50.0]);
     assert_eq!(scene.power(), 150.0);
-    assert!(scene.sources().all(|source| source.wind == 1.0));
+    assert!(scene.sources().all(|source| source.world.wind == 1.0));
     assert_eq!(value(&scene, 1, "width"), Some(Value::Number(0.4)));
     assert_eq!(value(&scene, 1, "rate"), None, "it is the classic model's");
 }
 
 #[test]
-fn a_source_keeps_its_properties_of_the_other_model() {
+fn every_source_keeps_in_another_model_what_both_models_have() {
     let mut scene = Scene::default();
-    let added = scene.add(&[SOURCE, ("rate", number(700.0)), ("power", number(50.0))]);
-    assert!(added.is_ok());
-    for (model, name, kept) in [("classic", "rate", 700.0), ("combustion", "power", 50.0)] {
-        let mut settings = scene.settings().clone();
-        assert_eq!(settings.set("model", Input::Text(model)), Ok(()));
-        scene.set_settings(settings);
-        assert_eq!(value(&scene, 1, name), Some(Value::Number(kept)));
-    }
+    let fields = [SOURCE, ("x", number(0.3)), ("power", number(50.0))];
+    assert_eq!(scene.change(1, &fields), Ok(()));
+    assert_eq!(scene.add(&fields), Ok(2));
+    scene.set_world(Parameters::new(Model::Classic));
+    let mut expected = Scene::of_model(Model::Classic);
+    assert_eq!(expected.change(1, &[("x", number(0.3))]), Ok(()));
+    assert_eq!(expected.add(&[SOURCE, ("x", number(0.3))]), Ok(2));
+    assert_eq!(scene, expected);
+    assert_eq!(
+        words(scene.change(2, &[("power", number(50.0))])),
+        "objects[1].power = 50 is refused: only the combustion model has it"
+    );
 }
 
 #[test]
-fn the_next_source_becomes_the_first_and_the_last_keeps_its_values() {
+fn the_first_source_is_the_first_of_those_that_are_there() {
     let mut scene = Scene::default();
-    let before = scene.settings().clone();
-    assert!(scene.add(&[SOURCE, ("x", number(0.3))]).is_ok());
-    assert_eq!(scene.remove(1), Ok(()));
-    assert_eq!(ids(&scene), [2]);
-    assert_eq!(scene.settings().source_x, 0.3);
-    assert_eq!(scene.settings().seed, before.seed);
+    assert_eq!(scene.add(&[SOURCE, ("x", number(0.3))]), Ok(2));
+    let seeds = |scene: &Scene| {
+        scene
+            .sources()
+            .map(|source| source.seed)
+            .collect::<Vec<_>>()
+    };
+    let both = seeds(&scene);
+    assert_ne!(both[0], both[1]);
+    // Order alone decides which one is the first, and the seeds.
+    scene.arrange(&[2, 1]);
+    assert_eq!(scene.get("source_x"), Some(Value::Number(0.3)));
+    assert_eq!(seeds(&scene), both);
 
     assert_eq!(scene.remove(2), Ok(()));
+    assert_eq!(scene.get("source_x"), Some(Value::Number(0.0)));
+    assert_eq!(seeds(&scene), both[..1]);
+    // A new source has the defaults, not the values of a former one.
+    assert_eq!(scene.set("source_x", 0.2), Ok(()));
+    assert_eq!(scene.remove(1), Ok(()));
     assert_eq!((scene.objects().len(), scene.power()), (0, 0.0));
-    assert_eq!(scene.settings().source_x, 0.3);
     assert_eq!(scene.add(&[SOURCE]), Ok(1));
-    assert_eq!(value(&scene, 0, "x"), Some(Value::Number(0.3)));
+    assert_eq!(scene, Scene::default());
 }
 
 #[test]
@@ -135,7 +166,7 @@ fn a_source_has_the_surface_of_its_solid() {
     assert_eq!(scene.add(&on_solid), Ok(2));
     let id = |scene: &Scene| {
         let sources: Vec<_> = scene.sources().collect();
-        let of = |source| scene.solid_of(source).is_some();
+        let of = |source| scene.solid_of(&source).is_some();
         sources
             .into_iter()
             .map(|source| of(source))
@@ -143,9 +174,8 @@ fn a_source_has_the_surface_of_its_solid() {
     };
     assert_eq!(id(&scene), [false, true]);
     assert_eq!(value(&scene, 2, "solid"), Some(Value::Integer(9)));
-    // The next source becomes the first, on its solid.
     assert_eq!(scene.remove(1), Ok(()));
-    assert_eq!(scene.settings().source_solid, 9);
+    assert_eq!(scene.get("source_solid"), Some(Value::Integer(9)));
     assert_eq!(id(&scene), [true]);
     // A source and an id without an object have no surface.
     for other in [0.0, 2.0, 1e6] {
@@ -238,13 +268,13 @@ fn the_number_of_objects_is_limited() {
 }
 
 #[test]
-fn a_solid_has_properties_that_are_no_settings() {
+fn a_solid_has_properties_that_are_no_parameters() {
     let mut scene = Scene::default();
-    let settings = scene.settings().clone();
+    let settings = scene.world().clone();
     let fields = [SOLID, ("x", number(0.3)), ("shape", Input::Text("box"))];
     assert_eq!(scene.add(&fields), Ok(2));
     assert_eq!(scene.add(&[SOURCE]), Ok(3));
-    assert_eq!(scene.settings(), &settings);
+    assert_eq!(scene.world(), &settings);
     assert_eq!(value(&scene, 1, "shape"), Some(Value::Choice("box")));
     assert_eq!(value(&scene, 1, "height"), Some(Value::Number(0.1)));
     assert_eq!(
@@ -256,8 +286,7 @@ fn a_solid_has_properties_that_are_no_settings() {
     assert_eq!(scene.remove(1), Ok(()));
     assert_eq!(ids(&scene), [2, 3]);
     assert_eq!(scene.sources().count(), 1);
-    let first = scene.objects().filter(Object::is_first_source);
-    assert_eq!(first.map(|object| object.id).collect::<Vec<_>>(), [3]);
+    assert_eq!(scene.first_source_id(), Some(3));
     assert_eq!(scene.remove(2), Ok(()));
     assert_eq!(scene.solids().count(), 0);
 }
@@ -270,35 +299,8 @@ fn solids_change_no_source() {
     for scene in [&mut scene, &mut plain] {
         assert!(scene.add(&[SOURCE, ("x", number(0.3))]).is_ok());
     }
-    assert!(scene.sources().eq(plain.sources()));
-}
-
-#[test]
-fn a_cleared_scene_keeps_the_values_of_its_source() {
-    let mut scene = Scene::default();
-    assert_eq!(scene.change(1, &[("x", number(-0.3))]), Ok(()));
-    assert_eq!(scene.add(&[SOURCE, ("id", number(7.0))]), Ok(7));
-    scene.clear();
-    assert_eq!(scene.objects().len(), 0);
-    assert_eq!(scene.settings().source_x, -0.3);
-    assert_eq!(scene.add(&[("power", number(20.0)), SOURCE]), Ok(1));
-    assert_eq!(scene.settings().fuel_power, 20.0);
-}
-
-#[test]
-fn a_parameter_that_is_not_a_property_is_the_same_for_every_source() {
-    let of_sources = |id: &str| Kind::SOURCE.properties().any(|property| property.id == id);
-    let mut scene = Scene::default();
-    assert!(scene.add(&[SOURCE]).is_ok());
-    let sources: Vec<&Parameters> = scene.sources().collect();
-    for param in PARAMETERS {
-        let same = param.get(sources[0]) == param.get(sources[1]);
-        assert!(
-            same || param.id == "seed" || of_sources(param.id),
-            "{}",
-            param.id
-        );
-    }
+    let values = |source: SceneSource<'_>| (source.seed, (*source).clone());
+    assert!(scene.sources().map(values).eq(plain.sources().map(values)));
 }
 
 #[test]

@@ -54,9 +54,9 @@ impl Simulation {
     /// This fire as bytes, with the gas in and around its frame; `None` in the classic model.
     pub fn burning(&self) -> Option<Vec<u8>> {
         let combustion = self.solver.combustion()?;
-        let air = self.scene.settings().ambient_temperature;
+        let air = self.scene.world().ambient_temperature;
         let discretisation = combustion.discretisation();
-        let bounds = crate::combustion::bounds(self.scene.settings(), discretisation);
+        let bounds = crate::combustion::bounds(self.scene.world(), discretisation);
         let (mut particles, mut embers) = (self.particles(), self.embers().to_vec());
         particles.retain(|particle| bounds.contains(particle.position));
         embers.retain(|ember| bounds.contains(ember.position));
@@ -143,7 +143,7 @@ impl Simulation {
         if header.digest != digest(&self.scene) {
             return Err(BurningError::OtherValues);
         }
-        let parameters = self.scene.settings();
+        let parameters = self.scene.world();
         let [velocity, excess, soot, ember_velocity, size, life] = header.scales;
         let air = parameters.ambient_temperature;
         let discretisation = Discretisation::with_resolution_key(header.resolution_key, parameters);

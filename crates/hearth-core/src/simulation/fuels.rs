@@ -11,7 +11,7 @@ impl Simulation {
     /// # Errors
     /// There is no fuel and no source that is wet; the classic model has neither.
     pub fn ignite(&mut self, at: IgnitionTarget) -> Result<(), IgniteError> {
-        let values = self.scene.settings();
+        let values = self.scene.world();
         match self.solver.combustion_mut() {
             Some(combustion) => combustion.ignite(at, values, &mut self.random),
             None => Err(IgniteError),
@@ -24,7 +24,7 @@ impl Simulation {
     /// # Errors
     /// There is no fuel; the classic model has none.
     pub fn extinguish(&mut self, at: IgnitionTarget) -> Result<(), IgniteError> {
-        let values = self.scene.settings();
+        let values = self.scene.world();
         match self.solver.combustion_mut() {
             Some(combustion) => combustion.extinguish(at, values),
             None => Err(IgniteError),
@@ -35,14 +35,14 @@ impl Simulation {
     pub fn burning_solids(&self) -> Vec<BurningSolid> {
         let combustion = self.solver.combustion();
         combustion.map_or_else(Vec::new, |combustion| {
-            combustion.burning_solids(self.scene.settings())
+            combustion.burning_solids(self.scene.world())
         })
     }
 
     /// All solids that have fuel, together; `None` in the classic model.
     pub fn fuel_total(&self) -> Option<FuelTotal> {
         let combustion = self.solver.combustion()?;
-        Some(combustion.fuel_total(self.scene.settings()))
+        Some(combustion.fuel_total(self.scene.world()))
     }
 
     /// Writes the solids that have fuel, for a picture. The classic model has none.

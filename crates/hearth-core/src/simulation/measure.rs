@@ -37,7 +37,7 @@ impl Simulation {
     /// nearest solid \[m\], negative inside. What the model does not have is not a number, and so is
     /// all of a place without gas; open air that rests is left out of a simulation, but is gas.
     pub fn measure(&self, place: Vec2) -> Vec<f32> {
-        let (solver, values) = (&self.solver, self.scene.settings());
+        let (solver, values) = (&self.solver, self.scene.world());
         let burns = values.model() == Model::Combustion;
         let kernel = Kernel::new(values.smoothing_length());
         let height = values.domain_height;
@@ -101,7 +101,7 @@ impl Simulation {
     /// The numbers of a place, from the sums over the gas around it.
     #[inline(always)]
     fn read(&self, place: Vec2, sum: [f32; OF_PLACE], burns: bool) -> [f32; OF_PLACE] {
-        let values = self.scene.settings();
+        let values = self.scene.world();
         let [low, high] = self.extent();
         let gap = self.solver.solids().nearest(place, high.distance(low));
         let weight = sum[OF_PLACE - 1];

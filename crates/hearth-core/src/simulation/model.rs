@@ -41,7 +41,7 @@ impl DerefMut for AnySolver {
 impl AnySolver {
     /// The solver at the start of a fire.
     pub fn new(scene: &Scene, random: &mut Random) -> AnySolver {
-        match scene.settings().model() {
+        match scene.world().model() {
             Model::Classic => AnySolver::Classic(Classic::new(scene)),
             Model::Combustion => AnySolver::Combustion(Combustion::new(scene, random)),
         }

@@ -1,7 +1,7 @@
 //! The series of steps that sound follows from.
 
 use super::Simulation;
-use crate::params::Physics;
+use crate::scene::SceneSource;
 use crate::series::{Recorder, StepRecord};
 
 /// Width of a source up to which it is a nozzle \[m\].
@@ -52,12 +52,10 @@ impl Simulation {
     pub(super) fn record(&mut self, length: f64) {
         if let Some(recorder) = self.recorder.as_mut() {
             let power = self.solver.combustion().map_or(0.0, |fire| fire.power());
-            let nozzle = |source: &&crate::Parameters| {
-                let values: &Physics = source;
-                values.fuel_power > 0.0 && values.source_width <= MAX_NOZZLE_WIDTH
-            };
+            let nozzle =
+                |source: &SceneSource<'_>| source.power > 0.0 && source.width <= MAX_NOZZLE_WIDTH;
             let nozzles = self.scene.sources().filter(nozzle);
-            let fastest = nozzles.map(|source| source.emission_speed);
+            let fastest = nozzles.map(|source| source.speed);
             let jet = if power > 0.0 {
                 fastest.fold(0.0, f32::max)
             } else {

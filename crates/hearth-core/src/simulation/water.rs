@@ -14,7 +14,7 @@ impl Simulation {
     /// # Errors
     /// The classic model has no water.
     pub fn spray(&mut self, place: Vec2, velocity: Vec2, mass: f32) -> Result<(), SprayError> {
-        let values = self.scene.settings();
+        let values = self.scene.world();
         let combustion = self.solver.combustion_mut().ok_or(SprayError)?;
         combustion.spray(place, velocity, mass, values, &mut self.random);
         Ok(())

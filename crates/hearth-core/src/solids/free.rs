@@ -59,7 +59,7 @@ impl FreeBodies {
     // An entry of the part `bodies` of the wasm.
     #[inline(never)]
     pub fn set(solids: &mut Solids, scene: &Scene, time: f64, bounds: &Bounds) {
-        let values = scene.settings();
+        let values = scene.world();
         let mut free = solids.free.take().unwrap_or_default();
         let before = std::mem::take(&mut free.all);
         let ids = before.iter().filter(|body| !body.is_part());

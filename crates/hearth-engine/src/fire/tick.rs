@@ -168,7 +168,10 @@ impl Fire {
                 if !warms && requested.is_none() && !(plays && self.clock.due(self.last_step)) {
                     return false;
                 }
-                let length = step(&mut self.simulation, self.pointer, &mut |stage| {
+                let age = self.simulation.time();
+                let mut requested = requested.filter(|_| !warms);
+                let end = requested.as_mut().map_or(f64::INFINITY, |it| it.end(age));
+                let length = step(&mut self.simulation, self.pointer, end, &mut |stage| {
                     let now = clock.now();
                     made.stages[stage as usize] += now - last.replace(now);
                 });
@@ -193,7 +196,7 @@ impl Fire {
                     return true;
                 }
                 match requested {
-                    Some(request) => request.take(length),
+                    Some(request) => request.take(self.simulation.time()),
                     None => {
                         self.clock.spend(length);
                         made.played += 1;
@@ -252,12 +255,13 @@ impl Fire {
     }
 }
 
-/// Makes a step with the force of a pointer. Returns its length [s of fire].
+/// Makes a step towards the age `end`, with the force of a pointer. Returns its length [s of fire].
 // Inlined into its loop, the whole solver would be compiled twice.
 #[inline(never)]
 fn step(
     simulation: &mut Simulation,
     pointer: Option<PointerForce>,
+    end: f64,
     on_stage: &mut dyn FnMut(Stage),
 ) -> f64 {
     let start = simulation.time();
@@ -265,9 +269,9 @@ fn step(
         Some(force) => {
             let acceleration =
                 |at: Vec2, v: Vec2| Vec2::from(force.acceleration(at.into(), v.into()));
-            simulation.step_in_stages(Some(&acceleration), on_stage);
+            simulation.step_towards(end, Some(&acceleration), on_stage);
         }
-        None => simulation.step_in_stages(None, on_stage),
+        None => simulation.step_towards(end, None, on_stage),
     }
     simulation.time() - start
 }

@@ -4,7 +4,10 @@
 pub struct StepRequest {
     request: u32,
     steps: u32,
+    /// Length that is left [s of fire].
     seconds: f64,
+    /// The age of the fire at which nothing is left \[s\]; infinite before the first step.
+    end: f64,
 }
 
 impl StepRequest {
@@ -12,10 +15,21 @@ impl StepRequest {
         self.steps > 0 || self.seconds > 0.0
     }
 
-    /// Counts a step of that length [s of fire].
-    pub fn take(&mut self, length: f64) {
+    /// The age at which the last of its steps ends, of a fire of that `age` \[s\].
+    pub fn end(&mut self, age: f64) -> f64 {
+        // A fire that has started again makes what is left.
+        if self.seconds > 0.0 && self.end - age > self.seconds {
+            self.end = age + self.seconds;
+        }
+        self.end
+    }
+
+    /// Counts a step after which the fire has that `age` \[s\].
+    pub fn take(&mut self, age: f64) {
         self.steps = self.steps.saturating_sub(1);
-        self.seconds -= length;
+        if self.seconds > 0.0 {
+            self.seconds = self.end - age;
+        }
     }
 }
 
@@ -34,6 +48,7 @@ impl StepRequests {
             request,
             steps,
             seconds,
+            end: f64::INFINITY,
         });
     }
 

@@ -6,5 +6,6 @@ mod picture_limits;
 mod quality;
 mod quality_frames;
 mod size_limit;
+mod step_requests;
 mod thread_budget;
 mod warm_up;

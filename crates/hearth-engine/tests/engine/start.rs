@@ -3,10 +3,10 @@
 use crate::harness::{Sent, number, object, sent, text};
 use hearth_core::Parameters;
 use hearth_core::params::Model;
-use hearth_engine::change::at_first;
-use hearth_engine::commands::Start;
-use hearth_settings::Settings;
+use hearth_engine::change::{at_first, by_command};
+use hearth_engine::commands::{Command, Start};
 use hearth_settings::untrusted::{Argument, Untrusted, ValidationError};
+use hearth_settings::{Change, Settings, whole};
 
 /// The values of a model.
 fn of_model<const N: usize>(model: &str, values: [(&str, Untrusted); N]) -> Sent {
@@ -86,4 +86,35 @@ fn a_recreated_fire_has_the_settings_of_its_file() {
     let (settings, errors) = at_first(&Start::read(&file));
     assert_eq!(errors, []);
     assert_eq!(Ok(settings), Settings::of_file(&config));
+}
+
+#[test]
+fn import_keeps_the_seed_on_request_unless_the_settings_name_one() {
+    let seed = |value: f64| sent([("seed", number(value))]);
+    let seventh = Settings::default().after(&Change::Set(&seed(7.0)));
+    let seventh = seventh.expect("a seed is valid");
+    let imported = |config: &Untrusted, keeps_seed| {
+        let command = Command::Import {
+            config,
+            source: "test",
+            keeps_seed,
+        };
+        let (after, _) = by_command(&seventh, &command, &mut Vec::new())?;
+        after.ok()
+    };
+    let torch = object([("preset", text("torch"))]);
+    let third = object([("values", Untrusted::Object(seed(3.0)))]);
+    // Whole settings name the seed that their preset has.
+    let first = whole(&Settings::default());
+    for (config, keeps_seed, expected) in [
+        (&torch, None, 1),
+        (&torch, Some(true), 7),
+        (&third, Some(true), 3),
+        (&first, Some(true), 1),
+    ] {
+        let after = imported(config, keeps_seed).expect("the settings are valid");
+        assert_eq!(after.parameters().seed, expected, "{config:?}");
+    }
+    let torch = imported(&torch, Some(true)).expect("the settings are valid");
+    assert_eq!(torch.preset().name, "torch");
 }

@@ -36,13 +36,13 @@ impl Fire {
     /// object, or a parameter.
     fn chosen(&self, subject: Subject, id: &str) -> Option<AnyValue<'_>> {
         let Some(owner) = subject.object else {
-            return self.parameters().get(id);
+            return self.objects.get(id);
         };
         let object = self.object(owner.id)?;
         let mut own = object.properties();
         match own.find(|(_, param, _)| param.id == id) {
             Some((.., value)) => Some(value),
-            None => self.parameters().get(id),
+            None => self.objects.get(id),
         }
     }
 
@@ -52,7 +52,7 @@ impl Fire {
         let mut properties = object
             .into_iter()
             .flat_map(|object| object.kind.properties());
-        match properties.find(|property| property.id == id) {
+        match properties.find(|property| property.id() == id) {
             Some(property) => property.entry(),
             None => Param::find(id),
         }

@@ -10,6 +10,7 @@ use hearth_core::Scene;
 use hearth_core::params::{
     AnyValue, Domain, Input, Kind, PARAMETERS, Param, ParamError, ParamErrorKind, Parameters, Scale,
 };
+use hearth_core::scene::Object;
 
 pub use crate::state::entry::Entry;
 use crate::state::objects::{Fields, OBJECTS, differ, update, value_in};
@@ -52,16 +53,21 @@ pub struct Fire {
 }
 
 impl Fire {
-    /// The present parameters.
+    /// The values of the world.
     pub fn parameters(&self) -> &Parameters {
-        self.objects.settings()
+        self.objects.world()
+    }
+
+    /// Whether the properties of an object are those that parameters set.
+    pub fn is_first_source(&self, object: &Object<'_>) -> bool {
+        self.objects.first_source_id() == Some(object.id)
     }
 
     /// The present value.
     pub fn value(&self, subject: impl Into<Subject>) -> AnyValue<'_> {
         let subject = subject.into();
         match subject.object {
-            None => subject.param.get(self.parameters()),
+            None => self.objects.value(subject.param),
             Some(_) => {
                 value_in(&self.objects, subject).unwrap_or_else(|| self.domain_of(subject).default)
             }
@@ -78,13 +84,13 @@ impl Fire {
             return value_in(&self.scene, subject)
                 .unwrap_or_else(|| self.domain_of(subject).default);
         }
-        if self.scene.settings().model() == model || param.id == MODEL {
-            return param.get(self.scene.settings());
+        if self.scene.model() == model || param.id == MODEL {
+            return self.scene.value(param);
         }
-        let mut scene = self.scene.settings().clone();
+        let mut scene = self.scene.clone();
         // The name of a model is always accepted.
-        let _ = scene.set(MODEL, Input::Text(model.name()));
-        param.get(&scene)
+        let _ = scene.set(MODEL, model.name());
+        scene.value(param)
     }
 
     /// Takes a scene's values and objects as the defaults. Values that are missing are those of
@@ -94,20 +100,20 @@ impl Fire {
         values: impl IntoIterator<Item = (&'a str, Input<'a>)>,
         objects: Option<&[Fields]>,
     ) {
-        let mut scene = Parameters::default();
         let (model, others): (Vec<_>, Vec<_>) =
             values.into_iter().partition(|(id, _)| *id == MODEL);
-        for (id, input) in model.into_iter().chain(others) {
+        let mut scene = Scene::default();
+        for (id, input) in model {
             // A refused value comes from another version of the fire.
             let _ = scene.set(id, input);
         }
-        match objects {
-            Some(objects) => {
-                self.scene.set_settings(scene);
-                update(&mut self.scene, objects);
-            }
-            None => self.scene = Scene::new(scene),
+        if let Some(objects) = objects {
+            update(&mut scene, objects);
         }
+        for (id, input) in others {
+            let _ = scene.set(id, input);
+        }
+        self.scene = scene;
     }
 
     /// Whether the scene has the value: it lacks the properties of an added object.
@@ -154,7 +160,7 @@ impl Fire {
     /// The parameters of the present model and of its edges, without the model itself.
     pub fn used(&self) -> impl Iterator<Item = &'static Param> + '_ {
         PARAMETERS.iter().filter(|param| {
-            let mut unmet = param.unmet_conditions(self.parameters());
+            let mut unmet = param.unmet_conditions(|id| self.objects.get(id));
             let used = param.domain(self.parameters().model()).is_some();
             used && param.id != MODEL && unmet.all(|(id, _)| *id != EDGES)
         })
@@ -166,7 +172,7 @@ impl Fire {
     /// Returns the reason why the table refuses the value.
     pub fn check(&self, subject: Subject, input: Input<'_>) -> Result<(), ParamError> {
         match subject.object {
-            None => self.parameters().clone().set(subject.id, input),
+            None => self.objects.clone().set(subject.id, input),
             Some(owner) => change(&mut self.objects.clone(), owner, input),
         }
     }
@@ -178,17 +184,10 @@ impl Fire {
     pub fn set(&mut self, subject: impl Into<Subject>, input: Input<'_>) -> Result<(), ParamError> {
         let subject = subject.into();
         match subject.object {
-            None => self.set_parameter(subject.id, input)?,
+            None => self.objects.set(subject.id, input)?,
             Some(owner) => change(&mut self.objects, owner, input)?,
         }
         self.refusals.remove(subject.id);
-        Ok(())
-    }
-
-    fn set_parameter(&mut self, id: &str, input: Input<'_>) -> Result<(), ParamError> {
-        let mut parameters = self.parameters().clone();
-        parameters.set(id, input)?;
-        self.objects.set_settings(parameters);
         Ok(())
     }
 
@@ -200,10 +199,10 @@ impl Fire {
         if self.pending.contains_key(param.id) {
             return;
         }
-        let before = param.get(self.parameters());
-        // A refused value comes from another version of the fire: the panel keeps the last
-        // valid one.
-        if self.set_parameter(param.id, input).is_ok() && param.get(self.parameters()) != before {
+        let before = self.objects.value(param);
+        // The fire reports values of the other model, too. Another refused value comes from another version of the
+        // fire: the panel keeps the last valid one.
+        if self.objects.set(param.id, input).is_ok() && self.objects.value(param) != before {
             self.refusals.remove(param.id);
         }
     }
@@ -231,8 +230,18 @@ impl Fire {
 
     /// Takes the objects that the fire reports.
     pub fn receive_objects(&mut self, objects: &[Fields]) {
-        if !self.pending.contains_key(OBJECTS) {
-            update(&mut self.objects, objects);
+        if self.pending.contains_key(OBJECTS) {
+            return;
+        }
+        let pending = PARAMETERS
+            .iter()
+            .filter(|param| param.is_of_objects() && self.pending.contains_key(param.id));
+        let kept: Vec<_> = pending
+            .map(|param| (param.id, self.objects.value(param).to_string()))
+            .collect();
+        update(&mut self.objects, objects);
+        for (id, value) in &kept {
+            let _ = self.objects.set(id, value.as_str());
         }
     }
 
@@ -284,8 +293,8 @@ mod tests {
 
     fn classic() -> Fire {
         Fire {
-            objects: Scene::new(Parameters::new(Model::Classic)),
-            scene: Scene::new(Parameters::new(Model::Classic)),
+            objects: Scene::of_model(Model::Classic),
+            scene: Scene::of_model(Model::Classic),
             ..Fire::default()
         }
     }

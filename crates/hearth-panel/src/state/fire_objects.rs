@@ -9,7 +9,7 @@ use crate::state::subject::Subject;
 impl Fire {
     /// The object with this id.
     pub fn object(&self, id: u32) -> Option<Object<'_>> {
-        self.objects.objects().find(|object| object.id == id)
+        self.objects.object(id)
     }
 
     /// Whether there are as many objects of a kind as a scene can have.
@@ -22,7 +22,7 @@ impl Fire {
     /// other properties are parameters.
     pub fn properties(&self, object: Object<'_>) -> impl Iterator<Item = Subject> + use<> {
         let (id, kind, model) = (object.id, object.kind, self.parameters().model());
-        let first = object.is_first_source();
+        let first = self.is_first_source(&object);
         let all = kind.properties();
         all.filter(move |property| has_row(*property, model) && (!first || property.is_common()))
             .filter_map(move |property| Subject::of(id, kind, property))

@@ -25,7 +25,6 @@ pub fn update(scene: &mut Scene, objects: &[Fields]) {
     if !wanted.starts_with(&kept) {
         kept.clear();
     }
-    let settings = scene.settings().clone();
     let all: Vec<u32> = scene.objects().map(|object| object.id).collect();
     for id in all {
         if !kept.iter().any(|(known, _)| *known == id) {
@@ -48,8 +47,6 @@ pub fn update(scene: &mut Scene, objects: &[Fields]) {
             let _ = scene.remove(id);
         }
     }
-    // Parameters are the properties of the first source, not the other way round.
-    scene.set_settings(settings);
 }
 
 /// The id and the kind of an object.
@@ -99,12 +96,12 @@ pub fn value_in(scene: &Scene, subject: Subject) -> Option<AnyValue<'_>> {
 
 /// Whether the objects of two scenes differ. The properties of the first source are parameters.
 pub fn differ(now: &Scene, before: &Scene) -> bool {
-    let (now, before) = (now.objects(), before.objects());
-    now.len() != before.len()
-        || now.zip(before).any(|(object, other)| {
+    let first = now.first_source_id();
+    now.objects().len() != before.objects().len()
+        || now.objects().zip(before.objects()).any(|(object, other)| {
             (object.id, object.kind.name) != (other.id, other.kind.name)
                 || object.name() != other.name()
-                || !object.is_first_source() && !has_values_of(object, other)
+                || first != Some(object.id) && !has_values_of(object, other)
         })
 }
 
@@ -146,6 +143,6 @@ pub fn name_of(object: Object<'_>) -> String {
 
 /// Whether an object acts and is drawn.
 pub fn is_on(object: Object<'_>) -> bool {
-    let source = object.source().is_none_or(|source| source.source_enabled);
+    let source = object.source().is_none_or(|source| source.enabled);
     source && object.solid().is_none_or(|solid| solid.enabled)
 }

@@ -73,7 +73,7 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui) {
     }
     ui.add_space(gap);
     if let Some(object) = state.selected_object() {
-        if object.is_first_source() {
+        if state.fire.is_first_source(&object) {
             paragraph(ui, &groups_of(object.kind, object.model()), theme::weak());
         }
         for property in state.fire.properties(object) {
@@ -108,7 +108,7 @@ pub fn results(state: &State, out: &mut Output, ui: &mut Ui) -> bool {
             let property = Subject::of(object.id, kind, *best);
             property.is_some_and(|property| state.fire.unmet_conditions(property).is_empty())
         };
-        let others = || all().filter(|object| !object.is_first_source());
+        let others = || all().filter(|object| !state.fire.is_first_source(object));
         let selected = others().find(|object| state.selected == Some(object.id));
         match selected
             .or_else(|| others().find(has_effect))
@@ -155,7 +155,7 @@ fn entry(state: &State, out: &mut Output, ui: &Ui, rect: Rect, object: Object<'_
     let room = rect.shrink2(vec2(8.0, 0.0)).with_max_x(eye.left());
     button::left_text(ui, room, &name_of(object));
     out.record(ui, key, rect.with_max_x(eye.left()));
-    if let Some(switch) = switch_of(object) {
+    if let Some(switch) = switch_of(state, object) {
         let on = is_on(object);
         let key = format!("enabled:{}", object.id);
         let (icon, hint) = match on {
@@ -174,9 +174,9 @@ fn entry(state: &State, out: &mut Output, ui: &Ui, rect: Rect, object: Object<'_
 }
 
 /// What switches an object off and on.
-fn switch_of(object: Object<'_>) -> Option<Subject> {
+fn switch_of(state: &State, object: Object<'_>) -> Option<Subject> {
     let property = object.kind.property("enabled")?;
-    if object.is_first_source() {
+    if state.fire.is_first_source(&object) {
         return property.entry().map(Subject::from);
     }
     Subject::of(object.id, object.kind, property)

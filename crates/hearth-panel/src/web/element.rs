@@ -149,7 +149,6 @@ impl Element {
         };
         let receiver = match method {
             "play" | "pause" | "reset" | "step" => self.fire.clone(),
-            "undo" | "redo" => property(&self.fire, "history"),
             _ => self.controller.clone(),
         };
         let function: Function = Reflect::get(&receiver, &method.into())?.dyn_into()?;

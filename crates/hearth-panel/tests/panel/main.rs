@@ -2,7 +2,6 @@
 
 mod first;
 mod harness;
-mod imports;
 mod names;
 mod object_values;
 mod objects;

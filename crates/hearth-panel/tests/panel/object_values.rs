@@ -84,7 +84,7 @@ fn each_report_of_objects_gives_the_scene_that_it_describes() {
         let mut reported = Scene::new(Parameters::new(model));
         let mut report_after = |what: &str, act: &mut dyn FnMut(&mut Scene)| {
             act(&mut reported);
-            fire.objects.set_settings(reported.settings().clone());
+            fire.objects.set_world(reported.world().clone());
             fire.receive_objects(&report(&reported));
             assert_eq!(fire.objects, reported, "{what}");
         };

@@ -1,7 +1,7 @@
 //! The objects: the list, the buttons, the rows of the selected one, and the search.
 
-use egui::{Event, Key};
-use hearth_core::params::{Kind as ValueKind, Model};
+use egui::Event;
+use hearth_core::params::Model;
 use hearth_core::scene::Kind;
 use hearth_panel::state::fire::Entry;
 use hearth_panel::state::objects::has_row;
@@ -168,42 +168,6 @@ fn the_first_source_has_its_parameters_and_its_name_only() {
 }
 
 #[test]
-fn dragging_changes_every_slider_and_reset_restores_it() {
-    for size in [TALL, PHONE] {
-        let mut harness = with_objects(Model::Combustion, size);
-        for id in [2, 4] {
-            for row in select(&mut harness, id) {
-                if !matches!(row.param.kind, ValueKind::Number(_)) {
-                    continue;
-                }
-                harness.reveal(row.id);
-                let rail = harness.rect(row.id);
-                let value = |harness: &Harness| Entry::from(harness.panel.state.fire.value(row));
-                let before = value(&harness);
-                harness.drag(rail.center(), rail.right_center());
-                let now = value(&harness);
-                assert_ne!(now, before, "{}", row.id);
-                let (_, max) = harness.panel.state.fire.slider_range(row);
-                assert_eq!(now, Entry::Number(max), "{}", row.id);
-                let last = harness.panel.take_commands().pop();
-                assert_eq!(last, Some(Command::Set(row, now)));
-                assert!(harness.panel.state.fire.is_changed());
-                harness.reveal(row.id);
-                harness.click(&format!("action:restore:{}", row.id));
-                let commands = harness.panel.take_commands();
-                assert_eq!(commands, [Command::Restore(row)]);
-                let default = Entry::from(harness.panel.state.fire.default_of(row));
-                assert_eq!(default, before, "{}", row.id);
-                let set = harness.panel.state.fire.set(row, default.input());
-                assert_eq!(set, Ok(()));
-                assert_eq!(value(&harness), before);
-                assert!(!harness.panel.state.fire.is_changed());
-            }
-        }
-    }
-}
-
-#[test]
 fn a_condition_names_the_property_that_decides() {
     let mut harness = with_objects(Model::Combustion, (340.0, 2000.0, TALL.2));
     select(&mut harness, 3);
@@ -239,32 +203,6 @@ fn what_is_typed_counts_when_another_object_is_selected() {
     assert!(commands.contains(&set), "{commands:?}");
     assert!(commands.contains(&Command::Select(Some(4))));
     assert!(harness.panel.state.open.field.is_none());
-}
-
-#[test]
-fn a_typed_value_out_of_range_is_refused_with_a_reason() {
-    let mut harness = with_objects(Model::Combustion, (340.0, 2000.0, TALL.2));
-    select(&mut harness, 3);
-    harness.click("value:solid:width");
-    harness.frame(vec![Event::Text("70".to_owned())]);
-    harness.key(Key::Enter);
-    assert!(harness.panel.take_commands().is_empty());
-    let refusal = &harness.panel.state.fire.refusals["solid:width"];
-    for text in ["width", "70", "from 0.002 to 10 m"] {
-        assert!(refusal.contains(text), "{refusal}");
-    }
-}
-
-#[test]
-fn the_value_under_the_pointer_can_be_copied() {
-    let mut harness = with_objects(Model::Combustion, TALL);
-    select(&mut harness, 3);
-    harness.reveal("solid:width");
-    let pos = harness.rect("solid:width").center();
-    harness.frame(vec![Event::PointerMoved(pos)]);
-    harness.wait();
-    let copied = harness.panel.hovered_value();
-    assert_eq!(copied, Some(("0.2".to_owned(), "Width")));
 }
 
 #[test]

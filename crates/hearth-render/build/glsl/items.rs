@@ -166,7 +166,7 @@ fn item(file: &str, tokens: Vec<Token>, comment: &str) -> Result<Item, String> {
         _ => (Kind::Other, word(1)),
     };
     if name.is_empty() {
-        return Err(format!("no declaration: {}", tokens::text(&tokens, false)));
+        return Err(format!("no declaration: {}", tokens::text(&tokens)));
     }
     Ok(Item {
         file: file.to_owned(),

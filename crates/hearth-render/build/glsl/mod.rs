@@ -6,7 +6,6 @@
 
 mod files;
 mod items;
-mod names;
 mod pack;
 mod tokens;
 
@@ -14,7 +13,6 @@ mod tokens;
 mod tests;
 
 pub use files::Files;
-pub use names::shorten;
 pub use pack::Uniform;
 
 use items::{Item, Kind};
@@ -31,8 +29,8 @@ pub struct Program {
     pub uniforms: Vec<Uniform>,
     /// Length of their array.
     pub vectors: usize,
-    /// Names of the samplers in the files and in the output, in the order of their texture units.
-    pub samplers: Vec<(String, String)>,
+    /// Names of the samplers, in the order of their texture units.
+    pub samplers: Vec<String>,
 }
 
 /// A stage.
@@ -43,9 +41,9 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// The source for a driver, in lines or minified.
-    pub fn text(&self, short: bool) -> String {
-        tokens::text(&self.items.concat(), short)
+    /// The source for a driver.
+    pub fn text(&self) -> String {
+        tokens::text(&self.items.concat())
     }
 }
 
@@ -86,10 +84,7 @@ fn program(
         }),
         uniforms,
         vectors,
-        samplers: samplers
-            .into_iter()
-            .map(|name| (name.clone(), name))
-            .collect(),
+        samplers,
     })
 }
 

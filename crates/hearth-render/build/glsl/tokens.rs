@@ -84,15 +84,15 @@ fn number(text: &str) -> usize {
     .unwrap_or(text.len())
 }
 
-/// The source of tokens, with a line per statement or minified.
-pub fn text(tokens: &[Token], short: bool) -> String {
+/// The source of tokens: a line per statement, without other blanks, because pages download it.
+pub fn text(tokens: &[Token]) -> String {
     let mut text = String::new();
     // A `;` in parentheses does not end a line.
     let mut depth = 0;
     for (at, token) in tokens.iter().enumerate() {
         let number;
         let next = match token {
-            Token::Number(long) if short => {
+            Token::Number(long) => {
                 number = shortest(long);
                 &number
             }
@@ -108,30 +108,21 @@ pub fn text(tokens: &[Token], short: bool) -> String {
                         && is_of_word(first)
                         && matches!(tokens.get(at.wrapping_sub(1)), Some(Token::Number(_)));
                 let signs = last == first && "+-".contains(last);
-                words || signs || !short && spaced(tokens, at)
+                words || signs
             }
             _ => false,
         };
-        if glues && !text.ends_with([' ', '\n']) {
+        if glues {
             text.push(' ');
         }
         text.push_str(next);
         depth += i32::from(token.is("(")) - i32::from(token.is(")"));
         let ends = token.is("{") || token.is("}") || token.is(";") && depth == 0;
-        if !short && ends && !tokens.get(at + 1).is_some_and(|next| next.is(";")) {
+        if ends && !tokens.get(at + 1).is_some_and(|next| next.is(";")) {
             text.push('\n');
         }
     }
     text
-}
-
-/// Whether readable source has a space before a token.
-fn spaced(tokens: &[Token], at: usize) -> bool {
-    let tight = |token: &Token, marks: &[&str]| marks.iter().any(|mark| token.is(mark));
-    let before = at.checked_sub(1).and_then(|at| tokens.get(at));
-    let after = &tokens[at];
-    !(tight(after, &[";", ",", ".", ")", "(", "[", "]"])
-        || before.is_some_and(|before| tight(before, &["(", "[", ".", "!"])))
 }
 
 /// `0.50` as `.5`, and `2.0` as `2.`.

@@ -34,7 +34,7 @@ fn burn(history: &mut History, scene: &Scene, from: f64, to: f64) {
 }
 
 fn visible(history: &History, scene: &Scene, time: f64) -> Vec<usize> {
-    let source = Source::of(scene.settings());
+    let source = SourcePlace::first(scene, &[]);
     let slices = history.slices(time, 5.0, &source);
     slices.iter().map(|slice| slice.index).collect()
 }
@@ -70,7 +70,7 @@ fn the_last_slice_of_a_fractional_number_is_faint() {
     let (mut history, scene) = (History::default(), fire(&[]));
     burn(&mut history, &scene, 0.0, 3.0);
     let smoke = |count| {
-        let source = Source::of(scene.settings());
+        let source = SourcePlace::first(scene, &[]);
         let slices = history.slices(3.0, count, &source);
         slices.iter().map(|slice| slice.smoke).collect::<Vec<_>>()
     };
@@ -96,7 +96,7 @@ fn slices_of_another_scene_fade_out_and_return() {
 
 #[test]
 fn slices_follow_a_source_and_are_not_mirrored_in_wind() {
-    let source = |scene: &Scene| Source::of(scene.settings());
+    let source = |scene: &Scene| SourcePlace::first(scene, &[]);
     let (mut history, still, moved) = (History::default(), fire(&[]), fire(&[("source_x", 0.2)]));
     burn(&mut history, &still, 0.0, 3.0);
     burn(&mut history, &moved, 3.01, 3.05);

@@ -27,10 +27,7 @@ impl Pass for Paper {
         // The classic model's discs have one size and one colour, as in the paper. Those of the
         // combustion model show the spacing and the temperature of the gas.
         let (size, hottest) = match parameters.model() {
-            Model::Classic => (
-                parameters.particle_size,
-                parameters.maximum_temperature * 1e-3,
-            ),
+            Model::Classic => (parameters.particle_size, frame.birth_temperature * 1e-3),
             Model::Combustion => (parameters.spacing(), 0.0),
         };
         let radius = 0.5 * size;

@@ -31,10 +31,10 @@ const RULES: [Rule; 4] = [
     mipmaps_are_read_by_level,
 ];
 
-fn pairs(programs: &[Program], short: bool) -> Vec<Pair> {
+fn pairs(programs: &[Program]) -> Vec<Pair> {
     let pair = |program: &Program| Pair {
         name: program.name.clone(),
-        stages: program.stages.each_ref().map(|stage| stage.text(short)),
+        stages: program.stages.each_ref().map(|stage| stage.text()),
     };
     programs.iter().map(pair).collect()
 }
@@ -148,7 +148,7 @@ fn materials_and_grounds_have_the_numbers_of_the_core() {
 
 #[test]
 fn every_pass_follows_the_rules() {
-    for pair in pairs(&programs(), false) {
+    for pair in pairs(&programs()) {
         for rule in RULES {
             assert_eq!(rule(&pair), Vec::<String>::new(), "{}", pair.name);
         }
@@ -318,12 +318,7 @@ fn every_shader_is_valid_glsl() -> io::Result<()> {
     let validator = env::var_os("HEARTH_GLSLANG").unwrap_or_default();
     let folder = env::temp_dir().join(format!("hearth-shaders-{}", std::process::id()));
     fs::create_dir_all(&folder)?;
-    let mut shortened = programs();
-    glsl::shorten(&mut shortened);
-    for pair in pairs(&programs(), false)
-        .into_iter()
-        .chain(pairs(&shortened, true))
-    {
+    for pair in pairs(&programs()) {
         let report = validated(&pair, &validator, &folder)?;
         assert!(report.is_empty(), "{}: {report}", pair.name);
     }

@@ -1,8 +1,10 @@
 //! A child of the element as settings know it.
 
-use crate::untrusted::Untrusted;
-use hearth_core::Scene;
-use hearth_core::scene::{KINDS, Kind, Object};
+use crate::apply::OBJECTS;
+use crate::file::CHILDREN;
+use crate::untrusted::{Untrusted, ValidationError};
+use hearth_core::params::{Model, ParamError};
+use hearth_core::scene::KINDS;
 
 /// A value by the name of a property.
 pub type Field = (String, Untrusted);
@@ -19,7 +21,7 @@ pub enum State {
 }
 
 impl State {
-    /// All, by their names in whole settings.
+    /// All, by their names in a file.
     const NAMES: [(State, &str); 3] = [
         (State::Live, "live"),
         (State::Hidden, "hidden"),
@@ -30,10 +32,9 @@ impl State {
 /// A child that settings know.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Child {
+    /// Its number, which is the id of its object.
     pub number: u32,
     pub kind: String,
-    /// The id of its object; 0 before it has one.
-    pub object: u32,
     /// What it states.
     pub stated: Vec<Field>,
     /// What calls have set since.
@@ -42,9 +43,8 @@ pub struct Child {
 }
 
 impl Child {
-    /// A child as the element or whole settings describe it.
+    /// A child as the element or a file describes it.
     pub fn read(child: &Untrusted) -> Child {
-        let number = |field| child.field(field).number() as u32;
         let kind = child.field("kind").text();
         let known = KINDS.iter().find(|known| known.name == kind);
         let values = |field| {
@@ -56,22 +56,20 @@ impl Child {
         let state = child.field("state").text();
         let state = State::NAMES.iter().find(|(_, name)| *name == state);
         Child {
-            number: number("id"),
+            number: child.field("id").number() as u32,
             kind: kind.to_owned(),
-            object: number("object"),
             stated: values("values"),
             called: values("set"),
             state: state.map_or(State::Live, |(state, _)| *state),
         }
     }
 
-    /// The child in whole settings.
+    /// The child as a file has it.
     pub fn write(&self) -> Untrusted {
         let state = State::NAMES.iter().find(|(state, _)| *state == self.state);
         let text = |text: &str| Untrusted::Text(text.to_owned());
         let fields = [
             ("id", Untrusted::Number(self.number.into())),
-            ("object", Untrusted::Number(self.object.into())),
             ("kind", text(&self.kind)),
             ("values", Untrusted::Object(self.stated.clone())),
             ("set", Untrusted::Object(self.called.clone())),
@@ -84,65 +82,53 @@ impl Child {
         )
     }
 
-    /// Whether it has this number.
-    pub fn is(&self, number: Option<u32>) -> bool {
-        number == Some(self.number)
+    /// What a call has set of a property, or else what the child states.
+    pub fn value(&self, name: &str) -> Option<&Untrusted> {
+        get(&self.called, name).or_else(|| get(&self.stated, name))
     }
 
-    /// Its object in what burns.
-    pub fn burning<'a>(&self, scene: &'a Scene) -> Option<Object<'a>> {
-        self.find(scene).filter(|_| self.state == State::Live)
+    /// The names of its properties that a model uses.
+    pub fn properties(&self, model: Model) -> impl Iterator<Item = &'static str> + use<> {
+        let kind = KINDS.iter().find(|kind| kind.name == self.kind);
+        let all = kind.into_iter().flat_map(|kind| kind.properties());
+        let used = all.filter(move |property| property.param(model).is_some());
+        used.map(|property| property.name)
     }
 
-    /// Its object in a scene of the same page.
-    pub fn find<'a>(&self, scene: &'a Scene) -> Option<Object<'a>> {
-        let mut objects = scene.objects();
-        objects.find(|object| object.id == self.object && object.kind.name == self.kind)
+    /// The error of a property of the child at this index, with the name of the property.
+    pub fn refusal(&self, at: usize, error: &ParamError) -> (usize, String, ValidationError) {
+        let name = error.id.split_once('.').map_or(OBJECTS, |(_, name)| name);
+        let stated = get(&self.stated, name).unwrap_or(&Untrusted::Missing);
+        let mut refusal = error.clone();
+        refusal.id = format!("{CHILDREN}[{at}].{name}");
+        let refusal = ValidationError::of_parameter(&refusal, stated);
+        (at, name.to_owned(), refusal)
     }
 
-    /// The source of the scene of the page that it is laid over.
-    pub fn source_of<'a>(&self, own: &'a Scene, first: Option<u32>) -> Option<Object<'a>> {
-        let mut objects = own.objects();
-        objects.find(|object| {
-            let is_its = match self.object {
-                0 => object.is_first_source(),
-                id => object.id == id && object.source().is_some(),
+    /// Restores what calls have set, and whether a call has removed its object.
+    pub fn restore(&mut self, before: &Child) {
+        self.called.clone_from(&before.called);
+        if self.state != State::Hidden {
+            self.state = match before.state {
+                State::Removed => State::Removed,
+                _ => State::Live,
             };
-            is_its && self.is(first)
-        })
-    }
-
-    /// What it states, and what calls have set since.
-    pub fn values(&self) -> Vec<Field> {
-        let mut values = self.stated.clone();
-        for (name, value) in &self.called {
-            put(&mut values, name, Some(value.clone()));
         }
-        values
     }
 
-    /// Names of values, which are restored to the default without a value.
-    pub fn values_of(&self, names: &[String]) -> Vec<Field> {
-        let values = self.values();
-        let value = |name: &String| get(&values, name).cloned().unwrap_or(Untrusted::Null);
-        names
-            .iter()
-            .map(|name| (name.clone(), value(name)))
-            .collect()
+    /// The children of a file, without those that have the number of an earlier one.
+    pub fn read_all(list: &Untrusted) -> Vec<Child> {
+        let mut children: Vec<Child> = Vec::new();
+        for child in list.list().iter().map(Child::read) {
+            if children.iter().all(|known| known.number != child.number) {
+                children.push(child);
+            }
+        }
+        children
     }
 }
 
-/// The child with this number.
-pub fn find(children: &[Child], number: u32) -> Option<&Child> {
-    children.iter().find(|child| child.number == number)
-}
-
-/// The first child that is a source, by its number.
-pub fn first_source<'a>(children: impl Iterator<Item = &'a Child>) -> Option<u32> {
-    let sources = children.filter(|child| child.kind == Kind::SOURCE.name);
-    sources.map(|child| child.number).min()
-}
-
+/// The value of a name.
 pub fn get<'a>(fields: &'a [Field], name: &str) -> Option<&'a Untrusted> {
     let mut fields = fields.iter();
     fields

@@ -135,11 +135,7 @@ fn in_range(
 }
 
 /// An error that names the allowed texts.
-pub(crate) fn one_of(
-    id: &str,
-    value: &Untrusted,
-    names: &mut dyn Iterator<Item = &str>,
-) -> ValidationError {
+fn one_of(id: &str, value: &Untrusted, names: &mut dyn Iterator<Item = &str>) -> ValidationError {
     let mut allowed = String::from("one of ");
     for (at, name) in names.enumerate() {
         allowed.push_str(if at == 0 { "" } else { ", " });

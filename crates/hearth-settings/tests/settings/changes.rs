@@ -28,7 +28,7 @@ fn without(settings: &Settings, id: &str) -> Settings {
 
 /// Number of particles at each level.
 fn particles(settings: &Settings) -> [u32; 3] {
-    Level::ALL.map(|level| at_level(settings, level).settings().domain_particles())
+    Level::ALL.map(|level| at_level(settings, level).world().domain_particles())
 }
 
 /// The default spacing, of three digits, gives 3007 particles instead of 3000.
@@ -60,36 +60,37 @@ fn the_level_decides_the_number_until_it_is_stated() {
 fn undefined_states_nothing_and_null_restores() {
     for preset in Preset::all() {
         let settings = Settings::starting_from(preset);
-        let all = |value: Untrusted| {
-            let ids = PARAMETERS
+        let model = settings.scene().model();
+        let used = || {
+            PARAMETERS
                 .iter()
-                .map(|param| (param.id.to_owned(), value.clone()));
+                .filter(|param| param.only_in(model).is_none())
+        };
+        let all = |value: Untrusted| {
+            let ids = used().map(|param| (param.id.to_owned(), value.clone()));
             after(&settings, Change::Set(&ids.collect::<Vec<_>>()))
         };
         assert_eq!(all(Untrusted::Missing), settings);
-        let one_by_one = PARAMETERS.iter().fold(settings.clone(), |settings, param| {
+        let models_last = used().filter(|param| param.id != "model");
+        let restored = models_last.fold(settings.clone(), |settings, param| {
             set(&settings, param.id, Untrusted::Null)
         });
-        assert_eq!(all(Untrusted::Null), one_by_one);
+        if model == Model::default() {
+            assert_eq!(all(Untrusted::Null), restored);
+        }
         let x = sent([("x", Untrusted::Missing)]);
         assert_eq!(after(&settings, Change::ChangeObject(1, &x)), settings);
         // In the properties of an object, too.
-        let kinds = settings
-            .scene()
-            .objects()
-            .map(|object| (object.id, object.kind));
-        for (id, kind) in kinds {
-            let model = settings.parameters().model();
-            let used = kind
-                .properties()
-                .filter(|property| property.param(model).is_some());
-            for property in used {
-                let null = sent([(property.name, Untrusted::Null)]);
+        for id in settings.scene().ids() {
+            let names = settings.scene().object(id).into_iter();
+            let names = names.flat_map(|object| object.properties());
+            for (name, param, _) in names {
+                let null = sent([(name, Untrusted::Null)]);
                 let settings = after(&settings, Change::ChangeObject(id, &null));
-                let object = settings.scene().objects().find(|object| object.id == id);
-                let mut all = object.into_iter().flat_map(|object| object.properties());
-                let (_, param, value) = all.find(|(name, ..)| *name == property.name).expect("it");
-                assert_eq!(value, param.any_domain(model).default, "{}", property.name);
+                let object = settings.scene().object(id).into_iter();
+                let mut all = object.flat_map(|object| object.properties());
+                let (.., value) = all.find(|(known, ..)| *known == name).expect("it");
+                assert_eq!(value, param.any_domain(model).default, "{name}");
             }
         }
     }
@@ -104,16 +105,54 @@ fn a_change_with_a_refused_value_changes_nothing() {
 }
 
 #[test]
-fn each_model_has_its_own_number() {
+fn another_model_keeps_what_both_have_and_starts_the_rest_from_its_defaults() {
+    let values = [
+        number(2000),
+        ("wind", Untrusted::Number(1.0)),
+        ("turbulence", Untrusted::Number(2.0)),
+    ];
+    let burning = with(&Settings::default(), values);
     let cap = ("max_particles", Untrusted::Number(500.0));
-    let classic = with(&Settings::default(), [model("classic"), cap]);
+    let classic = with(&burning, [model("classic"), cap]);
     assert_eq!(particles(&classic), [500; 3]);
-    assert_eq!(particles(&with(&classic, [model("combustion")])), FOLLOWS);
-    // And vice versa.
-    let settings = with(&Settings::default(), [number(3000)]);
-    let settings = without(&with(&settings, [model("classic")]), "max_particles");
-    let settings = with(&settings, [model("combustion")]);
-    assert_eq!(particles(&settings), [FOLLOWS[1]; 3]);
+    let back = with(&classic, [model("combustion")]);
+    assert_eq!(
+        back,
+        with(
+            &Settings::default(),
+            [("turbulence", Untrusted::Number(2.0))]
+        )
+    );
+    assert_eq!(particles(&back), FOLLOWS);
+}
+
+#[test]
+fn attributes_of_another_model_have_no_effect_and_apply_with_it() {
+    let page = sent([
+        ("wind", Untrusted::Number(1.0)),
+        ("gas_constant", Untrusted::Number(1.0)),
+        ("bloom", Untrusted::Number(0.3)),
+    ]);
+    let mut errors = Vec::new();
+    let settings = Settings::default().after_valid(&page, &mut errors);
+    assert_eq!((errors.len(), settings.parameters().wind), (0, 1.0));
+    // A call refuses it by name.
+    let refused = settings
+        .after(&Change::Set(&page[1..2]))
+        .expect_err("refused");
+    assert!(
+        refused[0].message.contains("only the classic model has it"),
+        "{refused:?}"
+    );
+    // What both models have keeps what calls have set since.
+    let called = with(&settings, [("bloom", Untrusted::Number(0.5))]);
+    let classic = sent([model("classic")]);
+    let classic = after(&called, Change::SetModel(&classic, &page));
+    let values = classic.parameters();
+    assert_eq!((values.gas_constant, values.bloom), (1.0, 0.5));
+    let back = sent([model("combustion"), ("wind", Untrusted::Number(-1.0))]);
+    let back = after(&classic, Change::SetModel(&back, &page));
+    assert_eq!(back.parameters().wind, -1.0);
 }
 
 #[test]

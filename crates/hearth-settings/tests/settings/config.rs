@@ -1,9 +1,9 @@
 //! Settings files: export, import and validation.
 
-use hearth_core::params::{Input, Model, PARAMETERS};
+use hearth_core::params::{Model, PARAMETERS};
 use hearth_core::preset::Preset;
 use hearth_settings::untrusted::Untrusted;
-use hearth_settings::{Change, FIELDS, Settings, export};
+use hearth_settings::{Change, Settings, export};
 
 use crate::harness::{after, imported, set, text};
 
@@ -51,14 +51,13 @@ fn import_restores_every_exported_change() {
                     continue;
                 };
                 let (min, max) = domain.range;
-                let mut parameters = settings.parameters().clone();
-                let one_end = if param.get(&parameters).as_number() == Some(max) {
-                    min
-                } else {
-                    max
+                let mut scene = settings.scene().clone();
+                let one_end = match scene.value(param).as_number() == Some(max) {
+                    true => min,
+                    false => max,
                 };
                 // Only numbers are changed.
-                if parameters.set(param.id, Input::Number(one_end)).is_ok() {
+                if scene.set(param.id, one_end).is_ok() {
                     settings = set(&settings, param.id, Untrusted::Number(one_end));
                 }
             }
@@ -82,7 +81,7 @@ fn export_includes_a_stated_number_of_particles() {
 fn label_and_description_do_not_change_the_settings() {
     let values = || ("values", object(vec![("wind", Untrusted::Number(1.0))]));
     let scene = object(vec![
-        ("hearth", Untrusted::Number(2.0)),
+        ("hearth", Untrusted::Number(3.0)),
         ("label", text("Gale")),
         ("description", text("A fire in the wind.")),
         values(),
@@ -104,13 +103,16 @@ fn errors_name_the_invalid_field() {
         (object(vec![("__proto__", object(vec![]))]), "__proto__"),
         (
             object(vec![("hearth", Untrusted::Number(1.0))]),
-            "hearth = 1 is refused: it must be 2",
+            "hearth = 1 is refused: it must be 3",
         ),
         (
-            object(vec![("hearth", Untrusted::Number(3.0))]),
-            "hearth = 3",
+            object(vec![("hearth", Untrusted::Number(2.0))]),
+            "hearth = 2",
         ),
-        (object(vec![("preset", text("sead"))]), "seed"),
+        (
+            object(vec![("preset", text("sead"))]),
+            "did you mean \"seed\"?",
+        ),
         (
             object(vec![("preset", Untrusted::Number(1.0))]),
             "preset = 1",
@@ -152,6 +154,23 @@ fn errors_name_the_invalid_field() {
     assert_eq!(errors(&two).len(), 2, "an error for each");
 }
 
+#[test]
+fn a_long_name_is_cut_between_letters() {
+    // No letter ends at byte 40.
+    let long = "€".repeat(20_000);
+    let field = object(vec![(long.as_str(), Untrusted::Number(1.0))]);
+    let message = errors(&field).concat();
+    assert!(message.starts_with(&"€".repeat(13)), "{message:.100}");
+    for config in [
+        object(vec![("values", field.clone())]),
+        object(vec![("objects", Untrusted::List(vec![field.clone()]))]),
+        field,
+    ] {
+        let length = errors(&config).concat().len();
+        assert!((1..500).contains(&length), "{length} bytes");
+    }
+}
+
 /// A list of sources with properties.
 fn sources(all: &[&[(&str, f64)]]) -> Untrusted {
     let of_one = |properties: &&[(&str, f64)]| {
@@ -170,7 +189,7 @@ fn properties_of_the_first_source_are_exported_once() {
     assert_eq!(
         export(&settings),
         object(vec![
-            ("hearth", Untrusted::Number(2.0)),
+            ("hearth", Untrusted::Number(3.0)),
             (
                 "values",
                 object(vec![
@@ -221,34 +240,33 @@ fn import_restores_objects_with_their_ids() {
     let ninth = vec![("kind", text("solid")), ("id", Untrusted::Number(9.0))];
     let burning = Untrusted::List([on_solid, ninth].map(self::object).into());
     let burning = set(&Settings::default(), "objects", burning);
-    assert!(burning.scene().solid_of(burning.parameters()).is_some());
+    let source = burning.scene().first_source();
+    assert!(source.is_some_and(|source| burning.scene().solid_of(&source).is_some()));
     for settings in [&two, &three, &fewer, &none, &solids, &burning] {
         let back = imported(&export(settings));
         assert_eq!(back.scene(), settings.scene(), "{:?}", export(settings));
     }
-    assert_eq!(fewer.parameters().fuel_power, 50.0);
-    assert_eq!(none.parameters().source_x, -0.3);
+    assert_eq!(fewer.scene().power(), 50.0 + 220.0);
 }
 
 #[test]
-fn the_later_of_two_values_of_a_property_wins() {
+fn ids_of_parameters_name_the_first_of_the_objects_in_any_order() {
     let first = ("fuel_power".to_owned(), Untrusted::Number(100.0));
     let other = ("objects".to_owned(), sources(&[&[("power", 50.0)]]));
-    for (values, power) in [
-        ([first.clone(), other.clone()], 50.0),
-        ([other, first], 100.0),
-    ] {
+    for values in [[first.clone(), other.clone()], [other, first]] {
         let settings = after(&Settings::default(), Change::Set(&values));
-        assert_eq!(settings.parameters().fuel_power, power);
+        assert_eq!(settings.scene().power(), 100.0);
         let fields = values.map(|(id, value)| match id.as_str() {
             "objects" => ("objects", value),
             id => ("values", object(vec![(id, value)])),
         });
-        assert_eq!(
-            imported(&object(fields.to_vec())).parameters().fuel_power,
-            power
-        );
+        assert_eq!(imported(&object(fields.to_vec())).scene().power(), 100.0);
     }
+    // Without a source there is nothing that it names.
+    let none = set(&Settings::default(), "objects", sources(&[]));
+    let power = [("fuel_power".to_owned(), Untrusted::Number(100.0))];
+    let refused = none.after(&Change::Set(&power)).expect_err("refused");
+    assert!(refused[0].message.contains("there is none"), "{refused:?}");
 }
 
 #[test]
@@ -301,14 +319,18 @@ fn errors_name_the_invalid_object_and_no_object_changes() {
 }
 
 #[test]
-fn restoring_the_objects_gives_one_source_with_the_values_of_the_settings() {
-    let settings = set(&Settings::default(), "source_x", Untrusted::Number(0.2));
-    let two = set(&settings, "objects", sources(&[&[], &[]]));
-    assert_eq!(set(&two, "objects", Untrusted::Null), settings);
+fn restoring_the_objects_gives_one_source() {
+    let two = set(
+        &Settings::default(),
+        "objects",
+        sources(&[&[("x", 0.2)], &[]]),
+    );
+    assert_eq!(set(&two, "objects", Untrusted::Null), Settings::default());
 }
 
 #[test]
 fn a_field_that_is_undefined_states_nothing() {
-    let fields = FIELDS.map(|field| (field, Untrusted::Missing));
+    let fields = ["hearth", "preset", "values", "objects", "children"];
+    let fields = fields.map(|field| (field, Untrusted::Missing));
     assert_eq!(imported(&object(fields.to_vec())), Settings::default());
 }

@@ -3,8 +3,8 @@
 mod changes;
 mod children;
 mod config;
+mod deltas;
 mod harness;
-mod other_children;
 mod resolution;
 mod sequences;
 mod values;

@@ -96,7 +96,9 @@ fn named(id: &str, value: Untrusted) -> (String, Untrusted) {
 /// The preset and the values of a link, with open edges.
 fn read(link: &str) -> (String, Vec<(String, Untrusted)>) {
     let mut preset = "default".to_owned();
-    let mut values = vec![named("edges", text("open"))];
+    let edges = named("edges", text("open"));
+    let is_classic = link.contains("model=classic");
+    let mut values: Vec<_> = (!is_classic).then_some(edges).into_iter().collect();
     for (name, value) in link.split('&').filter_map(|pair| pair.split_once('=')) {
         match name {
             "scene" | "preset" => preset = value.to_owned(),
@@ -110,7 +112,7 @@ fn read(link: &str) -> (String, Vec<(String, Untrusted)>) {
 fn opened(link: &str) -> [Settings; 3] {
     let (preset, values) = read(link);
     let file = Untrusted::Object(vec![
-        named("hearth", Untrusted::Number(2.0)),
+        named("hearth", Untrusted::Number(3.0)),
         named("preset", text(&preset)),
         named("values", Untrusted::Object(values.clone())),
     ]);
@@ -193,7 +195,7 @@ fn the_levels_set_the_spacing_of_open_air() {
     assert_eq!(settings.resolution(), Resolution::Level);
     for level in Level::ALL {
         let scene = at_level(&settings, level);
-        let values = scene.settings();
+        let values = scene.world();
         let number = f64::from(values.domain_particles());
         assert!((number / f64::from(level.particles()) - 1.0).abs() < 0.003);
         assert!(values.max_particles >= 2 * level.particles());
@@ -245,7 +247,7 @@ fn without_a_spacing_the_resolution_follows_the_frame_again() {
 #[test]
 fn the_resolution_of_a_scene_is_that_of_medium_quality_or_its_own() {
     for preset in Preset::all() {
-        let values = preset.parameters();
+        let values = preset.world();
         if !values.has_open_edges() {
             continue;
         }

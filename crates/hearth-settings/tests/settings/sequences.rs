@@ -4,7 +4,7 @@ use hearth_core::params::{Kind, PARAMETERS, Param};
 use hearth_core::preset::Preset;
 use hearth_core::random::Random;
 use hearth_settings::untrusted::Untrusted;
-use hearth_settings::{Change, Settings, export, objects, whole};
+use hearth_settings::{Change, Settings, delta, export, objects, whole};
 
 use crate::harness::{number, object, text};
 
@@ -108,7 +108,7 @@ fn changed(random: &mut Random, settings: &Settings) -> Settings {
 
 /// The settings after a random call; the same if it is refused.
 fn called(random: &mut Random, settings: &Settings) -> Settings {
-    let ids: Vec<u32> = settings.scene().objects().map(|object| object.id).collect();
+    let ids: Vec<u32> = settings.scene().ids().collect();
     let id = ids.get(below(random, 4)).copied().unwrap_or(9);
     let fields = object_fields(random);
     let values: Vec<_> = (0..=below(random, 3))
@@ -123,7 +123,7 @@ fn called(random: &mut Random, settings: &Settings) -> Settings {
         "objects".to_owned(),
         Untrusted::List(vec![Untrusted::Object(fields.clone())]),
     )];
-    let mut all = objects(settings.scene(), None, true).list().to_vec();
+    let mut all = objects(settings.scene()).list().to_vec();
     all.reverse();
     let reversed = [("objects".to_owned(), Untrusted::List(all))];
     let change = match below(random, 14) {
@@ -155,7 +155,7 @@ fn a_file_restores_the_settings_after_any_sequence_of_changes() {
     for seed in 0..SEQUENCES {
         let (_, settings) = random_settings(seed);
         let file = whole(&settings);
-        let read = Settings::with_children_of_file(&file);
+        let read = Settings::of_whole(&file);
         let read = read.unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
         assert!(read == settings, "{seed}: {file:?}");
         let file = export(&settings);
@@ -214,11 +214,8 @@ fn children_that_come_and_leave_change_nothing_else() {
         let (mut random, settings) = random_settings(seed);
         let random = &mut random;
         let bare = none(&settings);
-        // Without a source, the settings keep the values of the last one for the next one. An object with the number
-        // of a child is that of the child.
-        let all: Vec<_> = bare.scene().objects().collect();
-        let has_source = all.iter().any(|object| object.is_first_source());
-        if !has_source || all.iter().any(|object| object.id > 1000) {
+        // An object with the number of a child is that of the child.
+        if bare.scene().ids().any(|id| id > 1000) {
             continue;
         }
         let list = children(random, false);
@@ -232,58 +229,10 @@ fn children_that_come_and_leave_change_nothing_else() {
 }
 
 #[test]
-fn whole_settings_return_the_page_under_the_children_of_now() {
-    for seed in 0..FEWER {
-        let (mut random, before) = random_settings(seed);
-        let random = &mut random;
-        let mut after = before.clone();
-        for _ in 0..=below(random, LONGEST) {
-            after = changed(random, &after);
-        }
-        let file = whole(&before);
-        let restored = after.after_file(&file);
-        let restored = restored.unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
-        let now = whole(&restored);
-        for field in ["values", "classic", "combustion", "objects"] {
-            assert_eq!(now.field(field), file.field(field), "{seed}");
-        }
-        let first = |whole: &Untrusted| {
-            let children = whole.field("children").list().iter();
-            let sources = children.filter(|child| child.field("kind").text() == "source");
-            sources
-                .min_by_key(|child| child.field("id").number() as u32)
-                .cloned()
-        };
-        // A source that is the first one by now has the object of the page; other sources have their own.
-        let Some(source) = first(&now).filter(|source| {
-            first(&file).is_none_or(|first| first.field("id") != source.field("id"))
-        }) else {
-            continue;
-        };
-        let sources = |list: &Untrusted| {
-            let sources = list.list().iter();
-            sources
-                .filter(|source| source.field("kind").text() == "source")
-                .filter(|source| ["", "live"].contains(&source.field("state").text()))
-                .count()
-        };
-        let own = sources(now.field("objects"));
-        let is_shared = own > 0 && source.field("state").text() != "removed";
-        let objects = restored.scene().objects();
-        assert_eq!(
-            objects.filter(|object| object.source().is_some()).count(),
-            own + sources(now.field("children")) - usize::from(is_shared),
-            "{seed}: {now:?}"
-        );
-    }
-}
-
-#[test]
 fn undo_of_all_steps_restores_the_page_and_keeps_what_children_state() {
     let page = |settings: &Settings| {
         let whole = whole(settings);
-        ["preset", "values", "classic", "combustion", "objects"]
-            .map(|part| whole.field(part).clone())
+        ["preset", "values", "objects"].map(|part| whole.field(part).clone())
     };
     let stated = |settings: &Settings| {
         let whole = whole(settings);
@@ -297,9 +246,9 @@ fn undo_of_all_steps_restores_the_page_and_keeps_what_children_state() {
         let first = page(&settings);
         let mut steps = Vec::new();
         for _ in 0..=below(random, LONGEST) {
-            let before = whole(&settings);
-            settings = called(random, &settings);
-            steps.push((before, whole(&settings)));
+            let after = called(random, &settings);
+            steps.push((delta(&after, &settings), delta(&settings, &after)));
+            settings = after;
             // The page states other children between two steps.
             if below(random, 3) == 0 {
                 let list = children(random, true);
@@ -307,21 +256,27 @@ fn undo_of_all_steps_restores_the_page_and_keeps_what_children_state() {
             }
         }
         let last = (page(&settings), stated(&settings));
-        let (mut undone, mut redone) = (settings.clone(), Vec::new());
-        for (before, after) in steps.iter().rev() {
-            let next =
-                undone.after_steps(std::slice::from_ref(before), std::slice::from_ref(after));
-            let next = next.unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
-            redone.push((whole(&next), whole(&undone)));
-            undone = next;
-        }
+        let moved = |settings: &Settings, delta: &Untrusted| {
+            let moved = settings.after_deltas(std::slice::from_ref(delta));
+            moved.unwrap_or_else(|errors| panic!("{seed}: {errors:?}"))
+        };
+        let undone = steps
+            .iter()
+            .rev()
+            .fold(settings, |now, (undo, _)| moved(&now, undo));
         assert_eq!(page(&undone), first, "{seed}");
         assert_eq!(stated(&undone), last.1, "{seed}");
-        for (before, after) in redone.iter().rev() {
-            let next =
-                undone.after_steps(std::slice::from_ref(after), std::slice::from_ref(before));
-            undone = next.unwrap_or_else(|errors| panic!("{seed}: {errors:?}"));
-        }
-        assert_eq!((page(&undone), stated(&undone)), last, "{seed}");
+        let redone = steps
+            .iter()
+            .fold(undone, |now, (_, redo)| moved(&now, redo));
+        assert_eq!((page(&redone), stated(&redone)), last, "{seed}");
+    }
+}
+
+#[test]
+fn settings_without_a_difference_have_an_empty_delta() {
+    for seed in 0..FEWER {
+        let (_, settings) = random_settings(seed);
+        assert_eq!(delta(&settings, &settings.clone()).fields(), [], "{seed}");
     }
 }

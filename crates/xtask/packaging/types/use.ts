@@ -1,6 +1,7 @@
 /** What a user of the package writes, and what the compiler must not let through. */
 import { HearthFire, type HearthConfig, type HearthStats } from 'hearth-fire';
 import { HearthFire as Inlined } from 'hearth-fire/inline';
+import { connectFire } from 'hearth-fire/embed-client';
 import { PARAMETERS, PRESETS, type ParameterId } from 'hearth-fire/parameters';
 import { mountPanel } from 'hearth-fire/panel';
 import { createSimulation } from 'hearth-fire/sim';
@@ -69,3 +70,13 @@ export async function particles(): Promise<Float32Array> {
   simulation.free();
   return positions;
 }
+
+const frame = connectFire(document.createElement('iframe'));
+frame.addEventListener('stats', ({ detail }) => console.log(detail.fps));
+export const answers: [Promise<void>, Promise<HearthStats | null>, Promise<'classic' | 'combustion'>] = [
+  frame.set('viscosity', 0.02),
+  frame.stats(),
+  frame.get('model'),
+];
+// @ts-expect-error: a page cannot destroy the fire in an iframe.
+frame.destroy();

@@ -7,7 +7,7 @@ use anyhow::{Result, ensure};
 use xshell::cmd;
 
 use crate::shell::Shell;
-use crate::{paths, script, tools};
+use crate::{package, paths, script, tools};
 
 /// The laws of `hearth-fire/sim` in the built site, in Node.
 pub(super) fn laws_in_node() -> Result<()> {
@@ -36,6 +36,7 @@ fn run_tests(folder: &str, variable: Option<(&str, PathBuf)>) -> Result<()> {
 /// Every crate that may be published, without a warning. Uncommitted changes are allowed:
 /// tests run before a commit.
 pub(super) fn publishable() -> Result<()> {
+    package::command_notices()?;
     let sh = Shell::new()?;
     // cargo takes a crate of an earlier dry run in the same folder, packed or compiled, for this one of the same version.
     let folders = tools::target()?.join("publish");

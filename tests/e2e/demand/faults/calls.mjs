@@ -60,7 +60,7 @@ async function callAtRandom(seed, calls, parameters) {
       [],
       [[]],
       { kind: 'source' },
-      { hearth: 2, values: {} },
+      { hearth: 3, values: {} },
       Symbol('s'),
       () => 1,
       new Date(0),

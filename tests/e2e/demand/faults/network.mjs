@@ -13,7 +13,7 @@ const FAULTS = {
   'never arrives': { silent: true },
 };
 
-const FILE = JSON.stringify({ hearth: 2, values: { bloom: 0.3 } });
+const FILE = JSON.stringify({ hearth: 3, values: { bloom: 0.3 } });
 
 /** A fire that requests every kind of file, on the page's thread as well as in a worker. */
 const BODY = FIRE.replace('<hearth-fire', '<hearth-fire preset="fireside" warm="0.1" controls="playback"');

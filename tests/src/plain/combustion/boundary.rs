@@ -11,25 +11,25 @@ const GRIP: f64 = 400.0;
 impl Combustion {
     /// The burner, without noise. Returns the heat that its gas took [kJ/m].
     pub(super) fn feed(&mut self, common: &Common, dt: f64) -> Sum<f64> {
-        let p = common.p;
-        if p.fuel_power == 0.0 {
+        let (p, source) = (common.p, common.source);
+        if source.power == 0.0 {
             return Sum::default();
         }
         let (seam, height) = (f64::from(p.seam), f64::from(p.domain_height));
         let block = 3.0 * common.spacing;
         let highest = ((1.0 - seam) * height - block).max(0.0);
         let lowest = (seam * height).min(highest);
-        let bottom = f64::from(p.source_height).max(lowest).min(highest);
-        let narrowest = f64::from(p.source_width).max(4.0 * common.spacing);
+        let bottom = f64::from(source.y).max(lowest).min(highest);
+        let narrowest = f64::from(source.width).max(4.0 * common.spacing);
         let width = f64::from(p.domain_width);
         let half = 0.5 * narrowest.min(width);
         let farthest = (0.5 * width - half - seam * width).max(0.0);
-        let middle = f64::from(p.source_x).clamp(-farthest, farthest);
+        let middle = f64::from(source.x).clamp(-farthest, farthest);
         // A particle on the edge of the block is outside. The edge of a block at the edge of
         // the domain is exact up to rounding, which must not let that particle in.
         let reach = half - 1e-9 * width;
         // Exact at right angles, as a particle may be on an edge of the block.
-        let axis = DVec2::from_angle(f64::from(p.source_angle).to_radians());
+        let axis = DVec2::from_angle(f64::from(source.angle).to_radians());
         let axis = (axis * 1e12).round() / 1e12;
         let in_block = |particle: &Plain, above: f64| {
             let from = particle.position.value - DVec2::new(middle, bottom);
@@ -39,9 +39,9 @@ impl Combustion {
 
         let mut heated = Sum::default();
         let pilot = 1.02 * f64::from(p.ignition_temperature);
-        let hot = f64::from(p.source_temperature).max(pilot);
+        let hot = f64::from(source.temperature).max(pilot);
         let grip = (GRIP * dt).min(1.0);
-        let target = axis.perp() * f64::from(p.emission_speed);
+        let target = axis.perp() * f64::from(source.speed);
         for particle in &mut self.particles {
             if in_block(particle, 0.0) {
                 let [t, _, oxygen, _] = &mut particle.mixture;
@@ -50,7 +50,7 @@ impl Combustion {
                     heated.add(-t.value);
                 }
                 t.value = t.value.max(hot);
-                oxygen.value = oxygen.value.min(p.source_oxygen.into());
+                oxygen.value = oxygen.value.min(source.oxygen.into());
                 let dragged = target - particle.velocity.value;
                 particle.velocity.add(dragged * grip);
             }
@@ -58,7 +58,7 @@ impl Combustion {
 
         let heat_of_fuel =
             HEAT_CAPACITY * f64::from(p.flame_rise) * (1.0 + f64::from(p.air_demand));
-        let mut fuel = f64::from(p.fuel_power) / heat_of_fuel * dt;
+        let mut fuel = f64::from(source.power) / heat_of_fuel * dt;
         let mut above = 0.0;
         while fuel > 0.0 && bottom + block + above <= (1.0 - seam) * height {
             let takes = |particle: &&mut Plain| in_block(particle, above);

@@ -14,7 +14,7 @@ pub(super) fn flame_height() -> Outcome {
     /// spacing \[m\].
     fn flame(power: f64, spacing: impl Fn(f64) -> f64) -> Flame {
         let length = characteristic_length(power);
-        let time = (length / f64::from(combustion([]).gravity)).sqrt();
+        let time = (length / f64::from(combustion([]).world().gravity)).sqrt();
         let spacing = spacing(length);
         let parameters = on_floor(open(
             (4.0 * length, 6.5 * length + BASE),
@@ -109,7 +109,8 @@ struct Flame {
 
 /// The characteristic length D* = (Q'/(ρ cp T √g))^⅔ of a line fire \[m\].
 fn characteristic_length(power: f64) -> f64 {
-    let p = combustion([]);
+    let scene = combustion([]);
+    let p = scene.world();
     let heat = f64::from(p.ambient_density) * f64::from(p.ambient_temperature);
     (power / (heat * f64::from(p.gravity).sqrt())).powf(2.0 / 3.0)
 }

@@ -26,7 +26,7 @@ fn paper(scene: &mut Scene, y: f64, count: u32) -> Vec<u32> {
 
 #[test]
 fn what_hangs_falls_where_it_has_burnt_through() {
-    let mut scene = Scene::new(floor(&[]));
+    let mut scene = floor(&[]);
     let ids = paper(&mut scene, 1.4, 8);
     let mut fire = Simulation::new(scene);
     burn_on(&mut fire, 0.5);
@@ -43,7 +43,7 @@ fn what_hangs_falls_where_it_has_burnt_through() {
 
 #[test]
 fn a_hinge_stays_with_the_part_that_has_its_place() {
-    let mut scene = Scene::new(floor(&[("gravity", 0.0)]));
+    let mut scene = floor(&[("gravity", 0.0)]);
     let stick = breaking::stick_in(&mut scene, 1.2);
     let link = [
         ("x", -0.38),
@@ -80,7 +80,7 @@ fn a_hinge_stays_with_the_part_that_has_its_place() {
 
 #[test]
 fn a_saved_fire_has_its_hinges_and_not_those_that_let_go() {
-    let mut scene = Scene::new(floor(&[]));
+    let mut scene = floor(&[]);
     let ids = paper(&mut scene, 1.4, 6);
     let mut fire = Simulation::new(scene.clone());
     assert_eq!(fire.ignite(IgnitionTarget::Object(ids[3])), Ok(()));
@@ -104,7 +104,7 @@ fn a_saved_fire_has_its_hinges_and_not_those_that_let_go() {
 #[test]
 fn the_same_chain_has_the_same_bits() {
     let [first, second] = [(); 2].map(|()| {
-        let mut scene = Scene::new(floor(&[]));
+        let mut scene = floor(&[]);
         let ids = paper(&mut scene, 1.2, 6);
         let mut fire = Simulation::new(scene);
         assert_eq!(fire.ignite(IgnitionTarget::Object(ids[5])), Ok(()));

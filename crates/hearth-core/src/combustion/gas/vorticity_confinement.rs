@@ -257,7 +257,7 @@ mod tests {
             let kind = ("kind", Input::Text("solid"));
             assert!(scene.add(&[&[kind], &fields[..]].concat()).is_ok());
         }
-        let domain = bounds(scene.settings());
+        let domain = bounds(scene.world());
         let plates = Solids::of(&scene, &domain, 0.2);
         for (solids, is_reached) in [(&Solids::default(), true), (&plates, false)] {
             let (gas, added) = confined(0.9, solids);

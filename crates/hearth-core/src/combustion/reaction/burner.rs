@@ -12,7 +12,8 @@ use super::chemistry::{HEAT_CAPACITY, heat_of_combustion};
 use crate::combustion::gas::Gas;
 use crate::extremes::{fast_max, fast_min};
 use crate::noise::perlin;
-use crate::params::{Edges, Floor, Parameters, Physics};
+use crate::params::{Edges, Floor};
+use crate::scene::SceneSource;
 use crate::solids::Body;
 use crate::source;
 
@@ -61,31 +62,31 @@ pub struct Burner {
 impl Burner {
     /// The burner of these parameters, clamped to the domain, between the seams of periodic
     /// edges, and to a minimum width.
-    pub fn of(parameters: &Parameters) -> Burner {
-        Burner::at(parameters, parameters.spacing())
+    pub fn of(source: &SceneSource<'_>) -> Burner {
+        Burner::at(source, source.world.spacing())
     }
 
-    /// The burner of these values; `None` without power.
-    pub(crate) fn new(values: &Physics, spacing: f32) -> Option<Burner> {
-        (values.fuel_power > 0.0).then(|| Burner::at(values, spacing))
+    /// The burner of these source; `None` without power.
+    pub(crate) fn new(source: &SceneSource<'_>, spacing: f32) -> Option<Burner> {
+        (source.power > 0.0).then(|| Burner::at(source, spacing))
     }
 
-    fn at(values: &Physics, spacing: f32) -> Burner {
+    fn at(source: &SceneSource<'_>, spacing: f32) -> Burner {
         let height = HEIGHT_ROWS * spacing;
-        let seam = match values.edges {
-            Edges::Periodic => values.seam,
+        let seam = match source.world.edges {
+            Edges::Periodic => source.world.seam,
             Edges::Open => 0.0,
         };
         let (low, high) = (seam, 1.0 - seam);
-        let highest = (high * values.domain_height - height).max(0.0);
-        let lowest = (low * values.domain_height).min(highest);
-        let bottom = values.source_height.max(lowest).min(highest);
-        let width = values
-            .source_width
+        let highest = (high * source.world.domain_height - height).max(0.0);
+        let lowest = (low * source.world.domain_height).min(highest);
+        let bottom = source.y.max(lowest).min(highest);
+        let width = source
+            .width
             .max(MIN_WIDTH * spacing)
-            .min(values.domain_width);
-        let (half_width, edge) = (0.5 * width, 0.5 * values.domain_width);
-        let middle = source::middle(values, width, seam * values.domain_width);
+            .min(source.world.domain_width);
+        let (half_width, edge) = (0.5 * width, 0.5 * source.world.domain_width);
+        let middle = source::middle(source, width, seam * source.world.domain_width);
         Burner {
             middle,
             half_width,
@@ -93,8 +94,8 @@ impl Burner {
             right: (middle + half_width).min(edge),
             bottom,
             top: bottom + height,
-            axis: source::axis(values),
-            highest: high * values.domain_height,
+            axis: source::axis(source),
+            highest: high * source.world.domain_height,
         }
     }
 
@@ -155,7 +156,7 @@ impl Burner {
     pub(crate) fn feed(
         &self,
         gas: &mut Gas,
-        values: &Physics,
+        source: &SceneSource<'_>,
         (time, dt): (f64, f32),
         solid: &[Body],
         particles: &mut Vec<BurnerParticle>,
@@ -163,12 +164,12 @@ impl Burner {
         let height = self.top - self.bottom;
         let top = if solid.is_empty() { self.top } else { 0.0 };
         let mut above = 0.0;
-        self.find(gas, values, time, solid, above, particles);
-        let heat = self.condition(gas, values, dt, !solid.is_empty(), particles);
-        let mut left = values.fuel_power / heat_of_combustion(values) * dt;
+        self.find(gas, source, time, solid, above, particles);
+        let heat = self.condition(gas, source, dt, !solid.is_empty(), particles);
+        let mut left = source.power / heat_of_combustion(source.world) * dt;
         while left > 0.0 && top + above <= self.highest {
             if above > 0.0 {
-                self.find(gas, values, time, solid, above, particles);
+                self.find(gas, source, time, solid, above, particles);
             }
             left = add_fuel(gas, particles, left);
             above += height;
@@ -180,7 +181,7 @@ impl Burner {
     fn find(
         &self,
         gas: &Gas,
-        values: &Physics,
+        source: &SceneSource<'_>,
         time: f64,
         solid: &[Body],
         above: f32,
@@ -188,8 +189,8 @@ impl Burner {
     ) {
         particles.clear();
         let mut add = |index: usize, cells: f32| {
-            let noise = perlin(values.seed, cells, time * NOISE_PER_SECOND);
-            let share = 1.0 + values.emission_noise * noise;
+            let noise = perlin(source.seed, cells, time * NOISE_PER_SECOND);
+            let share = 1.0 + source.noise * noise;
             particles.push(BurnerParticle { index, share });
         };
         let positions = gas.position.iter().copied().enumerate();
@@ -226,22 +227,22 @@ impl Burner {
     fn condition(
         &self,
         gas: &mut Gas,
-        values: &Physics,
+        source: &SceneSource<'_>,
         dt: f32,
         on_solid: bool,
         particles: &[BurnerParticle],
     ) -> f32 {
         // A floor and a solid supply no gas, so a burner on them must not drag the gas along.
-        let on_floor = values.floor == Floor::Solid && self.bottom < self.top - self.bottom;
-        let relaxation = if on_solid || on_floor && values.edges == Edges::Open {
+        let on_floor = source.world.floor == Floor::Solid && self.bottom < self.top - self.bottom;
+        let relaxation = if on_solid || on_floor && source.world.edges == Edges::Open {
             0.0
         } else {
             (VELOCITY_RELAXATION * dt).min(1.0)
         };
-        let hot = values
-            .source_temperature
-            .max(PILOT_FACTOR * values.ignition_temperature);
-        let emitted = self.axis.map_or(Vec2::Y, Vec2::perp) * values.emission_speed;
+        let hot = source
+            .temperature
+            .max(PILOT_FACTOR * source.world.ignition_temperature);
+        let emitted = self.axis.map_or(Vec2::Y, Vec2::perp) * source.speed;
         let mut heated = 0.0;
         for particle in particles {
             let state = &mut gas.state[particle.index];
@@ -249,7 +250,7 @@ impl Burner {
             state.x = fast_max(state.x, hot);
             // Air enters the block from below, unlike a real burner. The gas of the source
             // displaces it.
-            state.z = fast_min(state.z, values.source_oxygen);
+            state.z = fast_min(state.z, source.oxygen);
             let velocity = &mut gas.velocity[particle.index];
             *velocity += (emitted - *velocity) * relaxation;
         }

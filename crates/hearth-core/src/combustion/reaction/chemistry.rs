@@ -92,6 +92,9 @@ mod tests {
     use crate::params::Parameters;
     use crate::random::Random;
 
+    /// The temperature of the source.
+    const SOURCE: f32 = 700.0;
+
     /// Uniform gas, so that nothing diffuses.
     fn mixture(parameters: &Parameters, state: [f32; 4]) -> Gas {
         let mut gas = Gas::air(parameters, parameters.spacing(), &mut Random::new(1));
@@ -103,7 +106,7 @@ mod tests {
     fn combustion_is_stoichiometric_and_conserves_energy() {
         let parameters = with(&[("radiative_cooling", 0.0), ("soot_life", 2.0)]);
         let mut gas = mixture(&parameters, [900.0, 0.3, 0.8, 0.0]);
-        let power = react(&mut gas, &parameters, parameters.source_temperature, 0.01);
+        let power = react(&mut gas, &parameters, SOURCE, 0.01);
         let [t, fuel, oxygen, soot] = gas.state[0].to_array();
         let burnt = 0.3 - fuel;
         assert!(burnt > 0.01);
@@ -126,11 +129,7 @@ mod tests {
             [1500.0, 0.0, 1.0, 0.0],
         ] {
             let mut gas = mixture(&parameters, state);
-            assert_eq!(
-                react(&mut gas, &parameters, parameters.source_temperature, 0.01),
-                0.0,
-                "{state:?}"
-            );
+            assert_eq!(react(&mut gas, &parameters, SOURCE, 0.01), 0.0, "{state:?}");
         }
     }
 
@@ -142,7 +141,7 @@ mod tests {
         let exact = [start, 1.0 / (1.0 + demand), demand / (1.0 + demand), 0.0];
         let mut gas = mixture(&parameters, exact);
         for _ in 0..3000 {
-            react(&mut gas, &parameters, parameters.source_temperature, 1e-3);
+            react(&mut gas, &parameters, SOURCE, 1e-3);
         }
         let rise = gas.state[0].x - start;
         assert!((rise / parameters.flame_rise - 1.0).abs() < 0.01, "{rise}");
@@ -153,19 +152,14 @@ mod tests {
         let parameters = with(&[("radiative_cooling", 2000.0)]);
         let lost = |from: f32| {
             let mut gas = mixture(&parameters, [from, 0.0, 1.0, 0.0]);
-            react(&mut gas, &parameters, parameters.source_temperature, 1e-3);
+            react(&mut gas, &parameters, SOURCE, 1e-3);
             from - gas.state[0].x
         };
         assert!(lost(2000.0) > 10.0 * lost(1000.0));
         assert_eq!(lost(parameters.ambient_temperature), 0.0);
         let mut gas = mixture(&parameters, [400.0, 0.0, 1.0, 0.0]);
         for _ in 0..1000 {
-            react(
-                &mut gas,
-                &parameters,
-                parameters.source_temperature,
-                1.0 / 60.0,
-            );
+            react(&mut gas, &parameters, SOURCE, 1.0 / 60.0);
         }
         assert!(gas.state[0].x >= parameters.ambient_temperature);
     }
@@ -176,7 +170,7 @@ mod tests {
         let left = |temperature: f32| {
             let mut gas = mixture(&parameters, [temperature, 0.0, 1.0, 1.0]);
             for _ in 0..250 {
-                react(&mut gas, &parameters, parameters.source_temperature, 1e-3);
+                react(&mut gas, &parameters, SOURCE, 1e-3);
             }
             f64::from(gas.state[0].w).ln()
         };

@@ -234,7 +234,7 @@ mod tests {
             ("height", Input::Number(0.01)),
         ];
         assert!(scene.add(&fields).is_ok());
-        let values = scene.settings();
+        let values = scene.world();
         let (bounds, kernel) = (
             periodic_bounds(values),
             Kernel::new(values.smoothing_length()),

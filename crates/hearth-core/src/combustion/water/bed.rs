@@ -10,9 +10,9 @@ use glam::Vec2;
 use crate::combustion::fuels::{BOILING, IgnitionTarget, VAPORISATION, WATER_CAPACITY, reach};
 use crate::combustion::reaction::burner::Burner;
 use crate::extremes::{fast_max, fast_min};
-use crate::params::{Parameters, Physics};
+use crate::params::Physics;
 use crate::random::Random;
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneSource};
 use crate::solids::Solids;
 
 /// Water that wets a surface throughout [kg/m²]: a film of a quarter of a millimetre.
@@ -42,13 +42,18 @@ pub(super) struct Bed {
 impl Bed {
     /// Follows a source. One of another size is another source. Returns the water that it does not take
     /// over [kg/m].
-    pub(super) fn follow(&mut self, source: &Parameters, scene: &Scene, solids: &Solids) -> f32 {
+    pub(super) fn follow(
+        &mut self,
+        source: &SceneSource<'_>,
+        scene: &Scene,
+        solids: &Solids,
+    ) -> f32 {
         let before = self.full;
         let on_solid = scene.solid_of(source);
-        self.solid = source.solid_of_source();
+        self.solid = source.solid_id();
         match on_solid {
             // Without power nothing burns there.
-            _ if source.fuel_power <= 0.0 => {
+            _ if source.power <= 0.0 => {
                 (self.full, self.burner, self.solid) = (0.0, None, None);
             }
             Some((_, surface)) => {
@@ -87,9 +92,9 @@ impl Bed {
     }
 
     /// Dries it by its own fire. Returns the steam [kg/m].
-    pub(super) fn dry(&mut self, source: &Physics, values: &Physics, dt: f32) -> f32 {
+    pub(super) fn dry(&mut self, source: &SceneSource<'_>, values: &Physics, dt: f32) -> f32 {
         let warming = WATER_CAPACITY * fast_max(BOILING - values.ambient_temperature, 0.0);
-        let power = RETURNED_SHARE * source.fuel_power * (1.0 - self.wet());
+        let power = RETURNED_SHARE * source.power * (1.0 - self.wet());
         let steam = fast_min(power * dt / (warming + VAPORISATION), self.water);
         self.water -= steam;
         steam

@@ -15,7 +15,7 @@ impl Water {
             if count == self.beds.len() {
                 self.beds.push(Bed::default());
             }
-            self.account.run_off += f64::from(self.beds[count].follow(source, scene, solids));
+            self.account.run_off += f64::from(self.beds[count].follow(&source, scene, solids));
             count += 1;
         }
         for gone in self.beds.drain(count..) {

@@ -15,6 +15,7 @@ const FORM: &str = "a line of at most 64 characters";
 /// THE table of the properties that objects of every kind have.
 pub static COMMON: &[Param] = &[Param {
     id: "name",
+    property: "name",
     unit: "",
     kind: Kind::Text(FORM),
     domains: &[Domain {

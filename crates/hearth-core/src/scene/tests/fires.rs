@@ -4,15 +4,10 @@ use crate::Simulation;
 #[test]
 fn every_source_burns_at_its_position() {
     for model in [Model::Combustion, Model::Classic] {
-        let mut settings = Parameters::new(model);
-        for (id, x) in [
-            ("source_width", 0.2),
-            ("source_x", -0.3),
-            ("particles", 1500.0),
-        ] {
-            assert_eq!(settings.set(id, number(x)), Ok(()));
+        let mut scene = few(model);
+        for (id, x) in [("source_width", 0.2), ("source_x", -0.3)] {
+            assert_eq!(scene.set(id, x), Ok(()));
         }
-        let mut scene = Scene::new(settings);
         assert!(
             scene
                 .add(&[SOURCE, ("x", number(0.3)), ("width", number(0.2))])
@@ -39,16 +34,14 @@ fn every_source_burns_at_its_position() {
 #[test]
 fn two_sources_give_the_power_of_both() {
     let mut scene = Scene::default();
-    let mut settings = scene.settings().clone();
     for (id, x) in [
         ("source_width", 0.3),
         ("source_x", -0.3),
         ("fuel_power", 60.0),
         ("particles", 3000.0),
     ] {
-        assert_eq!(settings.set(id, number(x)), Ok(()));
+        assert_eq!(scene.set(id, x), Ok(()));
     }
-    scene.set_settings(settings);
     let fields = [
         SOURCE,
         ("x", number(0.3)),
@@ -74,7 +67,7 @@ fn the_same_scene_gives_the_same_bits() {
         all.flat_map(|at| at.to_array().map(f32::to_bits))
             .collect::<Vec<_>>()
     };
-    let plain = Simulation::new(scene.settings().clone());
+    let plain = Simulation::new(scene.world().clone());
     let mut plain = (plain, burnt(&scene, 0.1));
     while plain.0.time() < 0.1 {
         plain.0.step();

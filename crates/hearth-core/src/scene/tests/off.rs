@@ -30,9 +30,8 @@ fn an_object_of_any_kind_keeps_its_name() {
         let name = names(&scene)[index];
         assert_eq!(value(&scene, index, "name"), Some(AnyValue::Text(name)));
     }
-    // The next source becomes the first.
     assert_eq!(scene.remove(1), Ok(()));
-    scene.set_settings(Parameters::default());
+    scene.set_world(Parameters::default());
     assert_eq!(names(&scene), ["Wax, white", &longest]);
     assert_eq!(scene.change(2, &[("name", text(""))]), Ok(()));
     assert_eq!(names(&scene)[0], "");
@@ -55,9 +54,7 @@ fn a_long_name_and_one_of_two_lines_are_refused() {
 #[test]
 fn a_fire_burns_as_without_its_objects_that_are_off() {
     for model in [Model::Combustion, Model::Classic] {
-        let mut settings = Parameters::new(model);
-        assert_eq!(settings.set("particles", number(1500.0)), Ok(()));
-        let plain = Scene::new(settings);
+        let plain = few(model);
         let mut scene = plain.clone();
         let source = [SOURCE, ("x", number(0.3)), OFF];
         let free = ("motion", text("free"));

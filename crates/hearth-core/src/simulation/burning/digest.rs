@@ -1,19 +1,19 @@
 //! A digest of the physics of a fire.
 
-use crate::params::{AnyValue, Param, Parameters, Role, SOLID};
+use crate::params::{AnyValue, Param, Role, SOLID};
 use crate::scene::Scene;
 
 /// A hash of all values that affect the gas. Values at their default are not hashed, so that a
 /// new parameter changes no digest. Nor are the seed, which has no effect on a burning fire, and
 /// the number and the spacing of the particles, to which a fire can be resampled.
 pub fn digest(scene: &Scene) -> u64 {
-    let model = scene.settings().model().name();
-    let start = fnv(0xcbf2_9ce4_8422_2325, model.as_bytes());
-    let mut hash = with_values(start, scene.settings());
+    let world = scene.world();
+    let mut hash = fnv(0xcbf2_9ce4_8422_2325, world.model().name().as_bytes());
+    hash = scene.read_first_source(|source| with_changed(hash, source.changed()));
     if scene.sources().count() != 1 {
         hash = fnv(hash, b"objects");
-        for values in scene.sources() {
-            hash = with_values(fnv(hash, b"source"), values);
+        for source in scene.sources() {
+            hash = with_changed(fnv(hash, b"source"), source.changed());
         }
     }
     for solid in scene.solids() {
@@ -27,10 +27,6 @@ pub fn digest(scene: &Scene) -> u64 {
 }
 
 /// Continues a hash with these values.
-fn with_values(hash: u64, parameters: &Parameters) -> u64 {
-    with_changed(hash, parameters.changed())
-}
-
 fn with_changed<'a>(
     mut hash: u64,
     changed: impl Iterator<Item = (&'static Param, AnyValue<'a>)>,

@@ -1,5 +1,6 @@
 use super::*;
 use crate::params::{IN_DOMAIN, Input, Model, Parameters};
+use crate::scene::Scene;
 
 /// The defaults with these values changed and room for twice the particles of the domain.
 fn with(values: &[(&str, f64)]) -> Parameters {
@@ -33,11 +34,9 @@ fn only_parameters_of_the_gas_change_the_digest() {
         );
     }
     for (id, value) in [("fuel_power", 100.0), ("domain_width", 2.0), ("wind", 1.0)] {
-        assert_ne!(
-            digest(&with(&[(id, value)]).into()),
-            digest(&usual.clone().into()),
-            "{id}"
-        );
+        let mut scene = Scene::new(usual.clone());
+        assert_eq!(scene.set(id, value), Ok(()));
+        assert_ne!(digest(&scene), digest(&usual.clone().into()), "{id}");
     }
     assert_ne!(
         digest(&Parameters::new(Model::Classic).into()),

@@ -24,7 +24,7 @@ export default ({ module_or_path, fresh, part }) => part
   });
 ";
 
-/// The custom section of a module that has the hash of its bytes, which its parts have as well.
+/// The custom section of a module that has the hash of its bytes and those of its parts, which these have as well.
 const BUILD: &str = "build";
 
 /// A module by wasm-bindgen and its script, the glue.
@@ -75,7 +75,7 @@ impl Bound {
     /// Takes a part out of the module.
     ///
     /// # Errors
-    /// The module has no function of the part.
+    /// The module has neither a function nor a text of the part.
     pub fn take(&mut self, part: &Part) -> Result<()> {
         let Divided { base, taken } = take(&self.module.emit_wasm(), part)?;
         self.module = ModuleConfig::new().parse(&base)?;
@@ -92,7 +92,8 @@ impl Bound {
     pub fn finish(mut self) -> Result<Files> {
         name_version(&self.module, &mut self.glue, self.version)?;
         let mut module = finished(&self.module.emit_wasm(), self.version)?;
-        let build = hash(&module);
+        let parts = self.parts.iter().flat_map(|(_, part)| part);
+        let build = hash(module.iter().chain(parts));
         for (name, part) in &mut self.parts {
             append(part, &format!("part:{name}"), &build);
         }
@@ -108,12 +109,9 @@ impl Bound {
 }
 
 /// The FNV-1a hash of bytes.
-fn hash(bytes: &[u8]) -> [u8; 8] {
+fn hash<'a>(bytes: impl Iterator<Item = &'a u8>) -> [u8; 8] {
     let mixed = |hash: u64, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
-    bytes
-        .iter()
-        .fold(0xcbf2_9ce4_8422_2325, mixed)
-        .to_le_bytes()
+    bytes.fold(0xcbf2_9ce4_8422_2325, mixed).to_le_bytes()
 }
 
 /// Appends a custom section to the module of these bytes.

@@ -3,8 +3,9 @@
 //! What few visitors need becomes modules of their own, its parts, which a page fetches when it needs
 //! them. A part imports memory, function table, globals and functions of the module that it is taken
 //! from, the base, and puts its own functions into the table. The base calls them through the
-//! table. Both come from one link, so a part fits its own base and no other: the hash of
-//! the base stands in both.
+//! table. A part also has texts, which it writes into the memory where cargo linked them. All
+//! come from one link, so a part fits its own base and no other: the hash of a build stands in
+//! each.
 
 mod glue;
 mod order;
@@ -16,15 +17,16 @@ use std::collections::{BTreeMap, BTreeSet, HashSet};
 use anyhow::{Context, Result, bail, ensure};
 use walrus::ir::{Value, Visitor, dfs_in_order};
 use walrus::{
-    ConstExpr, Element, ElementItems, ElementKind, Export, ExportItem, FunctionBuilder, FunctionId,
-    FunctionKind, GlobalKind, ImportKind, ImportedFunction, LocalFunction, Module, ModuleConfig,
-    TableId,
+    ConstExpr, DataKind, Element, ElementItems, ElementKind, Export, ExportItem, FunctionBuilder,
+    FunctionId, FunctionKind, GlobalKind, ImportKind, ImportedFunction, LocalFunction, Module,
+    ModuleConfig, TableId,
 };
 
 pub use glue::{Bound, Files};
 use order::order;
 
-/// What a part takes from a module.
+/// What a part takes from a module, beside the texts that begin with the line `//part NAME` and end with the line
+/// `//end`. Nothing reads them without the part: zeros stand there.
 pub struct Part {
     /// Its name.
     pub name: &'static str,
@@ -54,13 +56,18 @@ struct Divided {
 /// Takes `part` from the module of these bytes.
 ///
 /// # Errors
-/// The module is invalid, or has no function of the part.
+/// The module is invalid, or has neither a function nor a text of the part.
 fn take(bytes: &[u8], part: &Part) -> Result<Divided> {
     let mut base = ModuleConfig::new().parse(bytes)?;
     // A function has the same index in both.
     let mut taken = ModuleConfig::new().parse(bytes)?;
     let moved = moved(&base, part);
-    ensure!(!moved.is_empty(), "no function of {} is found", part.name);
+    let texts = texts(&mut base, part.name)?;
+    ensure!(
+        !moved.is_empty() || !texts.is_empty(),
+        "neither a function nor a text of {} is found",
+        part.name
+    );
     let slots = Slots::new(&mut base, &moved)?;
     // Numbers are no names of exports but those for parts.
     let names = base
@@ -68,7 +75,7 @@ fn take(bytes: &[u8], part: &Part) -> Result<Divided> {
         .iter()
         .filter(|export| export.name.parse::<usize>().is_ok());
     let first_name = names.count();
-    let imported = keep_only(&mut taken, &moved, &slots, first_name)?;
+    let imported = keep_only(&mut taken, &moved, texts, &slots, first_name)?;
     leave_calls(&mut base, &moved, &slots, &imported)?;
     walrus::passes::gc::run(&mut base);
     Ok(Divided {
@@ -103,6 +110,36 @@ fn moved(module: &Module, part: &Part) -> BTreeSet<usize> {
         .filter(|id| !staying.contains(id))
         .map(|id| id.index())
         .collect()
+}
+
+/// The texts of a part, with their addresses. Zeros take their places.
+fn texts(base: &mut Module, part: &str) -> Result<Vec<(i32, Vec<u8>)>> {
+    let (begin, end) = (format!("//part {part}\n"), "//end\n");
+    let find = |bytes: &[u8], text: &str| {
+        let mut places = bytes.windows(text.len());
+        places.position(|window| window == text.as_bytes())
+    };
+    let mut found = Vec::new();
+    let segments: Vec<_> = base.data.iter().map(|segment| segment.id()).collect();
+    for id in segments {
+        let segment = base.data.get_mut(id);
+        let mut from = 0;
+        while let Some(start) = find(&segment.value[from..], &begin).map(|at| from + at) {
+            let length = find(&segment.value[start..], end).context("a text has no end")?;
+            from = start + length + end.len();
+            let text = segment.value[start..from].to_vec();
+            segment.value[start..from].fill(0);
+            let DataKind::Active {
+                offset: ConstExpr::Value(Value::I32(first)),
+                ..
+            } = segment.kind
+            else {
+                bail!("a segment of the memory has no fixed place");
+            };
+            found.push((first + start as i32, text));
+        }
+    }
+    Ok(found)
 }
 
 /// The functions that a function names.
@@ -198,11 +235,12 @@ enum Imported {
     Table,
 }
 
-/// Makes everything but the functions of `moved` an import of `taken`. Returns what it imports, by the
+/// Makes everything but the functions of `moved` and the texts an import of `taken`. Returns what it imports, by the
 /// name of the import.
 fn keep_only(
     taken: &mut Module,
     moved: &BTreeSet<usize>,
+    texts: Vec<(i32, Vec<u8>)>,
     slots: &Slots,
     first_name: usize,
 ) -> Result<Vec<(String, Imported)>> {
@@ -219,6 +257,12 @@ fn keep_only(
     for memory in taken.memories.iter_mut() {
         memory.data_segments.clear();
         memory.import = Some(taken.imports.add(BASE, "", memory.id()));
+    }
+    let memory = taken.get_memory_id()?;
+    for (address, text) in texts {
+        let offset = ConstExpr::Value(Value::I32(address));
+        let id = taken.data.add(DataKind::Active { memory, offset }, text);
+        taken.memories.get_mut(memory).data_segments.insert(id);
     }
     for table in taken.tables.iter_mut() {
         table.elem_segments.clear();

@@ -26,6 +26,10 @@ pub(crate) fn module(number: i32) -> Module {
     let pointed = function("part::pointed", false, &[]);
     let main = function("main", true, &[outer]);
     let memory = module.memories.add_local(false, false, 1, None, None);
+    let offset = ConstExpr::Value(Value::I32(64));
+    let data = b"first//part part\nsecond\n//end\nthird".to_vec();
+    let data = module.data.add(DataKind::Active { memory, offset }, data);
+    module.memories.get_mut(memory).data_segments.insert(data);
     let table = module
         .tables
         .add_local(false, 3, Some(3), walrus::RefType::FUNCREF);
@@ -80,8 +84,33 @@ fn a_part_takes_its_functions_and_what_only_they_call() -> Result<()> {
     Ok(())
 }
 
+/// The data of the module of these bytes, with their addresses.
+fn data(bytes: &[u8]) -> Result<Vec<(i32, String)>> {
+    let module = ModuleConfig::new().parse(bytes)?;
+    let data = module.data.iter().map(|data| match data.kind {
+        DataKind::Active {
+            offset: ConstExpr::Value(Value::I32(at)),
+            ..
+        } => Ok((at, String::from_utf8(data.value.clone())?)),
+        _ => bail!("the segment has no place"),
+    });
+    data.collect()
+}
+
+#[test]
+fn a_part_takes_its_texts_and_leaves_zeros() -> Result<()> {
+    let text = "//part part\nsecond\n//end\n";
+    for modules in [PART.modules, &[]] {
+        let Divided { base, taken } = take(&module(1).emit_wasm(), &Part { modules, ..PART })?;
+        let zeros = "\0".repeat(text.len());
+        assert_eq!(data(&base)?, [(64, format!("first{zeros}third"))]);
+        assert_eq!(data(&taken)?, [(69, text.to_owned())]);
+    }
+    Ok(())
+}
+
 #[test]
 fn a_part_that_is_not_there_is_an_error() {
-    let modules: &[_] = &["other::"];
-    assert!(take(&module(1).emit_wasm(), &Part { modules, ..PART }).is_err());
+    let (name, modules) = ("other", &["other::"]);
+    assert!(take(&module(1).emit_wasm(), &Part { name, modules }).is_err());
 }

@@ -21,6 +21,8 @@ const PARTS = {
   classic: [['model'], 'the classic model'],
   bodies: [['fuel', 'motion'], 'fuels, water and free solids'],
   children: [['children'], 'children'],
+  scenes: [['preset'], 'the presets'],
+  displays: [['display_mode'], 'this display'],
 };
 
 /**

@@ -7,17 +7,20 @@ use serde_json::Value;
 
 use super::scene::Scene;
 
-/// Values and objects of every scene.
+/// Values and objects of every scene. All but the first one are a part of the engine's wasm.
 pub(super) fn table(scenes: &[Scene]) -> String {
     let mut text = String::new();
-    for scene in scenes {
+    for (at, scene) in scenes.iter().enumerate() {
+        if at == 1 {
+            text += "//part scenes\n";
+        }
         let _ = writeln!(text, "preset {}", scene.name);
         write_fields(&mut text, &scene.values);
         for object in &scene.objects {
             write_fields(&mut text, object);
         }
     }
-    text
+    text + "//end\n"
 }
 
 /// Name, label and description of every scene.

@@ -4,7 +4,7 @@
 //! for a scene that [`missing`] names the part for.
 
 use hearth_core::Scene;
-use hearth_core::params::Model;
+use hearth_core::params::{DisplayMode, Model};
 use js_sys::Set;
 
 /// The part with the classic model.
@@ -14,11 +14,17 @@ pub const BODIES: &str = "bodies";
 /// The part that lays children of the element over the objects.
 pub const CHILDREN: &str = "children";
 
+/// The part with the presets other than the initial one.
+pub const SCENES: &str = "scenes";
+/// The part with the displays other than the fire.
+pub const DISPLAYS: &str = "displays";
+
 /// The part that a scene needs and that is not among the `loaded` ones.
 pub fn missing(scene: &Scene, loaded: &Set) -> Option<&'static str> {
     let classic = scene.world().model() == Model::Classic;
     let bodies = scene.has_fuel() || scene.has_free();
-    let needed = [(CLASSIC, classic), (BODIES, bodies)];
+    let displays = scene.world().display_mode != DisplayMode::Fire;
+    let needed = [(CLASSIC, classic), (BODIES, bodies), (DISPLAYS, displays)];
     let mut lacking = needed
         .into_iter()
         .filter(|&(part, is_needed)| is_needed && lacks(loaded, part));

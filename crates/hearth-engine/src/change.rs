@@ -1,9 +1,26 @@
 //! What a new fire's start and each command change.
 
+use hearth_core::preset::Preset;
 use hearth_settings::untrusted::{Untrusted, ValidationError};
 use hearth_settings::{Change, Settings};
 
 use crate::commands::{Command, Start};
+
+/// Whether a command names a preset besides the initial one.
+pub fn names_preset(command: &Command<'_>) -> bool {
+    let is_other = |name: &str| name != Preset::initial().name;
+    let has_other = |settings: &Untrusted| {
+        let name = settings.field("preset");
+        matches!(name, Untrusted::Text(name) if is_other(name))
+    };
+    match command {
+        Command::Add { start } => start.preset.is_some_and(is_other) || has_other(start.config),
+        Command::Preset { name, .. } => is_other(name),
+        Command::Import { config, .. } => has_other(config),
+        Command::Restore { deltas, .. } => deltas.list().iter().any(has_other),
+        _ => false,
+    }
+}
 
 /// The settings of a new fire, and the errors in its start. A new fire takes the valid
 /// values beside an invalid one, because it has no earlier values to keep.

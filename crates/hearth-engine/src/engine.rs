@@ -215,6 +215,9 @@ impl Engine {
         command: Command<'_>,
         loaded: &Set,
     ) -> Result<Answer, Vec<ValidationError>> {
+        if change::names_preset(&command) && parts::lacks(loaded, parts::SCENES) {
+            return Ok(Answer::Missing(parts::SCENES));
+        }
         let events = &self.events;
         let found = self.fires.iter_mut().find(|fire| fire.id() == id);
         let fire = match (found, command) {

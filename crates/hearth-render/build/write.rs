@@ -4,6 +4,19 @@ use std::fmt::Write;
 
 use crate::glsl::{Program, Uniform};
 
+/// The shaders of each part of the engine's wasm, which a page downloads when a fire first needs them: the classic model,
+/// and displays other than the fire.
+const PARTS: [(&str, &[&str]); 2] = [
+    ("classic", &["splat", "spread", "shade"]),
+    (
+        "displays",
+        &["sprite", "paper", "accumulate", "colour_map", "disc"],
+    ),
+];
+
+/// Further shaders that are compiled when a frame first needs them: most fires have no solids.
+const LATE: [&str; 2] = ["solid", "outline"];
+
 /// The source of the module.
 pub fn module(programs: &[Program]) -> String {
     let mut text = String::new();
@@ -34,7 +47,11 @@ fn write(programs: &[Program], text: &mut String) -> std::fmt::Result {
         programs.len()
     )?;
     for program in programs {
-        let [vertex, fragment] = program.stages.each_ref().map(|stage| stage.text());
+        let part = PARTS.iter().find(|(_, names)| names.contains(&&*program.name));
+        let [vertex, fragment] = program.stages.each_ref().map(|stage| match part {
+            Some((part, _)) => format!("//part {part}\n{}\n//end\n", stage.text()),
+            None => stage.text(),
+        });
         writeln!(text, "    Source {{\n        name: {:?},", program.name)?;
         writeln!(
             text,
@@ -46,8 +63,9 @@ fn write(programs: &[Program], text: &mut String) -> std::fmt::Result {
         }
         writeln!(
             text,
-            "        ],\n        floats: {},\n    }},",
-            4 * program.vectors
+            "        ],\n        floats: {},\n        is_late: {},\n    }},",
+            4 * program.vectors,
+            part.is_some() || LATE.contains(&&*program.name)
         )?;
     }
     writeln!(text, "];\n")?;

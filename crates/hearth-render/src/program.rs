@@ -82,9 +82,6 @@ struct Program<G: Graphics> {
     uniforms: Option<G::Location>,
 }
 
-/// Pairs of shaders that are compiled when a frame first needs them: most fires have no solids.
-const COMPILED_ON_DEMAND: [Shader; 2] = [Shader::Solid, Shader::Outline];
-
 /// The programs, in the order of [`SOURCES`].
 pub struct Programs<G: Graphics>(Vec<OnceCell<Program<G>>>);
 
@@ -94,11 +91,7 @@ impl<G: Graphics> Programs<G> {
         // All start before the first wait, so that drivers compile them in parallel.
         let compiling: Vec<_> = SOURCES
             .iter()
-            .enumerate()
-            .map(|(at, source)| {
-                let is_late = COMPILED_ON_DEMAND.iter().any(|late| *late as usize == at);
-                (!is_late).then(|| Compiling::begin(gl, source))
-            })
+            .map(|source| (!source.is_late).then(|| Compiling::begin(gl, source)))
             .collect();
         let mut programs = Programs(Vec::with_capacity(SOURCES.len()));
         let mut first_error = None;

@@ -32,6 +32,8 @@ pub struct Source {
     pub samplers: &'static [(&'static str, Image)],
     /// Length of the uniforms.
     pub floats: usize,
+    /// Whether they are compiled when a frame first needs them.
+    pub is_late: bool,
 }
 
 /// The uniforms of a pair of shaders.

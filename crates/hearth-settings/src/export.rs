@@ -47,7 +47,7 @@ pub fn export(settings: &Settings) -> Untrusted {
         "hearth",
         Untrusted::Number(VERSION.into()),
     )];
-    if settings.preset != Preset::all()[0].name {
+    if settings.preset != Preset::initial().name {
         let name = Untrusted::Text(settings.preset.to_owned());
         fields.push(Untrusted::named("preset", name));
     }

@@ -98,7 +98,7 @@ impl PartialEq for Settings {
 
 impl Default for Settings {
     fn default() -> Settings {
-        Settings::starting_from(&Preset::all()[0])
+        Settings::starting_from(Preset::initial())
     }
 }
 
@@ -298,7 +298,7 @@ impl Settings {
 
     /// The preset.
     pub fn preset(&self) -> &'static Preset {
-        Preset::find(self.preset).unwrap_or(&Preset::all()[0])
+        Preset::find(self.preset).unwrap_or(Preset::initial())
     }
 
     /// Whether the element has children.

@@ -107,7 +107,7 @@ impl Fire {
         let values = values.map(|values| columns(&ids, &values));
         let change = match &values {
             Some(values) => Change::Set(values),
-            None => Change::Preset(Preset::all()[0].name),
+            None => Change::Preset(Preset::initial().name),
         };
         self.change(&change)
     }

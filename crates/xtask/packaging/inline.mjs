@@ -50,6 +50,8 @@ export async function inlined(sources, wasm, { name, version, license }) {
         classic: await deflated('hearth-engine_classic.wasm'),
         bodies: await deflated('hearth-engine_bodies.wasm'),
         children: await deflated('hearth-engine_children.wasm'),
+        scenes: await deflated('hearth-engine_scenes.wasm'),
+        displays: await deflated('hearth-engine_displays.wasm'),
         wasm: await deflated('hearth-engine_bg.wasm'),
         worker: worker.text,
       }),

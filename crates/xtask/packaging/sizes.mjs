@@ -44,6 +44,8 @@ const DOWNLOADS = [
   { name: 'classic model, on request', files: ['wasm/hearth-engine_classic.wasm'] },
   { name: 'fuels, water and free solids, on request', files: ['wasm/hearth-engine_bodies.wasm'] },
   { name: 'children, on request', files: ['wasm/hearth-engine_children.wasm'] },
+  { name: 'presets, on request', files: ['wasm/hearth-engine_scenes.wasm'] },
+  { name: 'displays other than the fire, on request', files: ['wasm/hearth-engine_displays.wasm'] },
   { name: 'other scripts of the element, each on request', files: requested.filter((file) => !isPart(file)) },
   { name: 'sound, on request', files: sound },
   { name: 'panel, on request', files: await loaded('panel.js') },

@@ -8,7 +8,7 @@ use wasm_parts::{Bound, Part};
 use crate::shell::Shell;
 
 /// The parts of the engine. `hearth_bindings::parts` determines which one a scene needs.
-const PARTS: [Part; 3] = [
+const PARTS: [Part; 5] = [
     Part {
         name: "classic",
         modules: &["hearth_core::classic::"],
@@ -24,6 +24,16 @@ const PARTS: [Part; 3] = [
     Part {
         name: "children",
         modules: &["hearth_settings::children::", "hearth_core::scene::order::"],
+    },
+    // `hearth-core` has these texts in its table of presets.
+    Part {
+        name: "scenes",
+        modules: &[],
+    },
+    // The build script of `hearth-render` marks these shaders.
+    Part {
+        name: "displays",
+        modules: &[],
     },
 ];
 

@@ -9,7 +9,8 @@ use crate::scene::{KIND, Scene};
 /// The table of presets. `cargo xtask codegen` writes it from the files of `scenes/`.
 ///
 /// A line is a name, a blank and a value, which extends to the end of the line. `preset` begins a preset; the values
-/// that differ from the defaults follow. `kind` begins an object; the fields that differ from the defaults follow.
+/// that differ from the defaults follow. `kind` begins an object; the fields that differ from the defaults follow. All
+/// presets but the first one are between two lines with `//`: in the engine's wasm they are a part.
 const TABLE: &str = include_str!("scenes.txt");
 
 /// A line for each preset: its name, its label and its description, divided by tabulators. A program that shows none
@@ -35,8 +36,17 @@ pub struct Preset {
 impl Preset {
     /// Every preset: the default one, then those of each model by their names.
     pub fn all() -> &'static [Preset] {
-        static PRESETS: LazyLock<Vec<Preset>> = LazyLock::new(|| read(TABLE));
+        static PRESETS: LazyLock<Vec<Preset>> = LazyLock::new(|| read(false));
         &PRESETS
+    }
+
+    /// The preset of a fire that names none, `default`.
+    pub fn initial() -> &'static Preset {
+        static INITIAL: LazyLock<Preset> = LazyLock::new(|| {
+            let mut first = read(true);
+            first.pop().unwrap_or_default()
+        });
+        &INITIAL
     }
 
     /// The preset with this name.
@@ -44,6 +54,10 @@ impl Preset {
     /// # Errors
     /// There is none. The error names a similar one or, if no name is similar, all.
     pub fn find(name: &str) -> Result<&'static Preset, UnknownPreset> {
+        let initial = Preset::initial();
+        if name == initial.name {
+            return Ok(initial);
+        }
         let found = Preset::all().iter().find(|preset| preset.name == name);
         found.ok_or_else(|| UnknownPreset::new(name))
     }
@@ -148,10 +162,21 @@ impl fmt::Display for UnknownPreset {
 
 impl std::error::Error for UnknownPreset {}
 
-/// The presets of a table.
-fn read(table: &'static str) -> Vec<Preset> {
+/// The presets of the table, or the first one alone.
+// Two statics need it, and one compilation is enough.
+#[inline(never)]
+fn read(first: bool) -> Vec<Preset> {
     let mut presets: Vec<Preset> = Vec::new();
-    for (name, text) in table.lines().filter_map(|line| line.split_once(' ')) {
+    for line in TABLE.lines() {
+        if line.starts_with("//") {
+            match first {
+                true => break,
+                false => continue,
+            }
+        }
+        let Some((name, text)) = line.split_once(' ') else {
+            continue;
+        };
         if name == "preset" {
             presets.push(Preset {
                 name: text,

@@ -75,8 +75,8 @@ impl<'a> Painter<'a> {
         let view = self.upload(fire);
         if let Some(renderer) = &mut self.renderer {
             renderer.set_output(Some(target));
-            let values = fire.simulation.parameters();
-            renderer.paint_in_passes(self.offscreen.gl(), &view, values, &fire.history, on_pass)?;
+            let scene = fire.simulation.scene();
+            renderer.paint_in_passes(self.offscreen.gl(), &view, scene, &fire.history, on_pass)?;
         }
         Ok(())
     }

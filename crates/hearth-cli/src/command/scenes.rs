@@ -30,7 +30,7 @@ impl Scenes {
                         "name": preset.name,
                         "label": preset.label(),
                         "description": preset.description(),
-                        "model": preset.parameters().model().name(),
+                        "model": preset.world().model().name(),
                     })
                 })
                 .collect();

@@ -6,7 +6,7 @@ use super::check::nearest;
 use super::choices::{Choice, Model};
 use super::entry::Condition;
 use super::slot::Slots;
-use super::table::{Param, Source, Values};
+use super::table::{PARAMETERS, Param, Source, Values};
 use super::value::{AnyValue, Input, ParamError, ParamErrorKind, Value, abbreviated};
 
 /// The id of the model, which decides the domains of the other parameters.

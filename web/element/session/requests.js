@@ -12,7 +12,7 @@
  *   boolean}} Deferred
  */
 
-import { AT_ONCE } from '../../engine/at-once.js';
+import { AT_ONCE } from '../../parts.js';
 
 /**
  * The number of unanswered sets from which on calls wait, and the number of waiting calls from which on

@@ -271,7 +271,7 @@ export function sharedPage(browser) {
     const { tab } = page;
     tab.problems.length = 0;
     // No row is hovered or focused.
-    await tab.mouse('move', { x: 5, y: 300 });
+    await tab.move({ x: 5, y: 300 });
     await tab.evaluate(() => /** @type {HTMLElement | null} */ (document.activeElement)?.blur());
     await tab.fire(
       async (fire, values) => {

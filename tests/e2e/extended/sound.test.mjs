@@ -234,10 +234,10 @@ describe('with a panel', () => {
       slider.dispatchEvent(new Event('input'));
     });
     assert.equal(await tab.fire((fire) => fire.sound), 0.25);
-    await tab.press('m');
+    await tab.page.keyboard.press('m');
     await hasState(tab, 'silent');
     assert.equal(await pressed(), 'false');
-    await tab.press('m');
+    await tab.page.keyboard.press('m');
     await hasState(tab, 'playing');
     assert.equal(await tab.fire((fire) => fire.sound), 0.25);
   });

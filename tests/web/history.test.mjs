@@ -207,8 +207,7 @@ describe('a step', () => {
 
   test('of long ago is forgotten, so that a long day fills no memory', async () => {
     const fire = new Fire();
-    for (let value = 0; value < 300; value += 1)
-      await fire.history.step(() => fire.set({ wind: value % 2 ? 1 : 2 }));
+    for (let value = 0; value < 300; value += 1) await fire.history.step(() => fire.set({ wind: value % 2 ? 1 : 2 }));
     let count = 0;
     while (await fire.history.undo()) count += 1;
     assert.ok(count >= 100 && count < 300, `${count} steps`);

@@ -222,25 +222,29 @@ export async function mountPanel(options) {
     if (ended || plain.matches) return;
     stage = document.createElement('div');
     stage.className = 'hearth-panel-stage';
-    // eframe takes the focus when it starts; an inert element cannot have it.
-    stage.inert = true;
     const target = document.createElement('canvas');
     target.setAttribute('aria-hidden', 'true');
     // egui smooths edges itself. Four samples a pixel would only cost time and memory; eframe takes this context over.
     target.getContext('webgl2', { antialias: false, depth: false });
-    stage.append(target);
     canvas = target;
     host.prepend(stage);
     try {
       const wasm = await load();
       if (ended) return;
+      // eframe adds a text field to the tree of its canvas, which takes the focus in a document.
+      const tree = new DocumentFragment();
+      tree.append(target);
       const started = await wasm.Panel.start(target, fire, controller);
       if (ended) {
         started.destroy();
         return;
       }
       panel = started;
-      stage.inert = false;
+      stage.append(tree);
+      // eframe scrolls the page to canvas and text field when it gives them the focus.
+      for (const element of /** @type {HTMLCollectionOf<HTMLElement>} */ (stage.children)) {
+        element.focus = () => HTMLElement.prototype.focus.call(element, { preventScroll: true });
+      }
       panel.update(controller.state);
       controller.hovered = () => panel?.hovered();
       // An accessible control may have had the focus before the panel started.

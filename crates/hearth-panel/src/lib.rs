@@ -8,10 +8,10 @@
 //! actions, and the panel applies these after each frame. `web` connects it to a canvas and
 //! an element.
 
+pub mod browser_text;
 mod cost;
 pub mod format;
 mod panel;
-pub mod right_to_left;
 pub mod search;
 pub mod state;
 pub mod theme;

@@ -9,7 +9,8 @@
 use std::collections::BTreeMap;
 
 use egui::style::ScrollAnimation;
-use egui::{Align, Frame, Margin, Rect, ScrollArea, Ui, UiBuilder, pos2, vec2};
+use egui::text_edit::TextEditState;
+use egui::{Align, CentralPanel, Frame, Margin, Rect, ScrollArea, Ui, UiBuilder, pos2, vec2};
 
 use crate::state::{Command, State};
 use crate::theme::{self, Measures};
@@ -43,8 +44,13 @@ impl Panel {
         }
     }
 
-    /// Shows the panel in all of `ui`, and applies its input.
-    pub fn ui(&mut self, ui: &mut Ui) {
+    /// Shows the panel in all of the context's area, and applies its input.
+    pub fn show(&mut self, ctx: &egui::Context) {
+        let all = CentralPanel::default().frame(Frame::NONE);
+        all.show(ctx, |ui| self.ui(ui));
+    }
+
+    fn ui(&mut self, ui: &mut Ui) {
         self.output.rectangles.clear();
         self.output.hovered = None;
         self.output.tooltip = None;
@@ -105,7 +111,7 @@ impl Panel {
                 });
             });
         let hidden = scrolled.content_size.y - scrolled.inner_rect.height();
-        let offset = scrolled.state.clamped_offset().y;
+        let offset = scrolled.state.offset.y;
         let inside = ui.rect_contains_pointer(scrolled.inner_rect);
         self.scrolls = if output.pointer.wheel.is_some() {
             (true, true)
@@ -148,7 +154,8 @@ impl Panel {
 
     /// Whether a text field of the panel has the focus.
     pub fn is_typing(&self, ctx: &egui::Context) -> bool {
-        ctx.text_edit_focused()
+        let focused = ctx.memory(|memory| memory.focused());
+        focused.is_some_and(|id| TextEditState::load(ctx, id).is_some())
     }
 
     /// The commands since the last call.

@@ -3,7 +3,7 @@
 use hearth_core::params::{AnyValue, Input, Model, Property};
 use hearth_core::scene::{Object, Scene};
 
-use crate::right_to_left::is_from_right;
+use crate::browser_text::is_from_right;
 use crate::state::entry::Entry;
 use crate::state::subject::Subject;
 

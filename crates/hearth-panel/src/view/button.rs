@@ -3,7 +3,7 @@
 use egui::text::{LayoutJob, TextFormat, TextWrapping};
 use egui::{Align2, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
 
-use crate::right_to_left;
+use crate::browser_text;
 use crate::theme;
 use crate::view::icons::{self, Icon};
 
@@ -104,7 +104,7 @@ pub fn show(ui: &Ui, rect: Rect, id: Id, face: Face<'_>) -> Response {
 
 /// Paints a text at the left of `room`. One that is too long ends in "…".
 pub fn left_text(ui: &Ui, room: Rect, text: &str) {
-    if right_to_left::paint(ui, room, Align2::LEFT_CENTER, text, theme::TEXT).is_some() {
+    if browser_text::paint(ui, room, Align2::LEFT_CENTER, text, theme::TEXT).is_some() {
         return;
     }
     let format = TextFormat::simple(theme::body(), theme::TEXT);

@@ -83,7 +83,7 @@ fn unfolder(
     let response = button::unfolder(
         ui,
         rect,
-        Id::unique(("list", subject.id)),
+        Id::new(("list", subject.id)),
         &choice_text(now),
         open,
     );
@@ -130,7 +130,7 @@ pub fn buttons(
             ..Face::text(&text)
         };
         let key = format!("choice:{}:{name}", subject.id);
-        let clicked = button::show(ui, rect, Id::unique(&key), face).clicked();
+        let clicked = button::show(ui, rect, Id::new(&key), face).clicked();
         out.record(ui, key, rect);
         if clicked {
             out.push(Action::Choose(subject, name));

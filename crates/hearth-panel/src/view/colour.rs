@@ -63,12 +63,7 @@ fn transparency(
     );
     let centre = pos2(text.left() - 16.0, room.center().y);
     let rect = Rect::from_center_size(centre, vec2(24.0, room.height()));
-    if button::check_box(
-        ui,
-        rect,
-        Id::unique(("transparent", subject.id)),
-        transparent,
-    ) {
+    if button::check_box(ui, rect, Id::new(("transparent", subject.id)), transparent) {
         let next = match (transparent, open) {
             (false, _) => Colour::TRANSPARENT,
             (true, Some(open)) => as_colour(open.hsva.to_opaque()),
@@ -82,7 +77,7 @@ fn transparency(
 /// The swatch. Returns whether it was clicked.
 fn swatch_button(out: &mut Output, ui: &Ui, id: &'static str, rect: Rect, colour: Colour) -> bool {
     let response = ui
-        .interact(rect, Id::unique(("swatch", id)), Sense::click())
+        .interact(rect, Id::new(("swatch", id)), Sense::click())
         .on_hover_cursor(CursorIcon::PointingHand);
     out.record(ui, id, rect);
     let painter = ui.painter();
@@ -144,7 +139,7 @@ fn sliders(
             costly: None,
             colours: Some(&along),
         };
-        let id = Id::unique(("colour", subject.id, at));
+        let id = Id::new(("colour", subject.id, at));
         let gesture = &mut out.pointer.gesture;
         let change = slider::show(ui, rect, id, &rail, device.finger, gesture);
         let key = format!("{}:{}", name.to_lowercase(), subject.id);

@@ -3,9 +3,9 @@
 use egui::{Align2, Id, Ui};
 use hearth_core::params::{AnyValue, Scale};
 
+use crate::browser_text;
 use crate::cost;
 use crate::format::{fraction, step, text_in_short, value_at, value_text};
-use crate::right_to_left;
 use crate::state::fire::Entry;
 use crate::state::{Action, State, Subject};
 use crate::theme;
@@ -44,7 +44,7 @@ pub fn number(
             .map(|from| fraction(from, range, scale) as f32),
         colours: None,
     };
-    let id = Id::unique(("slider", subject.id));
+    let id = Id::new(("slider", subject.id));
     let gesture = &mut out.pointer.gesture;
     let moved = slider::show(ui, rect, id, &rail, state.device.finger, gesture);
     out.record(ui, subject.id, rect);
@@ -100,7 +100,7 @@ pub fn seed(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
     field::show(state, out, ui, subject, number, &value_text(&value));
     let key = format!("dice:{}", subject.id);
     let face = Face::new(Icon::Dice, "");
-    let response = button::show(ui, dice, Id::unique(&key), face).on_hover_text("Random seed");
+    let response = button::show(ui, dice, Id::new(&key), face).on_hover_text("Random seed");
     out.record(ui, key, dice);
     // A seed has no slider: its control is the number.
     out.record(ui, subject.id, room);
@@ -129,7 +129,7 @@ pub fn flag(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
     let room = title::line(state, out, ui, subject, control);
     let on = state.fire.value(subject) == AnyValue::Flag(true);
     let hit = room.with_min_x(room.right() - control);
-    if button::check_box(ui, hit, Id::unique(("flag", subject.id)), on) {
+    if button::check_box(ui, hit, Id::new(("flag", subject.id)), on) {
         out.push(Action::Set(subject, Entry::Flag(!on)));
     }
     out.record(ui, subject.id, hit);
@@ -143,8 +143,8 @@ pub fn text(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
     out.record(ui, subject.id, room);
     // The field shows such letters from left to right.
     let typed = state.open.field_of(subject).map_or("", |field| &field.text);
-    if right_to_left::is_from_right(typed) {
+    if browser_text::is_from_right(typed) {
         let rect = strip(ui, state.device.measures.line);
-        right_to_left::paint(ui, rect, Align2::RIGHT_CENTER, typed, theme::weak());
+        browser_text::paint(ui, rect, Align2::RIGHT_CENTER, typed, theme::weak());
     }
 }

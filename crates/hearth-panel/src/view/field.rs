@@ -6,12 +6,13 @@
 use egui::style::ScrollAnimation;
 use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align2, CursorIcon, Event, Id, Key, Margin, MouseWheelUnit, Rect, Sense, TextEdit, Ui,
+    Align, CursorIcon, Event, Id, Key, Margin, MouseWheelUnit, Rect, Sense, TextEdit, Ui,
     UiBuilder, pos2,
 };
 
 use hearth_core::params::Kind;
 
+use crate::browser_text;
 use crate::state::{Action, Field, Fire, Pointer, State, Subject};
 use crate::theme;
 use crate::view::layout;
@@ -42,7 +43,7 @@ pub fn show(
         pos2(room.right(), room.bottom()),
     );
     let response = ui
-        .interact(hit, Id::unique(("value", subject.id)), Sense::click())
+        .interact(hit, Id::new(("value", subject.id)), Sense::click())
         .on_hover_cursor(CursorIcon::Text);
     let wheel = &mut out.pointer.wheel;
     if response.hovered() {
@@ -107,22 +108,26 @@ fn edit(
     subject: Subject,
     room: Rect,
 ) {
-    let id = Id::unique(("typing", subject.id));
+    let id = Id::new(("typing", subject.id));
     let (width, most) = match subject.param.kind {
         Kind::Text(_) => (room.width(), MOST_LETTERS),
         _ => (130.0, 40),
     };
     let rect = room.with_min_x(room.left().max(room.right() - width));
+    let mut lay_out = browser_text::lay_out;
     let text = TextEdit::singleline(&mut field.text)
+        .layouter(&mut lay_out)
         .id(id)
         .char_limit(most)
         .desired_width(rect.width())
         .min_size(rect.size())
         .margin(Margin::symmetric(6, 1))
-        .align(Align2::RIGHT_CENTER);
+        .horizontal_align(Align::Max)
+        .vertical_align(Align::Center);
     let mut output = ui
         .scope_builder(UiBuilder::new().max_rect(rect), |ui| text.show(ui))
         .inner;
+    browser_text::paint_typed(ui, &output, &field.text);
     out.record(ui, format!("value:{}", subject.id), rect);
     if std::mem::take(&mut field.fresh) {
         let length = field.text.chars().count();

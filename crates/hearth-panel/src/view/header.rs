@@ -127,7 +127,7 @@ fn scene_button(controller: &ControllerState, out: &mut Output, ui: &Ui, rect: R
         whole if button::fits(ui, rect, whole) => whole,
         _ => &dotted,
     };
-    let response = button::unfolder(ui, rect, Id::unique(name), scene, false);
+    let response = button::unfolder(ui, rect, Id::new(name), scene, false);
     out.record(ui, name, rect);
     if response.on_hover_text("Choose another scene").clicked() {
         out.push(Action::Scenes);
@@ -152,7 +152,7 @@ fn reset_all(state: &State, out: &mut Output, ui: &Ui, rect: Rect) {
     };
     let name = "action:reset-all";
     let response =
-        button::show(ui, rect, Id::unique(name), face).on_hover_text("Reset all to the scene");
+        button::show(ui, rect, Id::new(name), face).on_hover_text("Reset all to the scene");
     out.record(ui, name, rect);
     if response.clicked() {
         out.push(Action::RestoreAll);

@@ -3,7 +3,7 @@
 use egui::style::ScrollAnimation;
 use egui::{Align, Align2, Color32, Rect, Ui, pos2, vec2};
 
-use crate::right_to_left;
+use crate::browser_text::{self, Letters};
 use crate::theme;
 
 /// Empty space below the last row: a row can scroll above the focused accessible control, which
@@ -58,11 +58,10 @@ pub fn label(ui: &Ui, rect: Rect, text: &str) {
 /// A text over as many lines as it needs.
 pub fn paragraph(ui: &mut Ui, text: &str, ink: Color32) {
     let width = ui.available_width();
-    let galley = ui
-        .painter()
-        .layout(text.to_owned(), theme::small(), ink, width);
-    let rect = strip(ui, galley.size().y + 4.0);
-    ui.painter().galley(rect.min, galley, ink);
+    let letters = Letters::of(ui.ctx(), text, &theme::small(), ink, width);
+    let rect = strip(ui, letters.galley.size().y + 4.0);
+    ui.painter().galley(rect.min, letters.galley.clone(), ink);
+    letters.paint(ui, rect, rect.min, ink);
 }
 
 /// Paints a value with its unit at the right of `room`. Returns their rectangle.
@@ -78,7 +77,7 @@ pub fn value(ui: &Ui, room: Rect, text: &str, unit: &str, ink: Color32) -> Rect 
             theme::weak(),
         );
     }
-    if let Some(rect) = right_to_left::paint(ui, room, Align2::RIGHT_CENTER, text, ink) {
+    if let Some(rect) = browser_text::paint(ui, room, Align2::RIGHT_CENTER, text, ink) {
         return rect;
     }
     let gap = if unit.is_empty() { 0.0 } else { 4.0 };

@@ -150,7 +150,7 @@ fn entry(state: &State, out: &mut Output, ui: &Ui, rect: Rect, object: Object<'_
         lit: selected,
         ..Face::text("")
     };
-    let response = button::show(ui, rect, Id::unique(&key), face);
+    let response = button::show(ui, rect, Id::new(&key), face);
     let eye = rect.with_min_x(rect.right() - EYE_WIDTH);
     let room = rect.shrink2(vec2(8.0, 0.0)).with_max_x(eye.left());
     button::left_text(ui, room, &name_of(object));
@@ -162,7 +162,7 @@ fn entry(state: &State, out: &mut Output, ui: &Ui, rect: Rect, object: Object<'_
             true => (Icon::Eye, "Switch off: it neither acts nor is drawn"),
             false => (Icon::ClosedEye, "Switch on"),
         };
-        let pressed = button::show(ui, eye, Id::unique(&key), Face::bare(icon));
+        let pressed = button::show(ui, eye, Id::new(&key), Face::bare(icon));
         out.record(ui, key, eye);
         if pressed.on_hover_text(hint).clicked() {
             out.push(Action::Set(switch, Entry::Flag(!on)));
@@ -235,7 +235,7 @@ fn buttons(state: &State, out: &mut Output, ui: &mut Ui) {
                 enabled: *enabled,
                 ..Face::text(label)
             };
-            let response = button::show(ui, rect, Id::unique(&key), face);
+            let response = button::show(ui, rect, Id::new(&key), face);
             out.record(ui, key, rect);
             if response.on_hover_text(*hint).clicked() && *enabled {
                 out.send(command.clone());

@@ -23,7 +23,7 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui) {
             ..Face::text(label)
         };
         let key = format!("quality:{name}");
-        let mut response = button::show(ui, rect, Id::unique(&key), face);
+        let mut response = button::show(ui, rect, Id::new(&key), face);
         if fire.stats.quality == name {
             // The present quality, whether it was set or chosen automatically.
             let line = rect.bottom() - 4.0;

@@ -74,7 +74,7 @@ pub fn framed(
 
 /// The tooltip of the whole row, unless it would disturb what the pointer does.
 fn hover(state: &State, out: &mut Output, ui: &Ui, subject: Subject, rect: Rect) {
-    let row = ui.interact(rect, Id::unique(("row", subject.id)), Sense::hover());
+    let row = ui.interact(rect, Id::new(("row", subject.id)), Sense::hover());
     if row.contains_pointer() {
         out.hovered = Some(subject);
     }

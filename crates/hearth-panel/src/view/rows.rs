@@ -119,7 +119,7 @@ fn selected(state: &State, out: &mut Output, ui: &mut Ui, only: &[&'static Param
 fn heading(out: &mut Output, ui: &mut Ui, name: &'static str, open: bool, control: f32) -> bool {
     let rect = strip(ui, control + 4.0);
     let response = ui
-        .interact(rect, Id::unique(("group", name)), Sense::click())
+        .interact(rect, Id::new(("group", name)), Sense::click())
         .on_hover_cursor(CursorIcon::PointingHand);
     out.record(ui, format!("group:{name}"), rect);
     let ink = if response.hovered() {

@@ -1,7 +1,8 @@
 //! The search field.
 
-use egui::{Align2, Id, Key, Margin, Rect, TextEdit, Ui, UiBuilder, pos2, vec2};
+use egui::{Align, Id, Key, Margin, Rect, RichText, TextEdit, Ui, UiBuilder, pos2, vec2};
 
+use crate::browser_text;
 use crate::state::{Action, Search};
 use crate::theme;
 use crate::view::button::{self, Face};
@@ -17,17 +18,21 @@ pub fn show(search: &Search, out: &mut Output, ui: &mut Ui, rect: Rect) {
         top: 2,
         bottom: 2,
     };
+    let mut lay_out = browser_text::lay_out;
     let edit = TextEdit::singleline(&mut text)
-        .id(Id::unique("search"))
-        .hint_text("Search")
+        .layouter(&mut lay_out)
+        .id(Id::new("search"))
+        .hint_text(RichText::new("Search").color(theme::weak()))
         .desired_width(rect.width())
         .min_size(rect.size())
-        .align(Align2::LEFT_CENTER)
+        .vertical_align(Align::Center)
         .char_limit(60)
         .margin(margin);
-    let response = ui
-        .scope_builder(UiBuilder::new().max_rect(rect), |ui| ui.add(edit))
+    let output = ui
+        .scope_builder(UiBuilder::new().max_rect(rect), |ui| edit.show(ui))
         .inner;
+    browser_text::paint_typed(ui, &output, &text);
+    let response = output.response;
     if search.focus {
         response.request_focus();
         out.push(Action::SearchFocused);
@@ -45,7 +50,7 @@ pub fn show(search: &Search, out: &mut Output, ui: &mut Ui, rect: Rect) {
             pos2(rect.right() - 14.0, rect.center().y),
             vec2(26.0, rect.height()),
         );
-        let id = Id::unique("search-clear");
+        let id = Id::new("search-clear");
         if button::show(ui, cross, id, Face::bare(Icon::Cross)).clicked() {
             text.clear();
         }

@@ -24,7 +24,7 @@ fn line(fire: &Fire, times: bool, out: &mut Output, ui: &mut Ui, control: f32) {
     let rect = strip(ui, (control - 6.0).max(22.0));
     let name = "action:times";
     let response = ui
-        .interact(rect, Id::unique(name), Sense::click())
+        .interact(rect, Id::new(name), Sense::click())
         .on_hover_cursor(CursorIcon::PointingHand)
         .on_hover_text("Times of a frame");
     out.record(ui, name, rect);

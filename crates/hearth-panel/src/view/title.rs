@@ -19,7 +19,7 @@ pub fn line(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject, heig
     let back = Rect::from_min_size(name.right_top(), vec2(slot, rect.height()));
     if state.fire.differs(subject) {
         let key = format!("action:restore:{}", subject.id);
-        let response = button::show(ui, back, Id::unique(&key), Face::bare(Icon::Reset));
+        let response = button::show(ui, back, Id::new(&key), Face::bare(Icon::Reset));
         out.record(ui, key, back);
         out.quiet = response.hovered();
         let hint = if state.fire.is_of_scene(subject) {
@@ -46,7 +46,7 @@ pub fn name(state: &State, out: &mut Output, ui: &Ui, subject: Subject, rect: Re
     );
     let name = Rect::from_min_size(rect.min, vec2(label.size().x + 4.0, rect.height()));
     let response = ui
-        .interact(name, Id::unique(("name", subject.id)), Sense::click())
+        .interact(name, Id::new(("name", subject.id)), Sense::click())
         .on_hover_cursor(CursorIcon::Help);
     let ink = if response.hovered() {
         theme::ACCENT

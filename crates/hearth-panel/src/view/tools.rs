@@ -163,7 +163,7 @@ pub fn line(state: &State, out: &mut Output, ui: &Ui, rect: Rect, tools: &[Tool]
     for (rect, tool) in button::split(rect, tools.len(), 4.0).zip(tools) {
         let name = tool.name();
         let response =
-            button::show(ui, rect, Id::unique(name), tool.face(state)).on_hover_text(tool.hint());
+            button::show(ui, rect, Id::new(name), tool.face(state)).on_hover_text(tool.hint());
         if tool == Tool::More {
             let ink = if response.hovered() {
                 theme::ACCENT
@@ -223,7 +223,7 @@ fn copies(controller: &ControllerState, out: &mut Output, ui: &mut Ui, control: 
             ..Face::text(if done { "Copied" } else { &form.button })
         };
         let name = format!("action:{key}");
-        let response = button::show(ui, rect, Id::unique(&name), face).on_hover_text(&form.hint);
+        let response = button::show(ui, rect, Id::new(&name), face).on_hover_text(&form.hint);
         out.record(ui, name, rect);
         if response.clicked() {
             out.send(Command::Copy(form.name.clone()));
@@ -279,7 +279,7 @@ impl Line<'_> {
             ..Face::text(if done { self.done } else { self.text })
         };
         let name = format!("action:{}", self.key);
-        let response = button::show(ui, rect, Id::unique(&name), face).on_hover_text(self.hint);
+        let response = button::show(ui, rect, Id::new(&name), face).on_hover_text(self.hint);
         out.record(ui, name, rect);
         if response.clicked() {
             out.send(self.command);

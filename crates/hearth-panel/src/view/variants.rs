@@ -43,7 +43,7 @@ pub fn line(controller: &ControllerState, out: &mut Output, ui: &Ui, rect: Rect)
     ];
     let parts = button::split(rect, buttons.len(), BUTTON_GAP);
     for (rect, (name, hint, face, command)) in parts.zip(buttons) {
-        let response = button::show(ui, rect, Id::unique(name), face).on_hover_text(hint);
+        let response = button::show(ui, rect, Id::new(name), face).on_hover_text(hint);
         out.record(ui, name, rect);
         if response.clicked() {
             out.send(command);

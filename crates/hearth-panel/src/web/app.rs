@@ -47,13 +47,13 @@ impl App {
 }
 
 impl eframe::App for App {
-    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+    fn update(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
         let commands = {
             let Ok(mut panel) = self.panel.try_borrow_mut() else {
                 return;
             };
-            panel.ui(ui);
-            self.policy.typing.set(panel.is_typing(ui.ctx()));
+            panel.show(ctx);
+            self.policy.typing.set(panel.is_typing(ctx));
             self.policy.scrolls.set(panel.scrolls);
             panel.take_commands()
         };

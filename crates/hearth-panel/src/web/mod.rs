@@ -3,7 +3,7 @@
 //! [`Panel`] is the whole interface to JavaScript. This module also undoes what eframe does
 //! to a page: eframe consumes the wheel and the Tab key, and adds canvas and text field to
 //! the Tab order, although `web/panel/accessible-controls.js` serves the keyboard. eframe
-//! also takes the focus when it starts, which only the page's script can prevent.
+//! also takes the focus when it starts, unless its canvas is in no document then.
 
 mod app;
 mod element;
@@ -21,7 +21,7 @@ use self::app::{App, InputPolicy};
 use self::element::{Element, paint_soon, read_scene};
 use self::listener::Listener;
 use self::read::controller_state;
-use crate::right_to_left;
+use crate::browser_text;
 use crate::theme::{self, Measures};
 
 /// The panel, as a page sees it.
@@ -36,7 +36,7 @@ pub struct Panel {
 
 #[wasm_bindgen]
 impl Panel {
-    /// Starts the panel on `canvas`, an element of the document, for `fire`, a
+    /// Starts the panel on `canvas`, the child of a fragment that the caller then adds to its page, for `fire`, a
     /// `<hearth-fire>` element or an object with its API. `controller` is the panel
     /// controller, which executes the commands.
     ///
@@ -68,7 +68,7 @@ impl Panel {
                 let ctx = creation.egui_ctx.clone();
                 theme::prefer_contrast(matches("(prefers-contrast: more)"));
                 theme::apply(&ctx);
-                right_to_left::draw_with(&ctx, text::draw);
+                browser_text::draw_with(&ctx, text::draw);
                 let element = Rc::new(Element::new(fire, controller, panel.clone(), ctx.clone())?);
                 started.replace(Some((element.clone(), ctx)));
                 Ok(Box::new(App::new(panel, element, policy, canvas)))
@@ -217,6 +217,9 @@ fn tab_listeners(canvas: &HtmlCanvasElement) -> Result<Vec<Listener>, JsValue> {
     let mut listeners = Vec::new();
     if let Some(agent) = text_agent(canvas) {
         agent.set_tab_index(-1);
+        agent.remove_attribute("autofocus")?;
+        // eframe places it by coordinates of the window.
+        agent.style().set_property("position", "fixed")?;
         agent.set_attribute("aria-hidden", "true")?;
         agent.set_attribute("autocomplete", "off")?;
         listeners.push(leave_tab(&agent)?);

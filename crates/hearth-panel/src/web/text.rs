@@ -4,6 +4,8 @@ use egui::ColorImage;
 use wasm_bindgen::JsCast;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
+use crate::browser_text::MARGIN;
+
 /// Height of a line, in sizes of its letters.
 const LINE_HEIGHT: f32 = 1.5;
 
@@ -18,7 +20,7 @@ pub fn draw(text: &str, pixels: f32) -> Option<ColorImage> {
     let context: CanvasRenderingContext2d = context.dyn_into().ok()?;
     let font = format!("{pixels}px system-ui, sans-serif");
     context.set_font(&font);
-    let width = context.measure_text(text).ok()?.width().ceil() as u32 + 2;
+    let width = context.measure_text(text).ok()?.width().ceil() as u32 + 2 * MARGIN;
     let height = (pixels * LINE_HEIGHT).ceil() as u32;
     canvas.set_width(width);
     canvas.set_height(height);
@@ -27,7 +29,7 @@ pub fn draw(text: &str, pixels: f32) -> Option<ColorImage> {
     context.set_text_baseline("middle");
     context.set_fill_style_str("white");
     context
-        .fill_text(text, 1.0, MIDDLE * f64::from(height))
+        .fill_text(text, MARGIN.into(), MIDDLE * f64::from(height))
         .ok()?;
     let (right, bottom) = (f64::from(width), f64::from(height));
     let data = context.get_image_data(0.0, 0.0, right, bottom).ok()?.data();

@@ -316,8 +316,6 @@ fn a_row_has_a_tooltip_while_the_pointer_rests_and_none_while_it_drags_or_turns(
     harness.frame(vec![Event::MouseWheel {
         unit: egui::MouseWheelUnit::Line,
         delta: vec2(0.0, -1.0),
-        phase: egui::TouchPhase::Move,
-        source: egui::MouseWheelSource::Unknown,
         modifiers: egui::Modifiers::NONE,
     }]);
     harness.wait();

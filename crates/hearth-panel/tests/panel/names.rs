@@ -4,7 +4,7 @@ use std::sync::Mutex;
 
 use egui::{Color32, ColorImage, Event, Key};
 use hearth_core::params::{Model, Param};
-use hearth_panel::right_to_left;
+use hearth_panel::browser_text;
 use hearth_panel::state::fire::Entry;
 use hearth_panel::state::{Command, Subject};
 
@@ -54,10 +54,10 @@ fn a_name_is_typed_listed_and_reset() {
 }
 
 #[test]
-fn a_name_from_right_to_left_is_drawn_by_the_browser_in_the_list_its_row_and_its_field() {
+fn a_name_from_browser_text_is_drawn_by_the_browser_in_the_list_its_row_and_its_field() {
     static DRAWN: Mutex<Vec<String>> = Mutex::new(Vec::new());
     let mut harness = with_objects(Model::Combustion, TALL);
-    right_to_left::draw_with(&harness.ctx, |text, _| {
+    browser_text::draw_with(&harness.ctx, |text, _| {
         DRAWN.lock().unwrap().push(text.to_owned());
         Some(ColorImage::filled([300, 20], Color32::WHITE))
     });
@@ -72,12 +72,39 @@ fn a_name_from_right_to_left_is_drawn_by_the_browser_in_the_list_its_row_and_its
     assert!(drawn().is_empty(), "pictures are kept");
     let texts = harness.texts();
     assert!(
-        !texts.iter().any(|text| right_to_left::is_from_right(text)),
+        !texts.iter().any(|text| browser_text::is_from_right(text)),
         "{texts:?}"
     );
     for text in ["Back log", "Φωτιά", "火", "é̂"] {
-        assert!(!right_to_left::is_from_right(text), "{text}");
+        assert!(!browser_text::is_from_right(text), "{text}");
     }
+}
+
+#[test]
+fn letters_that_the_font_lacks_are_drawn_by_the_browser_in_rows_fields_and_messages() {
+    static DRAWN: Mutex<Vec<String>> = Mutex::new(Vec::new());
+    let mut harness = with_objects(Model::Combustion, TALL);
+    browser_text::draw_with(&harness.ctx, |text, _| {
+        DRAWN.lock().unwrap().push(text.to_owned());
+        Some(ColorImage::filled([12, 20], Color32::WHITE))
+    });
+    let drawn = || std::mem::take(&mut *DRAWN.lock().unwrap());
+    let mut log = solid(2, "line", "wood");
+    log.push(text("name", "A Лес?"));
+    harness.panel.state.fire.receive_objects(&[source(1), log]);
+    select(&mut harness, 2);
+    harness.reveal("solid:name");
+    assert_eq!(drawn(), ["A Лес? · Solid 2", "A Лес?"]);
+    harness.click("value:solid:name");
+    assert_eq!(drawn(), ["Л", "е", "с"]);
+    assert!(shows(&mut harness, "A ———?"));
+    harness.frame(vec![Event::Text("火".to_owned())]);
+    harness.wait();
+    assert_eq!(drawn(), ["火"]);
+    harness.key(Key::Escape);
+    harness.panel.state.controller.message = "no scene is named “Лес”".to_owned();
+    harness.wait();
+    assert_eq!(drawn().concat(), "Лес");
 }
 
 #[test]

@@ -135,8 +135,6 @@ fn the_wheel_changes_the_value_under_the_pointer_and_scrolls_elsewhere() {
     let wheel = |lines: f32| Event::MouseWheel {
         unit: egui::MouseWheelUnit::Line,
         delta: vec2(0.0, lines),
-        phase: egui::TouchPhase::Move,
-        source: egui::MouseWheelSource::Unknown,
         modifiers: Modifiers::NONE,
     };
     let value = |harness: &Harness| harness.value("turbulence").as_number().unwrap_or_default();

@@ -103,10 +103,10 @@ class Fire extends EventTarget {
   }
 
   /** What the history calls. */
-  call(name, [{ order, objects }] = [{}], source = undefined) {
+  call(name, deltas, source) {
     return this.#ask(() => {
       // Nobody but the tools changes it.
-      if (name === 'restore') this.#objects = structuredClone(order.map((id) => objects[id]));
+      if (name === 'restore') this.#objects = structuredClone(deltas[0].order.map((id) => deltas[0].objects[id]));
     }, source);
   }
 

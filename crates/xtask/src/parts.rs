@@ -23,7 +23,7 @@ const PARTS: [Part; 3] = [
     },
     Part {
         name: "children",
-        modules: &["hearth_settings::children::", "hearth_core::scene::order::"],
+        modules: &["hearth_settings::children::"],
     },
 ];
 

@@ -14,7 +14,7 @@ import { PARAMETERS, PRESETS } from '../generated/table.js';
  * @typedef {Partial<import('../parameters.js').HearthParameters>} Values
  * @typedef {import('../parameters.js').Parameter['domains']} Domains
  * @typedef {import('./objects.js').Fields} Fields
- * @typedef {Pick<HearthFire, 'preset' | 'params' | 'objects'>} Fire
+ * @typedef {Pick<HearthFire, 'preset' | 'params' | 'objects'> & {history?: {settings: object}}} Fire
  */
 
 /** @type {Map<string, Domains>} */
@@ -56,7 +56,14 @@ export function sceneValue(fire, id) {
   const domain = domains[fire.params?.model ?? DEFAULT_MODEL];
   const sceneDomain = domains[values.model ?? DEFAULT_MODEL];
   const shared = sceneDomain && FIELDS.every((field) => sceneDomain[field] === domain?.[field]);
-  return domain && (domain === sceneDomain || shared ? (values[id] ?? domain.default) : domain.default);
+  const value = domain && (domain === sceneDomain || shared ? (values[id] ?? domain.default) : domain.default);
+  return id === SOURCE.solid ? idOf(fire, Number(value)) : value;
+}
+
+/** The id of the object that has this number in the scene. @type {(fire: Fire, number: number) => number} */
+function idOf({ history }, number) {
+  const { first = 1 } = /** @type {{first?: number}} */ (history?.settings ?? {});
+  return number && number + first - 1;
 }
 
 /**
@@ -68,7 +75,11 @@ export function sceneValue(fire, id) {
 export function sceneObjects(fire) {
   const others = OBJECTS[presetOf(fire)?.name ?? ''] ?? [];
   const objects = /** @type {Fields[]} */ ([{ kind: 'source' }, ...others]);
-  return objects.map((fields, index) => ({ ...fields, id: index + 1 }));
+  return objects.map((fields, index) => ({
+    ...fields,
+    ...(fields.solid && { solid: idOf(fire, fields.solid) }),
+    id: idOf(fire, index + 1),
+  }));
 }
 
 /**

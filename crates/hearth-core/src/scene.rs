@@ -9,6 +9,7 @@ mod contour;
 mod distance;
 mod drive;
 mod field;
+mod ids;
 mod kinds;
 mod object;
 mod order;

@@ -22,7 +22,7 @@ pub fn at_first(start: &Start<'_>) -> (Settings, Vec<ValidationError>) {
         }
     }
     let settings = settings.after_valid(start.values, &mut errors);
-    (settings, errors)
+    (settings.following(start.last_id as u32), errors)
 }
 
 /// The source of the changes of an attribute.

@@ -260,6 +260,8 @@ pub struct Start<'a> {
     pub paused: bool,
     /// Whether the element has children, whose list is the next call.
     pub children: bool,
+    /// The largest id of an object of the element's fires before this one.
+    pub last_id: f64,
 }
 
 impl<'a> Argument<'a> for Start<'a> {
@@ -278,6 +280,7 @@ impl<'a> Argument<'a> for Start<'a> {
             guess: level("guess"),
             paused: Argument::read(value.field("paused")),
             children: Argument::read(value.field("children")),
+            last_id: value.field("last_id").number(),
         }
     }
 }

@@ -115,8 +115,8 @@ pub(crate) fn other_model(model: Model) -> Model {
     }
 }
 
-/// Replaces all objects, or none. Those of a file may have a field with the name of the other model: the properties
-/// that they have for it.
+/// Replaces all objects, or none. Those of a file may have fields with the names of the models: the properties that they
+/// have for each.
 fn replace<const OF_FILE: bool>(
     scene: &mut Scene,
     list: &Untrusted,
@@ -126,21 +126,23 @@ fn replace<const OF_FILE: bool>(
         return errors.push(ValidationError::new(OBJECTS, list, A_LIST));
     };
     let model = scene.settings().model();
-    let other = other_model(model);
+    let models = [Model::Classic, Model::Combustion];
     let mut new = scene.clone();
     new.clear();
     for object in list {
         let sent = object.fields();
         let mut own = fields(sent);
         if OF_FILE {
-            own.retain(|(name, _)| *name != other.name());
+            own.retain(|(name, _)| models.iter().all(|model| model.name() != *name));
         }
         let mut added = new.add(&own);
-        if let (true, &Ok(id)) = (OF_FILE, &added) {
-            let of_other = fields(object.field(other.name()).fields());
-            new.set_settings(of_model(new.settings(), other));
-            added = new.change(id, &of_other).map(|()| id);
-            new.set_settings(of_model(new.settings(), model));
+        for own in models.into_iter().filter(|_| OF_FILE) {
+            let of_own = fields(object.field(own.name()).fields());
+            if let (false, &Ok(id)) = (of_own.is_empty(), &added) {
+                new.set_settings(of_model(new.settings(), own));
+                added = new.change(id, &of_own).map(|()| id);
+                new.set_settings(of_model(new.settings(), model));
+            }
         }
         if let Err(refused) = added {
             return errors.extend(refused.iter().map(|error| of_object(error, sent)));
@@ -149,8 +151,8 @@ fn replace<const OF_FILE: bool>(
     *scene = new;
 }
 
-/// `scene` with changed properties of an object or, without an id, with another object; without
-/// fields, the object is removed.
+/// `scene` with changed properties of an object or, without an id, with another object, whose id is `next` unless it
+/// states one; without fields, the object is removed.
 ///
 /// # Errors
 /// There is no object with this id, or every invalid field.
@@ -158,10 +160,14 @@ pub(crate) fn with_object(
     scene: &Scene,
     id: Option<u32>,
     sent: Option<Values<'_>>,
+    next: u32,
 ) -> Result<Scene, Vec<ValidationError>> {
     let mut new = scene.clone();
     let values = sent.unwrap_or_default();
-    let fields = fields(values);
+    let mut fields = fields(values);
+    if id.is_none() && fields.iter().all(|(name, _)| *name != "id") {
+        fields.push(("id", Input::Number(next.into())));
+    }
     let done = match (id, sent) {
         (None, _) => new.add(&fields).map(|_| ()),
         (Some(id), Some(_)) => new.change(id, &fields),
@@ -179,10 +185,14 @@ pub(crate) fn with_object(
 /// The objects of a scene as data. With `from`, the first source has only the properties that
 /// differ from these settings, the other objects those that differ from the defaults, in a field with the name of
 /// the other model those that a source has for it. Unless `with_ids`, ids are left out if they are 1, 2, 3 and so on.
+/// With both, properties of the present model alone are in a field with its name, so that they mean the same in the
+/// other one; those of the first source are among the settings.
 pub fn objects(scene: &Scene, from: Option<&Parameters>, with_ids: bool) -> Untrusted {
+    let is_apart = with_ids && from.is_some();
     let counted = |(index, object): (usize, Object<'_>)| object.id as usize == index + 1;
     let with_ids = with_ids || !scene.objects().enumerate().all(counted);
-    let other = other_model(scene.settings().model());
+    let model = scene.settings().model();
+    let other = other_model(model);
     let in_other = from.map(|_| {
         let mut scene = scene.clone();
         scene.set_settings(of_model(scene.settings(), other));
@@ -195,10 +205,21 @@ pub fn objects(scene: &Scene, from: Option<&Parameters>, with_ids: bool) -> Untr
             fields.push(Untrusted::named("id", Untrusted::Number(object.id.into())));
         }
         let first = from.filter(|_| object.is_first_source());
-        put_properties(&mut fields, &object, &|param, value| {
+        let of_model = |param: &Param, model| {
+            let domain = param.domain(model);
+            domain.filter(|domain| domain.model.is_some())
+        };
+        let differs = |param: &'static Param, value: AnyValue<'_>| {
             let domain = param.any_domain(object.model());
             let before = first.map_or(domain.default, |first| param.get(first));
             from.is_none() || value != before
+        };
+        put_properties(&mut fields, &object, &|param, value| {
+            differs(param, value) && !(is_apart && of_model(param, model).is_some())
+        });
+        let mut of_own = Vec::new();
+        put_properties(&mut of_own, &object, &|param, value| {
+            is_apart && first.is_none() && differs(param, value) && of_model(param, model).is_some()
         });
         let twin = in_other
             .as_ref()
@@ -206,12 +227,13 @@ pub fn objects(scene: &Scene, from: Option<&Parameters>, with_ids: bool) -> Untr
         let mut of_other = Vec::new();
         if let Some(twin) = twin.filter(|_| first.is_none()) {
             put_properties(&mut of_other, &twin, &|param, value| {
-                let own = param.domain(other).filter(|domain| domain.model.is_some());
-                own.is_some_and(|domain| value != domain.default)
+                of_model(param, other).is_some_and(|domain| value != domain.default)
             });
         }
-        if !of_other.is_empty() {
-            fields.push(Untrusted::named(other.name(), Untrusted::Object(of_other)));
+        for (model, of_model) in [(model, of_own), (other, of_other)] {
+            if !of_model.is_empty() {
+                fields.push(Untrusted::named(model.name(), Untrusted::Object(of_model)));
+            }
         }
         Untrusted::Object(fields)
     });

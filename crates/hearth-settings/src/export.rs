@@ -1,7 +1,7 @@
 //! Settings as a [settings file](crate::file).
 
 use crate::apply::{OBJECTS, objects, of_model, other_model};
-use crate::file::{CHILDREN, ORDER, VERSION};
+use crate::file::{CHILDREN, FIRST, ORDER, VERSION};
 use crate::settings::{Settings, StatedResolution};
 use crate::untrusted::Untrusted;
 use hearth_core::Scene;
@@ -10,9 +10,10 @@ use hearth_core::preset::Preset;
 use hearth_core::scene::Kind;
 
 /// The fields of [whole] settings.
-pub const FIELDS: [&str; 8] = [
+pub const FIELDS: [&str; 9] = [
     "hearth",
     "preset",
+    FIRST,
     "values",
     "classic",
     "combustion",
@@ -63,6 +64,7 @@ fn has_objects_of_preset(settings: &Settings) -> bool {
 
 /// Writes settings as a settings file: the preset and the differences from it.
 pub fn export(settings: &Settings) -> Untrusted {
+    let settings = &settings.numbered_in_file();
     let now = settings.parameters();
     let number = Untrusted::Number(VERSION.into());
     let mut fields = vec![Untrusted::named("hearth", number)];
@@ -113,6 +115,7 @@ pub fn whole(settings: &Settings) -> Untrusted {
     let mut fields = vec![
         Untrusted::named("hearth", Untrusted::Number(VERSION.into())),
         Untrusted::named("preset", name),
+        Untrusted::named(FIRST, Untrusted::Number(bare.first_id.into())),
     ];
     fields.extend(values.map(|(field, value)| Untrusted::named(field, value)));
     Untrusted::Object(fields)

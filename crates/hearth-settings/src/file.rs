@@ -13,7 +13,7 @@
 //! objects those from the defaults. If both state a property of the first source, the later one wins.
 //!
 //! `children` are those of the element, and `order` the ids of all objects. Only [whole](crate::whole) settings have
-//! them, whose `objects` are those without the children.
+//! them, whose `objects` are those without the children, and `first`, the id of the first object of the preset.
 //!
 //! `spacing` states the resolution as a length, `particles` as the number of particles that would fill the domain.
 
@@ -24,11 +24,13 @@ use crate::untrusted::{Check, Form, Untrusted, ValidationError, Values};
 pub const CHILDREN: &str = "children";
 /// The name of the order of the objects in whole settings.
 pub const ORDER: &str = "order";
+/// The name of the id of the first object of the preset in whole settings.
+pub const FIRST: &str = "first";
 /// The version of the format.
 pub const VERSION: u32 = 2;
 
 /// The fields and their checks.
-const FIELDS: [(&str, Check); 10] = [
+const FIELDS: [(&str, Check); 11] = [
     ("hearth", Check::optional(Form::Any)),
     ("preset", Check::optional(Form::Text)),
     ("values", Check::optional(Form::Values)),
@@ -37,6 +39,7 @@ const FIELDS: [(&str, Check); 10] = [
     (OBJECTS, Check::optional(Form::Any)),
     (CHILDREN, Check::optional(Form::Any)),
     (ORDER, Check::optional(Form::Text)),
+    (FIRST, Check::optional(Form::Any)),
     ("label", Check::optional(Form::Text)),
     ("description", Check::optional(Form::Text)),
 ];

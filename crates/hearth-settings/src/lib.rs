@@ -19,6 +19,7 @@ mod children;
 mod export;
 pub mod file;
 mod history;
+mod ids;
 mod settings;
 pub mod untrusted;
 

@@ -2,7 +2,7 @@
 
 use crate::apply::{of_model, with_object, with_settings, with_values};
 use crate::children::overlay::{Laid, Overlay};
-use crate::file::CHILDREN;
+use crate::file::{CHILDREN, FIRST};
 use crate::untrusted::{Argument, Untrusted, ValidationError, Values};
 use crate::{apply, file};
 use hearth_core::params::{Input, Model};
@@ -70,6 +70,10 @@ pub struct Settings {
     resolution: StatedResolution,
     /// The children, behind whose table is code that is loaded with the first one.
     pub(crate) children: Option<Arc<dyn Overlay>>,
+    /// The id of the first object of the preset.
+    pub(crate) first_id: u32,
+    /// The largest id that an object of the page had.
+    pub(crate) last_id: u32,
 }
 
 impl PartialEq for Settings {
@@ -78,7 +82,7 @@ impl PartialEq for Settings {
             (Some(children), Some(others)) => children.equals(&**others),
             (children, others) => children.is_none() && others.is_none(),
         };
-        let parts = |settings: &Settings| (settings.preset, settings.resolution);
+        let parts = |settings: &Settings| (settings.preset, settings.first_id, settings.resolution);
         same_children && parts(self) == parts(other) && self.scene == other.scene
     }
 }
@@ -97,8 +101,11 @@ impl Settings {
             scene: preset.scene(),
             resolution: StatedResolution::Auto,
             children: None,
+            first_id: 1,
+            last_id: 0,
         };
         settings.settle();
+        settings.record_ids(0);
         settings
     }
 
@@ -130,7 +137,11 @@ impl Settings {
                 }
             }
         }
-        Ok(base.with(scene, resolution))
+        let mut settings = base.with(scene, resolution);
+        if let Untrusted::Number(first) = config.field(FIRST) {
+            settings.first_id = (*first as u32).max(1);
+        }
+        Ok(settings)
     }
 
     /// These settings with another scene, whose resolution is stated so.
@@ -140,14 +151,14 @@ impl Settings {
             scene,
             resolution,
             children: self.children.clone(),
+            ..*self
         };
         settings.settle();
-        match &self.children {
-            Some(children) => {
-                settings.burning(children.divided(settings.scene.clone(), self.scene()))
-            }
-            None => settings,
+        if let Some(children) = &self.children {
+            settings = settings.burning(children.divided(settings.scene.clone(), self.scene()));
         }
+        settings.record_ids(0);
+        settings
     }
 
     /// The settings after a change: the only way to change settings.
@@ -156,11 +167,14 @@ impl Settings {
     /// All validation errors of the change.
     pub fn after(&self, change: &Change<'_>) -> Result<Settings, Vec<ValidationError>> {
         let with_object = |id, fields| {
-            let scene = with_object(&self.scene, id, fields)?;
+            let scene = with_object(&self.scene, id, fields, self.next_id())?;
             Ok(self.with(scene, self.resolution))
         };
         match *change {
-            Change::Preset(name) => self.replaced(Settings::of_preset(name), None),
+            Change::Preset(name) => {
+                let preset = Settings::of_preset(name)?;
+                self.replaced(Ok(self.numbered_after(&preset)), None)
+            }
             Change::State(values) => self.replaced(self.bare().after_values(values), None),
             Change::Set(values) => self.after_values(values),
             Change::AddObject(fields) => with_object(None, Some(fields)),
@@ -175,8 +189,11 @@ impl Settings {
     /// # Errors
     /// All validation errors of the file.
     pub fn after_file(&self, config: &Untrusted) -> Result<Settings, Vec<ValidationError>> {
-        let is_whole = !config.field(CHILDREN).is_missing();
-        self.replaced(Settings::of_file(config), is_whole.then_some(config))
+        let file = Settings::of_file(config)?;
+        match config.field(CHILDREN).is_missing() {
+            true => self.replaced(Ok(self.numbered_after(&file)), None),
+            false => self.replaced(Ok(file), Some(config)),
+        }
     }
 
     /// Other settings with the children of these.
@@ -185,13 +202,12 @@ impl Settings {
         other: Result<Settings, Vec<ValidationError>>,
         whole: Option<&Untrusted>,
     ) -> Result<Settings, Vec<ValidationError>> {
-        let other = other?;
-        Ok(match &self.children {
-            Some(children) => {
-                other.burning(children.over(other.scene.clone(), self.scene(), whole))
-            }
-            None => other,
-        })
+        let mut other = other?;
+        if let Some(children) = &self.children {
+            other = other.burning(children.over(other.scene.clone(), self.scene(), whole));
+        }
+        other.record_ids(self.last_id);
+        Ok(other)
     }
 
     /// The settings with this scene and these children.
@@ -204,7 +220,7 @@ impl Settings {
     }
 
     fn after_values(&self, values: Values<'_>) -> Result<Settings, Vec<ValidationError>> {
-        let scene = with_values(&self.scene, values)?;
+        let scene = self.numbered_by_place(values, with_values(&self.scene, values)?);
         let mut resolution = self.resolution;
         for (own, id) in StatedResolution::IDS {
             for (_, value) in values.iter().filter(|(known, _)| known == id) {

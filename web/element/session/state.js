@@ -18,6 +18,8 @@ export class FireState {
   objects = [];
   /** @type {Whole} */
   settings = {};
+  /** The largest id of an object so far, children aside: no fire of the element gives it again. */
+  #lastId = 0;
   /** Whether the engine has reported the values of a fire. */
   started = false;
   /** @type {'auto' | HearthQuality} */
@@ -31,6 +33,8 @@ export class FireState {
     this.params = { ...this.params, ...values };
     this.objects = objects ?? this.objects;
     this.settings = { ...this.settings, ...settings };
+    const own = /** @type {{id: number}[]} */ (settings?.objects ?? []);
+    this.#lastId = Math.max(this.#lastId, ...own.map(({ id }) => id));
   }
 
   /** @returns {PresetName} */
@@ -46,7 +50,7 @@ export class FireState {
    */
   start(fire, paused, config) {
     const { quality } = this;
-    if (this.started) return { config: this.settings, quality, paused };
+    if (this.started) return { config: this.settings, quality, paused, last_id: this.#lastId };
     const model = fire.getAttribute('model');
     return {
       preset: fire.getAttribute('preset') ?? undefined,

@@ -48,11 +48,16 @@ pub struct Children {
 /// Children laid over `own`. Solids of `burning`, the scene before, keep the distances to their outlines. Objects have
 /// the order of these ids, and others are the last ones.
 pub fn laid(
-    own: Scene,
+    mut own: Scene,
     mut children: Vec<Changed>,
     (burning, order): (&Scene, &[u32]),
     refused: &mut Vec<Refused>,
 ) -> Laid {
+    // The seeds of sources follow from their order.
+    own.set_settings(own.settings().clone());
+    if children.is_empty() {
+        return (own, None);
+    }
     let mut scene = lay_over(&own, &mut children, burning, refused);
     let mut order = order.to_vec();
     // A source of the page that a child hid returns to its place.
@@ -66,9 +71,6 @@ pub fn laid(
     }
     arrange(&mut scene, &order);
     scene.set_settings(scene.settings().clone());
-    if children.is_empty() {
-        return (scene, None);
-    }
     let list = children.into_iter().map(|(child, _)| child).collect();
     (scene, Some(Arc::new(Children { own, list })))
 }
@@ -224,7 +226,13 @@ impl Overlay for Children {
                         }
                     }
                 }
-                None if child.is(first) => child.object = 0,
+                // The source of a file is that of the page, unless the child has one beside it.
+                None if child.is(first)
+                    && (child.find(&own).is_none()
+                        || child.source_of(&self.own, first).is_some()) =>
+                {
+                    child.object = 0;
+                }
                 None => {
                     let is_here = child.find(&own).is_some();
                     changes = take(&mut own, &mut child, burning);

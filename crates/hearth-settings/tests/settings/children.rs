@@ -136,22 +136,22 @@ fn the_first_source_replaces_that_of_the_settings_until_the_last_one_leaves() {
     };
     assert_eq!(
         sources(&both),
-        ["1 source 0.2 80 0.1", "1002 source 0 220 0.4"]
+        ["2 source 0.2 80 0.1", "1002 source 0 220 0.4"]
     );
     let power = page.parameters().fuel_power;
     let unstated = laid(&both, &[bare, Child(1002, "source", &[], &[])]);
-    assert_eq!(sources(&unstated)[0], format!("1 source 0.2 {power} 0.1"));
+    assert_eq!(sources(&unstated)[0], format!("2 source 0.2 {power} 0.1"));
     for settings in [&both, &unstated] {
         assert_eq!(whole(&laid(settings, &[])), whole(&page));
         // One after the other, in both orders.
         let second = laid(settings, &[Child(1002, "source", &[], &[])]);
-        assert_eq!(sources(&second), [format!("1 source 0 {power} 0.1")]);
+        assert_eq!(sources(&second), [format!("2 source 0 {power} 0.1")]);
         assert_eq!(whole(&laid(&second, &[])), whole(&page));
         assert_eq!(whole(&laid(&laid(settings, &[SOURCE]), &[])), whole(&page));
     }
     // Another child takes over.
     let other = laid(&both, &[Child(1003, "source", &[("y", "0.5")], &[])]);
-    assert_eq!(sources(&other)[0], format!("1 source 0 {power} 0.1"));
+    assert_eq!(sources(&other)[0], format!("2 source 0 {power} 0.1"));
     assert_eq!(whole(&laid(&other, &[])), whole(&page));
     // What the page sets meanwhile of another property stays.
     let set = set(&laid(&page, &[SOURCE]), "source_oxygen", number(0.1));

@@ -49,6 +49,14 @@ pub fn imported(config: &Untrusted) -> Settings {
     }
 }
 
+/// A scene whose objects have ids in their order, as files number those of a scene.
+pub fn in_order(scene: &Scene) -> Scene {
+    let ids: Vec<u32> = scene.objects().map(|object| object.id).collect();
+    let mut scene = scene.clone();
+    scene.renumber(&|id| ids.iter().take_while(|known| **known != id).count() as u32 + 1);
+    scene
+}
+
 /// The settings after a valid change.
 pub fn after(settings: &Settings, change: Change<'_>) -> Settings {
     match settings.after(&change) {

@@ -10,7 +10,8 @@
 import { EngineError } from '../../engine/engine.js';
 import { missingFeature } from '../../engine/features.js';
 import { prewarmed } from '../../engine/files.js';
-import { ID_OF_ATTRIBUTE, isOn, setOrRemove, warmth } from '../attributes/attributes.js';
+import { ID_OF_ATTRIBUTE, isOn, warmth } from '../attributes/attributes.js';
+import { postable, setOrRemove } from '../plain-data.js';
 import { EngineConnection } from './engine-connection.js';
 import { OnDemandCode } from './on-demand-code.js';
 import { MUTED } from './muted.js';
@@ -18,7 +19,7 @@ import { PagePolicies } from '../attributes/page-policies.js';
 import { Playback } from './playback.js';
 import { Readiness } from './readiness.js';
 import { Reports } from './reports.js';
-import { Requests, postable } from './requests.js';
+import { Requests } from './requests.js';
 import { DEPTH, reportedSettings } from '../attributes/settings.js';
 import { SourceFile } from '../attributes/source-file.js';
 import { FireHistory } from './history.js';

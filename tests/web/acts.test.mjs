@@ -1,7 +1,7 @@
 /** The buttons of the panel that act on the fire at an object. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { act } from '../../web/panel/acts.js';
+import { act } from '../../web/editing/acts.js';
 
 const SOURCE = { kind: 'source', id: 1, shape: 'line', x: 0, y: 0.1, width: 0.2, angle: 0 };
 const BOX = { kind: 'solid', id: 2, shape: 'box', x: 0.3, y: 0.6, width: 0.1, height: 0.1, angle: 0, motion: 'fixed' };

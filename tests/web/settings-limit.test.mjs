@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { settings } from '../../web/element/attributes/settings.js';
 import { textOf as textOfFile } from '../../web/element/attributes/settings-file.js';
-import { isSettings, settingsOf, textOf } from '../../web/panel/exchange.js';
+import { isSettings, settingsOf, textOf } from '../../web/editing/exchange.js';
 import { fromFragment } from '../../web/share.js';
 
 const LIMIT = 400_000;

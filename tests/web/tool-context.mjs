@@ -3,8 +3,8 @@
  * with the history, the selection and the edits that the toolbar uses.
  */
 import { FireHistory } from '../../web/element/session/history.js';
-import { Editing } from '../../web/panel/editing.js';
-import { entriesOf } from '../../web/panel/objects.js';
+import { Editing } from '../../web/editing/editing.js';
+import { entriesOf } from '../../web/editing/objects.js';
 import { PARAMETERS } from '../../web/parameters.js';
 import { Cross } from '../../web/tools/cross.js';
 import { Edits } from '../../web/tools/edits.js';

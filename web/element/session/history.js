@@ -12,7 +12,7 @@
  * @typedef {{key: string, undo: Delta, redo: Delta}} Step
  */
 
-import { quiet } from './requests.js';
+import { quiet } from '../promises.js';
 
 /** The key of the changes of undo and redo. */
 const MOVE = ' move';

@@ -32,13 +32,12 @@ import {
   ID_OF_PROPERTY,
   defineProperty,
   isOn,
-  setOrRemove,
-  stated,
   upgradeProperties,
 } from './element/attributes/attributes.js';
 import { reportedSettings } from './element/attributes/settings.js';
 import { isMuted, mute } from './element/session/muted.js';
-import { postable, quiet } from './element/session/requests.js';
+import { postable, setOrRemove, stated } from './element/plain-data.js';
+import { quiet } from './element/promises.js';
 import { FireSession } from './element/session/session.js';
 import { seedOf } from './element/attributes/values.js';
 import { VERSION } from './generated/version.js';

@@ -13,7 +13,7 @@ import { addFold } from './panel/fold.js';
 import { listenToKeys } from './panel/keys.js';
 import { listenToDrops } from './panel/own-scenes.js';
 import { addSheet } from './panel/sheet.js';
-import { addStyle, check, optionsOf } from './panel/style.js';
+import { addStyle, check, optionsOf } from './editing/style.js';
 import { addTooltip } from './panel/tooltip.js';
 import { zoomKey } from './panel/zoom-keys.js';
 import { speakerControls } from './sound/speaker.js';

@@ -3,6 +3,12 @@
  */
 
 /**
+ * The calls of a fire that go past those that wait for a part: a visitor sees at once what they do, and no other call
+ * depends on them.
+ */
+export const AT_ONCE = ['play', 'pause', 'visible', 'resize', 'remove'];
+
+/**
  * The parts that a module has when it starts: all of a module that is as cargo linked it. The build takes them out of a
  * module, which then exports by numbers what they import.
  * @param {WebAssembly.Module} module

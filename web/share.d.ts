@@ -6,12 +6,9 @@ import type { HearthConfig } from './hearth-fire.js';
 
 /** Settings whose values may be strings, as in a URL. */
 export interface HearthSharedConfig {
-  hearth?: 2;
+  hearth?: 3;
   preset?: string;
   values?: Record<string, unknown>;
-  /** Values of a model that does not burn; neither a URL nor HTML contains them. */
-  classic?: Record<string, unknown>;
-  combustion?: Record<string, unknown>;
   objects?: object[];
   /** For people; neither a URL nor HTML contains them. */
   label?: string;

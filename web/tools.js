@@ -5,10 +5,10 @@
  */
 
 import { element } from './element/controls/icon-button.js';
-import { editingOf, isOn } from './panel/editing.js';
-import { historyKey } from './panel/keys.js';
-import { objectsOf } from './panel/objects.js';
-import { addStyle, check, optionsOf } from './panel/style.js';
+import { editingOf, isOn } from './editing/editing.js';
+import { historyKey } from './editing/keys.js';
+import { objectsOf } from './editing/objects.js';
+import { addStyle, check, optionsOf } from './editing/style.js';
 import { bindSpeaker } from './sound/speaker.js';
 import { Bar } from './tools/bar.js';
 import { Cross } from './tools/cross.js';
@@ -137,7 +137,7 @@ class Toolbar {
     this.#update();
   }
 
-  /** The objects as they are now: forces move some of them. @returns {import('./panel/objects.js').Fields[]} */
+  /** The objects as they are now: forces move some of them. @returns {import('./editing/objects.js').Fields[]} */
   get #objects() {
     return objectsOf(this.#fire).map((object) => ({ ...object, ...this.#poses.get(object.id) }));
   }

@@ -163,17 +163,17 @@ export async function slides(browser) {
   const slider = await panel.reveal('fuel_power');
   const [worker] = tab.page.workers();
   if (!worker) throw new Error('the engine is in no worker');
-  await tab.mouse('move', along(slider, 0.2));
-  await tab.mouse('down', along(slider, 0.2));
-  await tab.mouse('move', along(slider, 0.22));
+  await tab.move(along(slider, 0.2));
+  await tab.page.mouse.down();
+  await tab.move(along(slider, 0.22));
   await sleep(BURN_UP);
   await worker.evaluate(watchFrames);
   await tab.evaluate(watchMoves);
   for (let turn = 0; turn < MOVES; turn += 1) {
-    await tab.mouse('move', along(slider, 0.25 + 0.02 * turn));
+    await tab.move(along(slider, 0.25 + 0.02 * turn));
     await pause(turn);
   }
-  await tab.mouse('up', along(slider, 0.25 + 0.02 * MOVES));
+  await tab.page.mouse.up();
   const framed = await worker.evaluate(() => /** @type {any} */ (self).framed.slice());
   const moved = await tab.evaluate(() => /** @type {any} */ (window).moved.slice());
   if (framed.length < MOVES || moved.length < MOVES)

@@ -1,6 +1,6 @@
 //! The measured fires.
 
-use hearth_core::params::{Input, Model, Parameters};
+use hearth_core::params::{Input, Model};
 use hearth_core::{IgnitionTarget, Particle, Scene, Simulation, Vec2};
 
 /// Smoothing length of a block [m]: as large as lets 400,000 particles fit the
@@ -73,7 +73,7 @@ fn spacing(neighbours: f64) -> f64 {
 /// # Errors
 /// A number of particles outside the range of `max_particles`.
 pub fn plume(count: u32) -> Result<Simulation, String> {
-    let parameters = with(
+    let scene = with(
         Model::Classic,
         &[
             ("max_particles", f64::from(count)),
@@ -89,7 +89,7 @@ pub fn plume(count: u32) -> Result<Simulation, String> {
             ("smoothing_radius", SMOOTHING),
         ],
     )?;
-    Ok(burnt(parameters, 3.0))
+    Ok(burnt(scene, 3.0))
 }
 
 /// A fire of the combustion model that fills its domain with about so many
@@ -123,12 +123,11 @@ pub fn combustion_after(
 /// # Errors
 /// A value outside its range.
 pub fn bodies(count: u32) -> Result<Simulation, String> {
-    let mut parameters = with(Model::Combustion, &[])?;
+    let mut scene = with(Model::Combustion, &[])?;
     for (id, choice) in [("edges", "open"), ("floor", "solid")] {
-        let set = parameters.set(id, Input::Text(choice));
+        let set = scene.set(id, choice);
         set.map_err(|refused| refused.to_string())?;
     }
-    let mut scene = Scene::new(parameters);
     for number in 0..count as usize {
         let row = number / COLUMNS;
         let side = (number % COLUMNS) as f64 - 0.5 * (COLUMNS as f64 - 1.0);
@@ -165,11 +164,11 @@ pub fn bodies(count: u32) -> Result<Simulation, String> {
 
 /// The default fire of the classic model after `seconds`.
 pub fn classic_after(seconds: f64) -> Simulation {
-    burnt(Parameters::new(Model::Classic), seconds)
+    burnt(Scene::of_model(Model::Classic), seconds)
 }
 
-fn burnt(parameters: Parameters, seconds: f64) -> Simulation {
-    let mut simulation = Simulation::new(parameters);
+fn burnt(scene: Scene, seconds: f64) -> Simulation {
+    let mut simulation = Simulation::new(scene);
     while simulation.time() < seconds {
         simulation.step();
     }
@@ -177,14 +176,14 @@ fn burnt(parameters: Parameters, seconds: f64) -> Simulation {
 }
 
 /// A model's defaults with some values changed.
-fn with(model: Model, values: &[(&str, f64)]) -> Result<Parameters, String> {
-    let mut parameters = Parameters::new(model);
+fn with(model: Model, values: &[(&str, f64)]) -> Result<Scene, String> {
+    let mut scene = Scene::of_model(model);
     for &(id, value) in values {
-        parameters
-            .set(id, Input::Number(value))
+        scene
+            .set(id, value)
             .map_err(|refused| refused.to_string())?;
     }
-    Ok(parameters)
+    Ok(scene)
 }
 
 /// One of a block's particles, slightly off its place on the lattice: on an

@@ -28,7 +28,7 @@ export async function installActors() {
   const scope = /** @type {any} */ (window);
   const load = (/** @type {string} */ name) => import(`/web/${name}.js`);
   const [wasm, { mountPanel }, { mountTools }, { editingOf }, { showStrip }] = await Promise.all(
-    ['wasm/hearth-panel', 'panel', 'tools', 'panel/editing', 'pages/scenes'].map(load),
+    ['wasm/hearth-panel', 'panel', 'tools', 'editing/editing', 'pages/scenes'].map(load),
   );
   const find = (/** @type {string} */ selector) => /** @type {any} */ (document.querySelector(selector));
   const all = (/** @type {string} */ selector) => /** @type {any[]} */ ([...document.querySelectorAll(selector)]);

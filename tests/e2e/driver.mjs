@@ -12,6 +12,6 @@ export { Browser } from './driver/browser.mjs';
 export { BROWSERS } from './driver/programs.mjs';
 export { eventually } from './driver/tab.mjs';
 
-/** @typedef {import('./driver/puppeteer.mjs').PuppeteerTab} Tab */
+/** @typedef {import('./driver/tab.mjs').Tab} Tab */
 /** @typedef {import('./driver/tab.mjs').Point} Point */
 /** @typedef {import('./driver/tab.mjs').Rectangle} Rectangle */

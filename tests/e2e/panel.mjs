@@ -68,13 +68,17 @@ export class Panel {
    * @param {(root: Document | ShadowRoot, ...args: any[]) => any} act @param {...unknown} args
    */
   in(act, ...args) {
-    return this.tab.evaluate(`(${act})(${ROOT}(${this.inside}), ...${JSON.stringify(args)})`);
+    return this.tab.evaluate(this.#call(act, args));
   }
 
   /** @param {string} what @param {(root: any, ...args: any[]) => any} holds @param {...unknown} args */
   until(what, holds, ...args) {
-    const call = `(${holds})(${ROOT}(${this.inside}), ...${JSON.stringify(args)})`;
-    return this.tab.until(what, /** @type {any} */ (call));
+    return this.tab.until(what, this.#call(holds, args));
+  }
+
+  /** A function of the page that calls `act` with the root of the panel. @type {(act: Function, args: unknown[]) => any} */
+  #call(act, args) {
+    return new Function(`return (${act})(${ROOT}(${this.inside}), ...${JSON.stringify(args)})`);
   }
 
   /** Shows the panel of a page, and waits until its controls are painted. */
@@ -271,7 +275,7 @@ export function sharedPage(browser) {
     const { tab } = page;
     tab.problems.length = 0;
     // No row is hovered or focused.
-    await tab.mouse('move', { x: 5, y: 300 });
+    await tab.move({ x: 5, y: 300 });
     await tab.evaluate(() => /** @type {HTMLElement | null} */ (document.activeElement)?.blur());
     await tab.fire(
       async (fire, values) => {

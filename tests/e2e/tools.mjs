@@ -52,7 +52,7 @@ export async function chord(tab, held, key) {
 
 /** Whether there is a step to undo. */
 export const canUndo = (tab) =>
-  tab.on('[data-tool="undo"]', (button) => button.getAttribute('aria-disabled') !== 'true');
+  tab.page.$eval('[data-tool="undo"]', (button) => button.getAttribute('aria-disabled') !== 'true');
 
 /** Drags with the mouse, or with a finger where the page has touch. */
 export async function drag(tab, from, to, touch = false) {

@@ -51,38 +51,3 @@ test('the same calls give the same bits for any division of the steps', async ()
   }
   assert.deepEqual(await burnEverything(createSimulation), await burnEverything(createSimulation));
 });
-
-test('another seed gives another fire, and a reset the same one', async () => {
-  for (const model of ['combustion', 'classic']) {
-    const [sim, other] = await Promise.all(
-      [1, 2].map((seed) =>
-        createSimulation({ model, seed, params: { [model === 'classic' ? 'max_particles' : 'particles']: 1000 } }),
-      ),
-    );
-    sim.step(100);
-    other.step(100);
-    const after = everything(sim);
-    assert.notDeepEqual(sim.positions(), other.positions());
-    sim.reset();
-    assert.equal(sim.time, 0);
-    sim.step(100);
-    assert.deepEqual(everything(sim), after);
-    other.set('seed', 1);
-    assert.equal(other.time, 0);
-    other.step(100);
-    assert.deepEqual(everything(other), after);
-  }
-});
-
-test('simulations are independent', async () => {
-  const [alone] = await fires();
-  alone.step(60);
-  const many = await Promise.all(
-    Array.from({ length: 12 }, (_, seed) =>
-      createSimulation({ seed: 1, params: { particles: 1000 + 500 * (seed % 3) } }),
-    ),
-  );
-  for (let step = 0; step < 60; step += 1) for (const sim of many) sim.step();
-  for (const sim of many.splice(1, 2)) sim.free();
-  assert.deepEqual(everything(many[0]), everything(alone));
-});

@@ -74,7 +74,15 @@ for (const feature of NEEDED) {
   });
 }
 
-for (const feature of ['AbortSignal', 'Array.prototype.at', 'Blob', 'fetch', 'process', 'setTimeout', 'structuredClone']) {
+for (const feature of [
+  'AbortSignal',
+  'Array.prototype.at',
+  'Blob',
+  'fetch',
+  'process',
+  'setTimeout',
+  'structuredClone',
+]) {
   test(`without ${feature} a simulation is the same`, async () => {
     assert.deepEqual(await without(feature), whole);
   });

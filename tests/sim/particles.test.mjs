@@ -85,4 +85,3 @@ test('invalid particles are errors and change nothing', async () => {
     assert.deepEqual(everything(sim), before);
   }
 });
-

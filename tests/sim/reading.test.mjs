@@ -147,4 +147,3 @@ test('zero steps change nothing', async () => {
     assert.ok(Math.abs(sim.time - time - sim.stepLength) < 1e-9);
   }
 });
-

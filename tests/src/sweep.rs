@@ -182,7 +182,7 @@ pub fn there_and_back(scene: &Scene, seconds: f64) -> Outcome {
     let mut outcome = burn(&mut fire, seconds);
     if outcome.broken.is_none() {
         let mut usual = usual(model);
-        if scene.world().edges == Edges::Open {
+        if model == Model::Combustion && scene.world().edges == Edges::Open {
             usual = fires::in_the_open(usual, 1500);
         }
         fire.set_scene(usual);

@@ -358,6 +358,11 @@ fn a_damaged_fire_burns_on_within_its_bounds_or_is_refused_and_changes_nothing()
     const COUNTS: std::ops::Range<usize> = 16..56;
     let mut scene = Preset::find("fireside").expect("the scene").scene();
     scene.set("max_particles", 500.0).expect("a number");
+    // Undamaged it is taken up.
+    assert_eq!(
+        Simulation::new(scene.clone()).restore_burning(STORED),
+        Ok(())
+    );
     cases(1500, |random| {
         let mut bytes = STORED.to_vec();
         for _ in 0..below(random, 6) {

@@ -41,7 +41,7 @@ fn a_reset_fire_repeats_itself() {
 
 /// A small fire of each model.
 fn small() -> [Simulation; 2] {
-    let classic = Parameters::new(Model::Classic);
+    let classic = Scene::of_model(Model::Classic);
     [classic, fires::combustion(&[("particles", 1000.0)])].map(Simulation::new)
 }
 

@@ -1,7 +1,7 @@
 /** The buttons of the panel that act on the fire at an object. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { act } from '../../web/panel/acts.js';
+import { act } from '../../web/editing/acts.js';
 
 const SOURCE = { kind: 'source', id: 1, shape: 'line', x: 0, y: 0.1, width: 0.2, angle: 0 };
 const BOX = { kind: 'solid', id: 2, shape: 'box', x: 0.3, y: 0.6, width: 0.1, height: 0.1, angle: 0, motion: 'fixed' };
@@ -12,7 +12,10 @@ function stage(solid, model = 'combustion') {
   /** @type {any[][]} */
   const calls = [];
   const names = ['ignite', 'extinguish', 'spray', 'sparks', 'stir'];
-  const record = (/** @type {string} */ name) => [name, async (/** @type {any[]} */ ...given) => calls.push([name, ...given])];
+  const record = (/** @type {string} */ name) => [
+    name,
+    async (/** @type {any[]} */ ...given) => calls.push([name, ...given]),
+  ];
   const fire = {
     ...Object.fromEntries(names.map(record)),
     params: { model, domain_height: 2 },
@@ -22,13 +25,20 @@ function stage(solid, model = 'combustion') {
     find: (/** @type {number} */ id) => objects.find((object) => object.id === id),
     change: async (/** @type {Map<number, object>} */ values) => calls.push(['change', ...values]),
   };
-  return { calls, press: (/** @type {string} */ name, id = 2) => act(/** @type {any} */ (fire), /** @type {any} */ (editing), name, id) };
+  return {
+    calls,
+    press: (/** @type {string} */ name, id = 2) =>
+      act(/** @type {any} */ (fire), /** @type {any} */ (editing), name, id),
+  };
 }
 
 test('each button acts at the place of its object', async () => {
   const { calls, press } = stage();
   await press('ignite');
-  assert.deepEqual(calls.splice(0), [['change', [2, { fuel: 'wood', load: 12 }]], ['ignite', 2]]);
+  assert.deepEqual(calls.splice(0), [
+    ['change', [2, { fuel: 'wood', load: 12 }]],
+    ['ignite', 2],
+  ]);
   await press('ignite', 1);
   assert.deepEqual(calls.splice(0), [['ignite', 0, 0.1]]);
   for (const [button, name, holds] of /** @type {[string, string, (...call: number[]) => boolean][]} */ ([
@@ -46,7 +56,10 @@ test('a solid that has fallen gets sparks where it is, and burning fuel goes out
   const { calls, press } = stage({ motion: 'free', fuel: 'wood' });
   await press('sparks');
   await press('extinguish');
-  assert.deepEqual(calls, [['sparks', -0.5, 0.2 + 0.05 + 0.03], ['extinguish', 2]]);
+  assert.deepEqual(calls, [
+    ['sparks', -0.5, 0.2 + 0.05 + 0.03],
+    ['extinguish', 2],
+  ]);
 });
 
 test('what cannot be done has a reason', async () => {

@@ -187,19 +187,19 @@ test('without a fire the list waits for no frame, and what an engine has not ans
   assert.deepEqual(page.frame()[0].changed, ['y']);
 });
 
-test('a child has the id of its object, which the engine decides', () => {
+test('a child has the id of its object while the fire has one', () => {
   const page = new Page();
   const source = page.append('hearth-source');
   page.state.objects = [{ id: 1001, kind: 'source' }];
   page.children.update();
   assert.equal(page.frame()[0].id, 1002);
   assert.equal(source.objectId, null);
-  page.report([{ id: 1, kind: 'source' }], { children: [{ id: 1002, object: 1 }] });
-  assert.equal(source.objectId, 1);
-  page.report([{ id: 1, kind: 'solid' }], { children: [{ id: 1002, object: 1 }] });
+  page.report([{ id: 1002, kind: 'source' }], { children: [{ id: 1002 }] });
+  assert.equal(source.objectId, 1002);
+  page.report([{ id: 1002, kind: 'solid' }], { children: [{ id: 1002 }] });
   assert.equal(source.objectId, null);
   // A call has removed it, and the page has a source with that id.
-  page.report([{ id: 1, kind: 'source' }], { children: [{ id: 1002, object: 1, state: 'removed' }] });
+  page.report([{ id: 1002, kind: 'source' }], { children: [{ id: 1002, state: 'removed' }] });
   assert.equal(source.objectId, null);
   page.elements = [];
   page.children.update();
@@ -222,9 +222,6 @@ test('a name of a solid is its id from the first list, and follows it', () => {
   observers[0]();
   const [other] = page.frame();
   assert.deepEqual([other.values.solid, other.changed], [1003, ['solid']]);
-  // The engine gives its object another id.
-  page.report([], { children: [{ id: 1003, object: 7 }] });
-  assert.deepEqual(page.frame()[0].values.solid, 7);
   source.setAttribute('solid', '5');
   assert.equal(page.frame()[0].values.solid, '5');
   console.warn = warn;

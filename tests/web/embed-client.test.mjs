@@ -71,7 +71,10 @@ test('a request that cannot be sent or an event that there is not harms no other
   const warnings = context.mock.method(console, 'warn', () => {});
   const { fire, sent, posts, asked } = embedded();
   const values = { exposure: 1 };
-  const refused = assert.rejects(fire.call('set', () => {}), /could not be cloned/);
+  const refused = assert.rejects(
+    fire.call('set', () => {}),
+    /could not be cloned/,
+  );
   const kept = fire.set(values);
   values.exposure = 99;
   fire.addEventListener('sauce', () => {});

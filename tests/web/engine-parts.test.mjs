@@ -24,7 +24,8 @@ Object.assign(globalThis, {
     }
     /** @param {any} message */
     postMessage(message) {
-      if (message.type === 'start') queueMicrotask(() => thread.onmessage({ data: { type: 'started', version: VERSION } }));
+      if (message.type === 'start')
+        queueMicrotask(() => thread.onmessage({ data: { type: 'started', version: VERSION } }));
       else sent.push(message);
     }
   },

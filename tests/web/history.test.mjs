@@ -1,6 +1,6 @@
 /**
- * The history of a fire without a browser: keys, steps in steps, and answers that come late. How the engine merges a
- * step with what has changed since is tested in `crates/hearth-settings/tests/settings/sequences.rs`.
+ * The history of a fire without a browser: keys, steps in steps, and answers that come late. What the engine does
+ * with a step is tested in `crates/hearth-settings/tests/settings/deltas.rs` and `sequences.rs`.
  */
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
@@ -23,7 +23,7 @@ class Fire {
   }
 
   /** Changes values in its turn. */
-  #change(values, source) {
+  change(values, source) {
     const [, key] = source.split(/:(.*)/s);
     const answer = this.#answers.then(async () => {
       await new Promise((resolve) => {
@@ -31,21 +31,22 @@ class Fire {
       });
       if (values.width > LARGEST) throw new RangeError(`width = ${values.width}`);
       const before = this.state.settings;
-      const after = { ...before, ...values };
-      if (JSON.stringify(before) === JSON.stringify(after)) return;
-      this.state.settings = after;
-      if (key !== undefined) this.history.record(key, before, after);
+      const names = Object.keys(values).filter((name) => values[name] !== before[name]);
+      if (names.length === 0) return;
+      const [undo, redo] = [before, values].map((from) => Object.fromEntries(names.map((name) => [name, from[name]])));
+      this.state.settings = { ...before, ...redo };
+      if (key !== undefined) this.history.record(key, { values: undo }, { values: redo });
     });
     this.#answers = answer.catch(() => {});
     return answer;
   }
 
-  call(name, to, _from, source = 'property') {
-    return this.#change(name === 'restore' ? Object.assign({}, ...to) : {}, source);
+  call(name, deltas, source = 'property') {
+    return this.change(name === 'restore' ? deltas[0].values : {}, source);
   }
 
   set(values) {
-    return this.#change(values, this.history.source('property'));
+    return this.change(values, this.history.source('property'));
   }
 }
 
@@ -163,14 +164,14 @@ describe('a step', () => {
   test('whose undo changes nothing keeps what it did, and goes on', async () => {
     const fire = new Fire();
     await drag(fire, 'first', [6]);
-    await fire.set('values', 'width', undefined);
+    await fire.set({ width: FIRST.width });
     await fire.history.undo();
     assert.deepEqual(fire.settings, FIRST);
     await fire.history.redo();
-    assert.deepEqual(fire.settings.values, { width: 6 });
+    assert.deepEqual(fire.settings, { ...FIRST, width: 6 });
     // A redo that changes nothing, either.
     await fire.history.undo();
-    await fire.set('values', 'width', 6);
+    await fire.set({ width: 6 });
     await fire.history.redo();
     await drag(fire, 'first', [7]);
     await fire.history.undo();
@@ -179,20 +180,14 @@ describe('a step', () => {
 
   test('is a scene that replaces every value, whoever chooses it, once the fire was ready', async () => {
     const fire = new Fire();
-    const scene = (name) =>
-      fire.change(
-        (all) => Object.assign(all, structuredClone(FIRST), { preset: name }),
-        fire.history.sourceOfScene('preset'),
-      );
-    await scene('seed');
+    const scene = (wind) => fire.change({ ...FIRST, wind }, fire.history.sourceOfScene('preset'));
+    await scene(1);
     fire.history.begun = true;
     const first = fire.settings;
-    await fire.resize(2, 7);
-    await scene('match');
-    await fire.history.step(() => scene('candle'), 'card');
+    await scene(2);
+    await fire.history.step(() => scene(3), 'card');
     assert.deepEqual([fire.history.canUndo, fire.events.length], [true, 2]);
     while (await fire.history.undo());
-    first.objects[1].width = 7;
     assert.deepEqual(fire.settings, first);
   });
 
@@ -212,8 +207,7 @@ describe('a step', () => {
 
   test('of long ago is forgotten, so that a long day fills no memory', async () => {
     const fire = new Fire();
-    for (let value = 0; value < 300; value += 1)
-      await fire.history.step(() => fire.set({ wind: value % 2 ? 1 : 2 }));
+    for (let value = 0; value < 300; value += 1) await fire.history.step(() => fire.set({ wind: value % 2 ? 1 : 2 }));
     let count = 0;
     while (await fire.history.undo()) count += 1;
     assert.ok(count >= 100 && count < 300, `${count} steps`);

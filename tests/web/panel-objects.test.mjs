@@ -1,8 +1,8 @@
 /** The objects in the panel, without a browser: the scene's values, names and places of new objects. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { copyOf, entriesOf, idDomain, isFull, nameOf, newObject, sliderDomain } from '../../web/panel/objects.js';
-import { hasSceneObjects, sceneObjects, sceneOf, sceneProperty } from '../../web/panel/scene.js';
+import { copyOf, entriesOf, idDomain, isFull, nameOf, newObject, sliderDomain } from '../../web/editing/objects.js';
+import { hasSceneObjects, sceneObjects, sceneOf, sceneProperty } from '../../web/editing/scene.js';
 import { PARAMETERS, PRESETS } from '../../web/parameters.js';
 
 /** A fire of a preset, as the element shows it. */

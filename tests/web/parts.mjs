@@ -10,7 +10,13 @@ const IMPORT = [...section(1, [1, 0x60, 0, 0]), ...section(2, [1, ...text(VERSIO
 
 /** A module from which parts were taken: it exports "0". @param {number} build */
 export const base = (build) =>
-  new Uint8Array([...HEAD, ...IMPORT, ...section(7, [1, ...text('0'), 0, 0]), ...section(0, [...text('build'), build])]);
+  new Uint8Array([
+    ...HEAD,
+    ...IMPORT,
+    ...section(7, [1, ...text('0'), 0, 0]),
+    ...section(0, [...text('build'), build]),
+  ]);
 
 /** A part. @type {(name: string, build: number) => Uint8Array<ArrayBuffer>} */
-export const part = (name, build) => new Uint8Array([...HEAD, ...IMPORT, ...section(0, [...text(`part:${name}`), build])]);
+export const part = (name, build) =>
+  new Uint8Array([...HEAD, ...IMPORT, ...section(0, [...text(`part:${name}`), build])]);

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { PARAMETERS, PRESETS } from '../../web/parameters.js';
-import { randomValues } from '../../web/panel/random-values.js';
+import { randomValues } from '../../web/editing/random-values.js';
 
 /** The largest ratio to the value of the scene. */
 const FAR = 3;

@@ -3,7 +3,8 @@
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Requests, cut, postable } from '../../web/element/session/requests.js';
+import { cut, postable } from '../../web/element/plain-data.js';
+import { Requests } from '../../web/element/session/requests.js';
 
 /** An engine that keeps what it is sent, and answers on request. */
 function engine() {

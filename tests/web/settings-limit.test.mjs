@@ -3,13 +3,13 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { settings } from '../../web/element/attributes/settings.js';
 import { textOf as textOfFile } from '../../web/element/attributes/settings-file.js';
-import { isSettings, settingsOf, textOf } from '../../web/panel/exchange.js';
+import { isSettings, settingsOf, textOf } from '../../web/editing/exchange.js';
 import { fromFragment } from '../../web/share.js';
 
 const LIMIT = 400_000;
 /** JSON text of that many characters. */
 const json = (/** @type {number} */ length) => {
-  const text = '{"hearth":2}';
+  const text = '{"hearth":3}';
   return text + ' '.repeat(length - text.length);
 };
 const fragment = async (/** @type {string} */ text) => {
@@ -36,11 +36,6 @@ for (const [way, take] of /** @type {[string, (text: string) => unknown][]} */ (
     await assert.rejects(async () => take(json(LIMIT + 1)), /400/);
   });
 }
-
-test('settings hold what a source has for the other model', () => {
-  const file = { hearth: 3, values: {}, objects: [{ kind: 'source' }, { kind: 'source', classic: { rate: 1300 } }] };
-  assert.deepEqual(settings(file), file);
-});
 
 test('what is copied as JSON is taken, or is refused', async () => {
   const config = (/** @type {number} */ length) => /** @type {any} */ ({ hearth: 3, label: 'x'.repeat(length) });

@@ -10,7 +10,7 @@ const read = (/** @type {string} */ file) => readFileSync(new URL(`../../${file}
 /** @type {{[name: string]: number}} */
 const recorded = JSON.parse(read('benches/sizes.json'));
 
-for (const file of ['README.md', 'crates/xtask/packaging/README.npm.md']) {
+for (const file of ['README.md', 'docs/package.md', 'crates/xtask/packaging/README.npm.md']) {
   test(`${file} has the recorded sizes`, () => assert.equal(documented(read(file), recorded), read(file)));
 }
 

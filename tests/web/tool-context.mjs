@@ -3,8 +3,8 @@
  * with the history, the selection and the edits that the toolbar uses.
  */
 import { FireHistory } from '../../web/element/session/history.js';
-import { Editing } from '../../web/panel/editing.js';
-import { entriesOf } from '../../web/panel/objects.js';
+import { Editing } from '../../web/editing/editing.js';
+import { entriesOf } from '../../web/editing/objects.js';
 import { PARAMETERS } from '../../web/parameters.js';
 import { Cross } from '../../web/tools/cross.js';
 import { Edits } from '../../web/tools/edits.js';
@@ -21,12 +21,17 @@ const defaultsOf = (kind, model) =>
       .map((entry) => [entry.name, entry.domain(model)?.default]),
   );
 
+/** A delta that leads to these objects from any others. */
+const deltaTo = (objects) => ({
+  objects: Object.fromEntries(objects.map((object) => [object.id, object])),
+  order: objects.map(({ id }) => id),
+});
+
 /** A fire of a model with its source; its calls are `[name, ...arguments]`. */
 class Fire extends EventTarget {
   preset = 'default';
   calls = [];
-  /** The session of its history. */
-  state = { settings: /** @type {any} */ ({ objects: [] }) };
+
   reports = { emit: (type, detail) => this.dispatchEvent(new CustomEvent(type, { detail })) };
   history = new FireHistory(/** @type {any} */ (this));
   #objects = [];
@@ -36,7 +41,6 @@ class Fire extends EventTarget {
     super();
     this.params = { ...Object.fromEntries(PARAMETERS.map(({ id, domains }) => [id, domains[model]?.default])), model };
     this.#add({ kind: 'source' });
-    this.state.settings = { objects: this.objects };
     for (const name of ['stir', 'sparks', 'ignite', 'extinguish', 'spray']) {
       this[name] = async (...args) => void this.calls.push([name, ...args]);
     }
@@ -63,13 +67,11 @@ class Fire extends EventTarget {
           }),
       )
       .then(() => {
-        const before = this.state.settings;
+        const before = deltaTo(this.objects);
         const result = act();
-        const after = { objects: this.objects };
-        if (JSON.stringify(before) !== JSON.stringify(after)) {
-          this.state.settings = after;
-          if (key !== undefined) this.history.record(key, before, after);
-        }
+        const after = deltaTo(this.objects);
+        if (JSON.stringify(before) !== JSON.stringify(after) && key !== undefined)
+          this.history.record(key, before, after);
         return result;
       });
     this.#answers = answer.catch(() => {});
@@ -101,11 +103,10 @@ class Fire extends EventTarget {
   }
 
   /** What the history calls. */
-  call(name, to, _from, source) {
+  call(name, deltas, source) {
     return this.#ask(() => {
-      if (name !== 'restore') return;
       // Nobody but the tools changes it.
-      this.#objects = structuredClone(to.at(-1).objects);
+      if (name === 'restore') this.#objects = structuredClone(deltas[0].order.map((id) => deltas[0].objects[id]));
     }, source);
   }
 

@@ -6,7 +6,7 @@ import { run } from '../../web/element/session/transition.js';
 /** The share of the time of all transitions. */
 let clock = 0;
 /** Callbacks of the next frame. @type {(() => void)[]} */
-let waiting = [];
+const waiting = [];
 const page = Object.assign(new EventTarget(), { hidden: false });
 Object.assign(globalThis, {
   document: page,
@@ -35,7 +35,15 @@ const settled = () => new Promise(setImmediate);
 /** A fire whose engine answers at once and refuses a wind of more than 3. @param {{calm?: boolean, isConnected?: boolean}} [how] */
 function burning({ calm = false, isConnected = true } = {}) {
   /** @type {{[id: string]: any}} */
-  const params = { wind: 0, exposure: 0, time_scale: 0.25, viscosity: 0.125, model: 'combustion', seed: 1, background: '#000000' };
+  const params = {
+    wind: 0,
+    exposure: 0,
+    time_scale: 0.25,
+    viscosity: 0.125,
+    model: 'combustion',
+    seed: 1,
+    background: '#000000',
+  };
   /** @type {any} */
   const calls = [];
   /** @type {string[]} */

@@ -73,15 +73,11 @@ export type HearthQuality = 'low' | 'medium' | 'high';
  */
 export interface HearthConfig {
   /** The version of the format. */
-  hearth?: 2;
+  hearth?: 3;
   /** The preset, unless it is the default one. */
   preset?: PresetName;
   values: Partial<HearthParameters>;
-  /** The values that the classic model has for itself while the combustion model burns. */
-  classic?: Partial<HearthParameters>;
-  /** The values that the combustion model has for itself while the classic model burns. */
-  combustion?: Partial<HearthParameters>;
-  /** The objects, unless they are the preset's; the first source has only the properties that differ. */
+  /** The objects, unless they are the preset's, each with the properties that differ from the defaults. */
   objects?: HearthObject[];
   /** A title and a description for people; the fire ignores both. */
   label?: string;

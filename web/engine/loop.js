@@ -3,8 +3,7 @@
  * canvas, and stops an engine that throws, which only a defect causes.
  */
 
-import { loadedParts } from '../parts.js';
-import { AT_ONCE } from './at-once.js';
+import { AT_ONCE, loadedParts } from '../parts.js';
 
 /**
  * @typedef {[fire: number, request: number, ...call: import('./engine.js').Call]} Sent

@@ -2,7 +2,7 @@
  * The dialogs in the HTML of the page: what Hearth is, and the code that embeds the fire in another page.
  */
 
-import { shownAs } from '../panel/exchange.js';
+import { shownAs } from '../editing/exchange.js';
 import { elementCode, iframeCode } from '../share.js';
 
 /** The dialogs that have their listeners. @type {Set<string>} */

@@ -4,7 +4,7 @@
  */
 
 import { recall, remember } from './memory.js';
-import { hasNoDialog, historyKey, isTaken, shortcutsOff } from '../panel/keys.js';
+import { hasNoDialog, historyKey, isTaken, shortcutsOff } from '../editing/keys.js';
 
 /** The screens on which the panel stands beside the fire and opens by itself. */
 const WIDE = '(width >= 720px) and (height >= 480px)';
@@ -137,7 +137,7 @@ export class PagePanel {
     if (!file || this.#hasKeys || event.defaultPrevented) return;
     event.preventDefault();
     try {
-      const { isSettings, settingsOf } = await import('../panel/exchange.js');
+      const { isSettings, settingsOf } = await import('../editing/exchange.js');
       if (!isSettings(file)) throw new Error(`“${file.name}” is no file of settings, whose name ends in “.json”.`);
       await this.#fire.importConfig(await settingsOf(file));
     } catch (error) {

@@ -9,9 +9,9 @@
  */
 
 import { element } from '../element/controls/icon-button.js';
-import { COPIES } from './exchange.js';
+import { COPIES } from '../editing/exchange.js';
 import { OBJECTS, mountAccessibleObjects } from './accessible-objects.js';
-import { idDomain } from './objects.js';
+import { idDomain } from '../editing/objects.js';
 import { addQuality, makeControl, noteConditions } from './native-controls.js';
 import { PARAMETERS } from '../parameters.js';
 

@@ -6,8 +6,18 @@
  */
 
 import { element } from '../element/controls/icon-button.js';
-import { ACTS } from './acts.js';
-import { KINDS, entriesOf, isBody, isFirstSource, isFull, isSame, nameOf, objectsOf, sliderDomain } from './objects.js';
+import { ACTS } from '../editing/acts.js';
+import {
+  KINDS,
+  entriesOf,
+  isBody,
+  isFirstSource,
+  isFull,
+  isSame,
+  nameOf,
+  objectsOf,
+  sliderDomain,
+} from '../editing/objects.js';
 import { makeControl, noteConditions } from './native-controls.js';
 import { MAX_OBJECTS } from '../generated/scene-objects.js';
 
@@ -96,7 +106,7 @@ export function mountAccessibleObjects({ root, fire, controller, reveal, addButt
 
   const rows = KINDS.flatMap((kind) => entriesOf(kind).map((entry) => addRow(kind, entry)));
 
-  /** @type {(kind: import('./objects.js').Kind, entry: import('./objects.js').Entry) => () => void} */
+  /** @type {(kind: import('../editing/objects.js').Kind, entry: import('../editing/objects.js').Entry) => () => void} */
   function addRow(kind, entry) {
     const { name } = entry;
     const key = `${kind}:${name}`;

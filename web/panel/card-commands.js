@@ -3,9 +3,9 @@
  */
 
 import { askForSettings, offerFile, showKeys, showText } from './cards.js';
-import { download, saveSettings } from './download.js';
-import { editingOf } from './editing.js';
-import { COPIES, beside, isSettings, settingsOf, shownAs, textOf } from './exchange.js';
+import { download, saveSettings } from '../editing/download.js';
+import { editingOf } from '../editing/editing.js';
+import { COPIES, beside, isSettings, settingsOf, shownAs, textOf } from '../editing/exchange.js';
 import { ownScenesOf } from './own-scenes.js';
 import { askForPicture } from './picture-card.js';
 import { Report } from './report.js';

@@ -10,8 +10,9 @@
  */
 
 import { element } from '../element/controls/icon-button.js';
-import { KEYS, shortcutsForbidden } from './keys.js';
-import { remember, remembered } from './memory.js';
+import { shortcutsForbidden } from '../editing/keys.js';
+import { KEYS } from './keys.js';
+import { remember, remembered } from '../editing/memory.js';
 
 /** The number of cards so far, which makes their ids. */
 let cards = 0;

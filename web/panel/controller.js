@@ -5,11 +5,11 @@
  * changes the page on request only: clipboard, download, full screen.
  */
 
-import { act } from './acts.js';
+import { act } from '../editing/acts.js';
 import { CardCommands } from './card-commands.js';
-import { editingOf } from './editing.js';
-import { remember, remembered } from './memory.js';
-import { copyOf, newObject } from './objects.js';
+import { editingOf } from '../editing/editing.js';
+import { remember, remembered } from '../editing/memory.js';
+import { copyOf, newObject } from '../editing/objects.js';
 import { PARAMETERS } from '../parameters.js';
 import {
   DOMAINS,
@@ -22,7 +22,7 @@ import {
   sceneProperty,
   sceneValue,
   valuesOf,
-} from './scene.js';
+} from '../editing/scene.js';
 
 /** The parameters that state the resolution. @type {string[]} */
 const RESOLUTION = ['particles', 'spacing'];
@@ -34,8 +34,8 @@ const CHANGES = ['ready', 'params-change', 'objects-change'];
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
  * @typedef {import('../hearth-fire.js').HearthConfig} HearthConfig
  * @typedef {import('../parameters.js').ParameterId} Id
- * @typedef {import('./objects.js').Fields} Fields
- * @typedef {import('./objects.js').Kind} Kind
+ * @typedef {import('../editing/objects.js').Fields} Fields
+ * @typedef {import('../editing/objects.js').Kind} Kind
  * @typedef {import('../parameters.js').HearthParameters[Id]} Value
  * @typedef {Partial<import('../parameters.js').HearthParameters>} Values
  *
@@ -45,10 +45,10 @@ const CHANGES = ['ready', 'params-change', 'objects-change'];
  * @property {Values} values  The values of the scene.
  * @property {Fields[]} objects  The objects of the scene.
  * @property {number} [selected]  The id of the selected object.
- * @property {import('./editing.js').Letter} compared  The state that the fire shows, of the two that are compared.
+ * @property {import('../editing/editing.js').Letter} compared  The state that the fire shows, of the two that are compared.
  * @property {boolean} undo
  * @property {boolean} redo
- * @property {import('./exchange.js').CopyForm[]} copies  The forms that the page can copy: a link needs its URL, an
+ * @property {import('../editing/exchange.js').CopyForm[]} copies  The forms that the page can copy: a link needs its URL, an
  *   iframe that of `embed.html`.
  * @property {boolean} fullscreen  Whether the browser allows full screen.
  * @property {string} done  The button whose action has just succeeded.
@@ -222,7 +222,7 @@ export class PanelController extends CardCommands {
     this.#update();
   }
 
-  /** Shows one of two states. @param {import('./editing.js').Letter} letter */
+  /** Shows one of two states. @param {import('../editing/editing.js').Letter} letter */
   compare(letter) {
     return this.#editing.compare(letter);
   }

@@ -4,7 +4,7 @@
  */
 
 import { iconButton } from '../element/controls/icon-button.js';
-import { remember, remembered } from './memory.js';
+import { remember, remembered } from '../editing/memory.js';
 
 /** The minimum height of an open panel: a lower one shows hardly more than its header [CSS pixels]. */
 const MIN_HEIGHT = 130;

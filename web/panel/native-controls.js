@@ -13,7 +13,7 @@ const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp:
 /**
  * @typedef {import('../parameters.js').HearthParameters[import('../parameters.js').ParameterId]} Value
  * @typedef {import('../parameters.js').ParameterDomain} Domain
- * @typedef {Pick<import('./objects.js').Entry, 'label' | 'unit' | 'kind' | 'scale' | 'choices'>} Parameter
+ * @typedef {Pick<import('../editing/objects.js').Entry, 'label' | 'unit' | 'kind' | 'scale' | 'choices'>} Parameter
  * @typedef {(value: Value | undefined, domain: Domain) => void} Show shows a value in a control
  */
 

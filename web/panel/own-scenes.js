@@ -6,9 +6,9 @@
  * @typedef {{name: string, config: HearthConfig, picture: string}} OwnScene  `picture` is a data URL, or empty.
  */
 
-import { saveSettings } from './download.js';
-import { isSettings, settingsOf } from './exchange.js';
-import { presetOf } from './scene.js';
+import { saveSettings } from '../editing/download.js';
+import { isSettings, settingsOf } from '../editing/exchange.js';
+import { presetOf } from '../editing/scene.js';
 
 const KEY = 'hearth-scenes';
 

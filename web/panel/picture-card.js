@@ -4,7 +4,7 @@
 
 import { element } from '../element/controls/icon-button.js';
 import { openCard } from './cards.js';
-import { remember, remembered } from './memory.js';
+import { remember, remembered } from '../editing/memory.js';
 
 /** The sizes: multiples of the width of the picture on the page. */
 const SCALES = [1, 2, 3, 4];

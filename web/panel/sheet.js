@@ -4,7 +4,7 @@
  */
 
 import { element } from '../element/controls/icon-button.js';
-import { remember, remembered } from './memory.js';
+import { remember, remembered } from '../editing/memory.js';
 
 /** Minimum and maximum height as a share of the container. */
 const SHARES = [0.2, 0.85];

@@ -8,7 +8,7 @@
  */
 
 import { element } from '../element/controls/icon-button.js';
-import { download } from '../panel/download.js';
+import { download } from '../editing/download.js';
 import { Chart, roundUp } from './chart.js';
 import { peakOf, SHORTEST } from './spectrum.js';
 

@@ -12,7 +12,7 @@
  * @property {(shown: boolean) => void} plotsShown  Runs when the plots appear or disappear.
  */
 
-import { addStyle } from '../panel/style.js';
+import { addStyle } from '../editing/style.js';
 import { Card } from './card.js';
 import { Readout, valuesOf } from './readout.js';
 import { Record } from './record.js';

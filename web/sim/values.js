@@ -29,7 +29,9 @@ function isPlain(/** @type {any} */ object) {
  * @param {[string, any][]} values
  */
 export function columns(values) {
-  return columnsOf(values, (id, value) => (id === 'objects' && Array.isArray(value) ? objects(value) : scalar(id, value)));
+  return columnsOf(values, (id, value) =>
+    id === 'objects' && Array.isArray(value) ? objects(value) : scalar(id, value),
+  );
 }
 
 /** @param {[string, any][]} values @param {(id: string, value: any) => any} each */

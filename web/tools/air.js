@@ -7,7 +7,7 @@
  * @typedef {import('./gestures.js').ToolContext} ToolContext
  */
 
-import { EVERY_MS, SPEED, pour } from '../panel/effects.js';
+import { EVERY_MS, SPEED, pour } from '../editing/effects.js';
 
 /** The movement that sets a direction, and the distance of sparks from each other [px]. */
 const AIM_PX = 5;

@@ -1,7 +1,7 @@
 /**
  * The bar of buttons, with the settings of new solids and the list of objects.
  *
- * @typedef {import('../panel/objects.js').Fields} Fields
+ * @typedef {import('../editing/objects.js').Fields} Fields
  *
  * @typedef {object} BarActions
  * @property {(name: string) => void} tool
@@ -18,7 +18,7 @@
  */
 
 import { element, iconButton } from '../element/controls/icon-button.js';
-import { entriesOf, isBody, nameOf } from '../panel/objects.js';
+import { entriesOf, isBody, nameOf } from '../editing/objects.js';
 import { SPEAKER } from '../sound/speaker.js';
 import { ALIGNMENTS, ARROWS, ICONS, TOOLS } from './table.js';
 

@@ -2,7 +2,7 @@
  * What the toolbar does to objects. Each call is one step of the history; what the fire refuses becomes a message.
  *
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
- * @typedef {import('../panel/objects.js').Fields} Fields
+ * @typedef {import('../editing/objects.js').Fields} Fields
  * @typedef {import('./geometry.js').Fields} Drawn
  *
  * @typedef {object} NewSolidStyle
@@ -11,7 +11,7 @@
  */
 
 import { MAX_OBJECTS } from '../generated/scene-objects.js';
-import { copyOf, inRange, isBody, isFull, nameOf, newObject } from '../panel/objects.js';
+import { copyOf, inRange, isBody, isFull, nameOf, newObject } from '../editing/objects.js';
 import { aligned, moved, outlineOf, rounded } from './geometry.js';
 import { placed } from './gestures.js';
 
@@ -28,7 +28,7 @@ export class Edits {
 
   /**
    * @param {HearthFire} fire
-   * @param {import('../panel/editing.js').Editing} editing
+   * @param {import('../editing/editing.js').Editing} editing
    * @param {() => NewSolidStyle} newSolidStyle
    * @param {(text: string) => void} showStatus
    * @param {() => Fields[]} objects  Where they are now.

@@ -7,8 +7,8 @@
  * @typedef {import('./gestures.js').ToolContext} ToolContext
  */
 
-import { giveFuel, needCombustion } from '../panel/effects.js';
-import { distance, isBody } from '../panel/objects.js';
+import { giveFuel, needCombustion } from '../editing/effects.js';
+import { distance, isBody } from '../editing/objects.js';
 
 /** How far a press lights, and the distance between two points that a drag lights [m]. */
 const REACH = 0.1;

@@ -7,7 +7,7 @@
  * @typedef {Fields & Point} Placed  Those of an object with a position.
  */
 
-import { boxOf, isBody, pointsOf } from '../panel/objects.js';
+import { boxOf, isBody, pointsOf } from '../editing/objects.js';
 
 /** The smallest side of a drawn solid [m], and the thickness of a line. */
 const SMALLEST = 0.02;

@@ -5,7 +5,7 @@
  * @typedef {import('./geometry.js').Point} Point
  * @typedef {import('./geometry.js').Fields} Fields
  * @typedef {import('./geometry.js').Placed} Placed
- * @typedef {import('../panel/objects.js').Fields} Owned  An object of the fire.
+ * @typedef {import('../editing/objects.js').Fields} Owned  An object of the fire.
  *
  * @typedef {object} How
  * @property {boolean} snaps  Whether angles snap.
@@ -15,7 +15,7 @@
  *
  * @typedef {object} ToolContext  What gestures need of the toolbar.
  * @property {import('../hearth-fire.js').HearthFire} fire
- * @property {import('../panel/editing.js').Editing} editing
+ * @property {import('../editing/editing.js').Editing} editing
  * @property {() => Owned[]} objects
  * @property {(fields: Fields) => void} add
  * @property {(id: number) => Promise<void>} remove
@@ -36,7 +36,7 @@
  * @property {() => void} cancel
  */
 
-import { distance, isBody } from '../panel/objects.js';
+import { distance, isBody } from '../editing/objects.js';
 import { blow, spray, throwSparks } from './air.js';
 import { extinguish, ignite } from './fire.js';
 import {

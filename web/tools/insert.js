@@ -7,7 +7,7 @@
  */
 
 import { element } from '../element/controls/icon-button.js';
-import { isSettings, settingsOf } from '../panel/exchange.js';
+import { isSettings, settingsOf } from '../editing/exchange.js';
 import { materialOptions } from './bar.js';
 import { rounded } from './geometry.js';
 

@@ -215,12 +215,13 @@ fn replace(
     kind: u32,
     texels: &[u8],
 ) {
-    let channel = match kind {
-        glow::UNSIGNED_BYTE => 1,
-        glow::HALF_FLOAT => 2,
-        _ => 4,
+    let texel = match kind {
+        glow::UNSIGNED_BYTE => 4,
+        glow::HALF_FLOAT => 8,
+        _ => 16,
     };
-    if (texels.len() as u64) < u64::from(width) * u64::from(height) * 4 * channel {
+    let count = texels.len() / texel;
+    if (count as u64) < u64::from(width) * u64::from(height) {
         return;
     }
     // SAFETY: see the module's documentation.

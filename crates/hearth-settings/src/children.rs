@@ -144,6 +144,22 @@ pub(crate) fn divide(settings: &mut Settings, change: &Change<'_>, after: &Scene
     }
     page.arrange(&ids);
     settings.page = page;
+    let is_new = hidden.is_none() && settings.page.first_source_id().is_some();
+    if let Some(first) = first_source(&settings.children).filter(|_| is_new) {
+        // The first child has the place of a source before the one that a call has added.
+        let (page, id) = (&mut settings.page, settings.next_id);
+        page.take(after, first);
+        if !page.rename(first, id) {
+            let source = ("kind", Input::Text(Kind::SOURCE.name));
+            page.lay(
+                None,
+                &[source, ("id", Input::Number(id.into()))],
+                &mut Vec::new(),
+            );
+        }
+        let others: Vec<_> = page.ids().filter(|other| *other != id).collect();
+        page.arrange(&[&[id], others.as_slice()].concat());
+    }
 }
 
 /// Whether a change of the model, which changes other values too, is all that changes a property.

@@ -164,12 +164,11 @@ impl Settings {
         if self.list == list {
             self.apply_objects(delta, errors);
         }
-        let saved = delta.field(CHILDREN).fields().iter();
-        self.restore_children(
-            &saved
-                .map(|(_, child)| Child::read(child))
-                .collect::<Vec<_>>(),
-        );
+        let saved = delta.field(CHILDREN).fields();
+        if !self.children.is_empty() && !saved.is_empty() {
+            let saved = saved.iter().map(|(_, child)| Child::read(child));
+            self.restore_children(&saved.collect::<Vec<_>>());
+        }
     }
 
     fn apply_objects(&mut self, delta: &Untrusted, errors: &mut Vec<ValidationError>) {

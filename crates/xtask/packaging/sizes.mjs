@@ -14,7 +14,9 @@ import { compared, documented } from './size-record.mjs';
 const RECORD = new URL('../../../benches/sizes.json', import.meta.url);
 
 /** The documents that name them. */
-const DOCUMENTS = ['../../../README.md', 'README.npm.md'].map((file) => new URL(file, import.meta.url));
+const DOCUMENTS = ['../../../README.md', '../../../docs/package.md', 'README.npm.md'].map(
+  (file) => new URL(file, import.meta.url),
+);
 
 const [folder, option] = process.argv.slice(2);
 const manifest = JSON.parse(await readFile(path.join(folder, 'package.json'), 'utf8'));
@@ -74,7 +76,7 @@ for (const { name, files } of DOWNLOADS) {
 if (option === '--write') {
   await writeFile(RECORD, `${JSON.stringify(sizes, undefined, 2)}\n`);
   for (const document of DOCUMENTS) await writeFile(document, documented(await readFile(document, 'utf8'), sizes));
-  console.log('wrote benches/sizes.json, and the sizes in both READMEs');
+  console.log('wrote benches/sizes.json, and the sizes in three documents');
 }
 const recorded = JSON.parse(await readFile(RECORD, 'utf8'));
 const { grown, fallen } = compared(sizes, recorded);

@@ -52,7 +52,7 @@ xflags::xflags! {
         cmd showcase {}
         /// Simulates the scenes that a page may open with, and stores them burning.
         cmd prewarmed {}
-        /// Builds the site, prints its download sizes and records them, in both READMEs too.
+        /// Builds the site, prints its download sizes and records them, also in the documents.
         cmd size {}
         /// Writes the files that are generated from the parameter table and the scenes.
         cmd codegen {}

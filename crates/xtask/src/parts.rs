@@ -23,7 +23,7 @@ const PARTS: [Part; 5] = [
     },
     Part {
         name: "children",
-        modules: &["hearth_settings::children::", "hearth_core::scene::order::"],
+        modules: &["hearth_settings::children::"],
     },
     // `hearth-core` has these texts in its table of presets.
     Part {

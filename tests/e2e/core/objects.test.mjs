@@ -64,14 +64,14 @@ test('objects are added, changed and removed, and each change is reported once',
     (await events(tab, 'params-change')).map(({ id }) => id),
     ['source_x'],
   );
-  // Without a source nothing burns; the parameters are kept for the next one.
+  // Without a source nothing burns. The next one has the defaults and an id that no object has had.
   await tab.fire(async (fire) => {
     await fire.removeObject(2);
     await fire.removeObject(7);
   });
   assert.deepEqual(await places(tab), {});
   await tab.fire((fire) => fire.addObject({ kind: 'source' }));
-  assert.deepEqual(await places(tab), { 1: -0.3 });
+  assert.deepEqual(await places(tab), { 8: 0 });
 });
 
 test('an invalid object is rejected with its mistake, and nothing changes', async () => {
@@ -108,7 +108,7 @@ test('the attribute holds objects as JSON, and bad JSON is rejected with a messa
     fire.removeAttribute('objects');
     await fire.set('exposure', 0);
   });
-  assert.deepEqual(await places(tab), { 1: -0.3 });
+  assert.deepEqual(await places(tab), { 1: 0 });
 });
 
 test('objects go with settings, and come back when the element does', async () => {
@@ -124,7 +124,7 @@ test('objects go with settings, and come back when the element does', async () =
   await tab.fire((fire, config) => fire.importConfig(JSON.stringify(config)), config);
   assert.deepEqual(await places(tab), { 1: -0.3, 7: 0.3 });
   await tab.fire((fire) => fire.restore('objects'));
-  assert.deepEqual(await places(tab), { 1: -0.3 });
+  assert.deepEqual(await places(tab), { 1: 0 });
 });
 
 test('an address carries objects, and the page writes them into its own', async () => {

@@ -126,10 +126,10 @@ test('a drag on the lower flame moves its source', async () => {
   const cursor = () => tab.fire((fire) => getComputedStyle(fire.shadowRoot.querySelector('canvas')).cursor);
   const from = await source(tab, 0.8);
   const above = await source(tab, 1.5);
-  await tab.mouse('move', above);
+  await tab.move(above);
   await tab.frames();
   assert.equal(await cursor(), 'auto');
-  await tab.mouse('move', from);
+  await tab.move(from);
   await tab.frames();
   assert.equal(await cursor(), 'grab');
   await tab.drag(from, { x: from.x + 20, y: from.y - 20 });

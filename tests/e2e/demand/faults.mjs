@@ -6,7 +6,6 @@
  * The first argument is the file of the table; the others are sections.
  */
 import { writeFileSync } from 'node:fs';
-import { calls } from './faults/calls.mjs';
 import { elements } from './faults/elements.mjs';
 import { gpu } from './faults/gpu.mjs';
 import { graphics } from './faults/graphics.mjs';
@@ -21,7 +20,6 @@ const SECTIONS = {
   elements: { find: elements, what: 'groups of 20 elements that come and go (Chromium)' },
   network: { find: network, what: 'files that fail, each in seven ways (Chromium)' },
   graphics: { find: graphics, what: 'WebGL2 functions that fail, in worker and page (Chromium)' },
-  calls: { find: calls, what: 'groups of 40 random calls in each browser' },
   patience: {
     find: patience,
     what: 'breakpoint, hidden tab, suspended computer, 20 times slower processor (Chromium)',

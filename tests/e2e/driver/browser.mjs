@@ -6,10 +6,9 @@ import { serve } from '../server.mjs';
 import { SITE } from '../site.mjs';
 import { drawNothing, followWorkers, rememberContexts } from './page-scripts.mjs';
 import { chromium, firefox } from './puppeteer.mjs';
-import { webkit } from './webkit.mjs';
 
 /** @typedef {import('./programs.mjs').Kind} Kind */
-/** @typedef {import('./puppeteer.mjs').PuppeteerTab} PuppeteerTab */
+/** @typedef {import('./tab.mjs').Tab} Tab */
 /**
  * Options of a page, with defaults filled in.
  * @typedef {object} Opening
@@ -25,11 +24,16 @@ import { webkit } from './webkit.mjs';
  * A running browser, as its kind implements it.
  * @typedef {object} Engine
  * @property {any} browser  The handle of its driver.
- * @property {(opening: Opening) => Promise<any>} open  Opens an empty tab.
+ * @property {(opening: Opening) => Promise<Tab>} open  Opens an empty tab.
  * @property {() => Promise<unknown>} close
  */
 
-const START = { chromium, firefox, webkit };
+/** Starts a browser. What drives WebKit takes long to load. */
+const START = {
+  chromium,
+  firefox,
+  webkit: async (options, server) => (await import('./webkit.mjs')).webkit(options, server),
+};
 
 /** Pixels of a fire whose sharpness no test asserts. */
 const FEW_PIXELS = 30_000;
@@ -114,7 +118,7 @@ export class Browser {
    *   the site have few by default: a software renderer computes each one.
    * @param {string} [options.without]  Requests for files whose path ends so fail, like a
    *   broken network.
-   * @returns {Promise<PuppeteerTab>}
+   * @returns {Promise<Tab>}
    */
   async open(page, options = {}) {
     const { width = 480, height = 480, ratio = 1, touch = false } = options;
@@ -128,7 +132,7 @@ export class Browser {
     } = options;
     const ofSite = !page.includes('<');
     const { pixels = ofSite ? FEW_PIXELS : Infinity } = options;
-    await this.tab?.close();
+    await this.tab?.page.close();
     this.server.replace(without === undefined ? files : { ...files, [without]: { drop: true } });
     const { origin } = this.server;
     const before = [`(${rememberContexts})();`, `(${followWorkers})(${JSON.stringify(origin)});`];
@@ -143,7 +147,7 @@ export class Browser {
     this.tab = tab;
     tab.draws = draws;
     const document = page.startsWith('<!doctype') ? page : documentAround(page);
-    await tab.go(ofSite ? new URL(page, `${origin}/`).href : this.server.publish(document, headers));
+    await tab.page.goto(ofSite ? new URL(page, `${origin}/`).href : this.server.publish(document, headers));
     return tab;
   }
 
@@ -157,7 +161,7 @@ export class Browser {
    * @param {boolean} [options.draws]
    * @param {() => void} [options.before]  Runs once, in the page that `show` opens.
    * @param {{[name: string]: import('../server.mjs').Instead}} [options.files]
-   * @returns {Promise<PuppeteerTab>}
+   * @returns {Promise<Tab>}
    */
   async show(body, { files = {}, ...options } = {}) {
     const wanted = JSON.stringify({ ...options, before: String(options.before) });

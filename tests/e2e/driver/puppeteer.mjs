@@ -3,7 +3,6 @@
  * puppeteer drives both.
  */
 import puppeteer from 'puppeteer-core';
-import { Picture } from '../picture.mjs';
 import { display } from './display.mjs';
 import { chromium as whole, headlessShell, program } from './programs.mjs';
 import { PATIENCE, Tab } from './tab.mjs';
@@ -49,9 +48,8 @@ export async function chromium({ shell = false, likeGraphicsCard = false }, serv
   if (shell) await (await browser.newPage()).goto(server.publish('<!doctype html>'));
   return {
     browser,
-    async open({ reducedMotion, touch, ...opening }) {
-      const tab = new PuppeteerTab(await browser.newPage());
-      await tab.prepare({ ...opening, touch });
+    async open({ reducedMotion, ...opening }) {
+      const tab = await opened(browser, opening);
       await tab.page.emulateMediaFeatures([
         { name: 'prefers-reduced-motion', value: reducedMotion ? 'reduce' : 'no-preference' },
       ]);
@@ -85,9 +83,7 @@ export async function firefox({ reducedMotion = false }) {
     browser,
     async open({ reducedMotion: wanted, ...opening }) {
       if (wanted && !reducedMotion) throw new Error('Firefox takes reduced motion at start');
-      const tab = new PuppeteerTab(await browser.newPage());
-      await tab.prepare(opening);
-      return tab;
+      return opened(browser, opening);
     },
     async close() {
       await browser.close();
@@ -96,98 +92,37 @@ export async function firefox({ reducedMotion = false }) {
   };
 }
 
-/** A page of Chromium or Firefox. */
-export class PuppeteerTab extends Tab {
-  /** @param {import('puppeteer-core').Page} page */
-  constructor(page) {
-    super();
-    this.page = page;
-    page.on('console', (message) => {
-      // A software renderer reports its own speed, which depends on the machine.
-      if (message.text().includes('GL Driver Message (OpenGL, Performance')) return;
-      if (['error', 'warn', 'warning', 'assert'].includes(message.type())) {
-        this.problems.push(`console.${message.type()}: ${message.text()}`);
-      }
-    });
-    page.on('pageerror', (error) => {
-      this.problems.push(`uncaught: ${error instanceof Error ? error.message : error}`);
-    });
-    // An open dialog stops the page, so that the next evaluation would wait for ever.
-    page.on('dialog', (dialog) => {
-      this.problems.push(`dialog: ${dialog.message()}`);
-      void dialog.dismiss();
-    });
-    page.on('requestfailed', (request) => {
-      this.problems.push(`request failed: ${request.url()} ${request.failure()?.errorText ?? ''}`);
-    });
-    page.on('response', (response) => {
-      if (response.status() >= 400) this.problems.push(`${response.status()}: ${response.url()}`);
-    });
-  }
-
-  /** @param {Omit<Opening, 'reducedMotion'>} opening */
-  async prepare({ width, height, ratio, touch, before }) {
-    await this.page.setViewport({
-      width,
-      height,
-      deviceScaleFactor: ratio,
-      isMobile: touch,
-      hasTouch: touch,
-    });
-    for (const script of before) await this.page.evaluateOnNewDocument(script);
-  }
-
-  /** @param {string} url */
-  async go(url) {
-    await this.page.goto(url, { waitUntil: 'load' });
-  }
-
-  /** @override */
-  evaluate(act, ...args) {
-    return this.page.evaluate(act, ...args);
-  }
-
-  /** @override */
-  on(selector, act, ...args) {
-    return this.page.$eval(selector, act, ...args);
-  }
-
-  /** @override */
-  async until(what, holds, ...args) {
-    try {
-      const handle = await this.page.waitForFunction(holds, { timeout: PATIENCE, polling: 50 }, ...args);
-      return await handle.jsonValue();
-    } catch (error) {
-      const why = error instanceof Error ? error.message : String(error);
-      throw new Error(`never came true: ${what} (${why}); problems: ${this.problems.join('; ')}`);
+/**
+ * A new page, which records its problems.
+ * @param {import('puppeteer-core').Browser} browser
+ * @param {Omit<Opening, 'reducedMotion'>} opening
+ */
+async function opened(browser, { width, height, ratio, touch, before }) {
+  const page = await browser.newPage();
+  const tab = new Tab(page);
+  const { problems } = tab;
+  page.on('console', (message) => {
+    // A software renderer reports its own speed, which depends on the machine.
+    if (message.text().includes('GL Driver Message (OpenGL, Performance')) return;
+    if (['error', 'warn', 'warning', 'assert'].includes(message.type())) {
+      problems.push(`console.${message.type()}: ${message.text()}`);
     }
-  }
-
-  /** @override */
-  async picture(clip) {
-    if (!this.draws) throw new Error('this page draws nothing: open it with `draws: true` to look at its picture');
-    // A capture beyond the viewport resizes the page for a moment, and a playing fire may be
-    // drawn at that size.
-    return Picture.decode(await this.page.screenshot({ clip, captureBeyondViewport: false, type: 'png' }));
-  }
-
-  /** @override */
-  mouse(what, at) {
-    const { mouse } = this.page;
-    return what === 'move' ? mouse.move(at.x, at.y) : mouse[what]();
-  }
-
-  /** @override */
-  finger(at) {
-    return this.page.touchscreen.touchStart(at.x, at.y);
-  }
-
-  /** @override */
-  press(key) {
-    return this.page.keyboard.press(/** @type {any} */ (key));
-  }
-
-  async close() {
-    await this.page.close();
-  }
+  });
+  page.on('pageerror', (error) => {
+    problems.push(`uncaught: ${error instanceof Error ? error.message : error}`);
+  });
+  // An open dialog stops the page, so that the next evaluation would wait for ever.
+  page.on('dialog', (dialog) => {
+    problems.push(`dialog: ${dialog.message()}`);
+    void dialog.dismiss();
+  });
+  page.on('requestfailed', (request) => {
+    problems.push(`request failed: ${request.url()} ${request.failure()?.errorText ?? ''}`);
+  });
+  page.on('response', (response) => {
+    if (response.status() >= 400) problems.push(`${response.status()}: ${response.url()}`);
+  });
+  await page.setViewport({ width, height, deviceScaleFactor: ratio, isMobile: touch, hasTouch: touch });
+  for (const script of before) await page.evaluateOnNewDocument(script);
+  return tab;
 }

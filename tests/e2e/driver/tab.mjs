@@ -1,7 +1,4 @@
-/**
- * A page in any of the browsers. A subclass for each driver evaluates functions, sends
- * input and takes pictures; this class builds everything else on that.
- */
+/** A page in any of the browsers, and what tests do with it. */
 import { Picture } from '../picture.mjs';
 
 /** @typedef {{x: number, y: number}} Point */
@@ -33,7 +30,9 @@ export async function eventually(what, read, holds, between = () => {}, shown = 
 
 /** A page and its problems. */
 export class Tab {
-  constructor() {
+  /** @param {import('puppeteer-core').Page} page  Puppeteer's page; that of WebKit has some of its methods. */
+  constructor(page) {
+    this.page = page;
     /** Console errors and warnings, uncaught exceptions, failed requests. @type {string[]} */
     this.problems = [];
     /** Whether WebGL2 draws. */
@@ -45,70 +44,44 @@ export class Tab {
   /**
    * Runs `act` in the page and returns its result.
    * @template T
-   * @param {(...args: any[]) => T} act
+   * @param {string | ((...args: any[]) => T)} act
    * @param {...unknown} args
    * @returns {Promise<Awaited<T>>}
    */
   evaluate(act, ...args) {
-    throw new Error(`this tab cannot evaluate ${act.name}(${args})`);
-  }
-
-  /**
-   * Runs `act` in the page with the first element of `selector` as its first argument.
-   * @param {string} selector
-   * @param {(element: any, ...args: any[]) => any} act
-   * @param {...unknown} args
-   * @returns {Promise<any>}
-   */
-  on(selector, act, ...args) {
-    throw new Error(`this tab cannot evaluate ${act.name}(${args}) on ${selector}`);
-  }
-
-  /**
-   * The visible part of the page.
-   * @param {Rectangle} [clip]
-   * @returns {Promise<Picture>}
-   */
-  picture(clip) {
-    throw new Error(`this tab takes no picture of ${clip}`);
-  }
-
-  /**
-   * One mouse action.
-   * @param {'move' | 'down' | 'up'} what @param {Point} at
-   * @returns {Promise<unknown>}
-   */
-  mouse(what, at) {
-    throw new Error(`this tab has no mouse to ${what} at ${at.x}, ${at.y}`);
-  }
-
-  /**
-   * Starts a touch; returns functions that move and end it.
-   * @param {Point} at
-   * @returns {Promise<{move: (x: number, y: number) => Promise<void>, end: () => Promise<void>}>}
-   */
-  finger(at) {
-    throw new Error(`this browser cannot be touched at ${at.x}, ${at.y}`);
-  }
-
-  /**
-   * Presses and releases a key.
-   * @param {string} key
-   * @returns {Promise<void>}
-   */
-  press(key) {
-    throw new Error(`this tab has no key ${key}`);
+    return this.page.evaluate(/** @type {any} */ (act), ...args);
   }
 
   /**
    * Waits until `holds` returns a truthy value in the page, and returns it.
    * @param {string} what  Describes the condition in the failure's message.
-   * @param {(...args: any[]) => unknown} holds
+   * @param {Function} holds
    * @param {...unknown} args
    * @returns {Promise<any>}
    */
-  until(what, holds, ...args) {
-    throw new Error(`this tab cannot wait for ${what}: ${holds.name}(${args})`);
+  async until(what, holds, ...args) {
+    try {
+      const handle = await this.page.waitForFunction(
+        /** @type {any} */ (holds),
+        { timeout: PATIENCE, polling: 50 },
+        ...args,
+      );
+      return await handle.jsonValue();
+    } catch (error) {
+      const why = error instanceof Error ? error.message : String(error);
+      throw new Error(`never came true: ${what} (${why}); problems: ${this.problems.join('; ')}`);
+    }
+  }
+
+  /**
+   * The visible part of the page.
+   * @param {Rectangle} [clip]
+   */
+  async picture(clip) {
+    if (!this.draws) throw new Error('this page draws nothing: open it with `draws: true` to look at its picture');
+    // A capture beyond the viewport resizes the page for a moment, and a playing fire may be
+    // drawn at that size.
+    return Picture.decode(await this.page.screenshot({ clip, captureBeyondViewport: false, type: 'png' }));
   }
 
   /**
@@ -117,7 +90,7 @@ export class Tab {
    * @param {...unknown} args
    */
   fire(act, ...args) {
-    return this.on('hearth-fire', act, ...args);
+    return this.page.$eval('hearth-fire', act, ...args);
   }
 
   /** Waits until the first `<hearth-fire>` is ready. */
@@ -224,7 +197,7 @@ export class Tab {
    * @returns {Promise<Rectangle>}
    */
   rectangle(selector) {
-    return this.on(selector, (element) => {
+    return this.page.$eval(selector, (element) => {
       const { x, y, width, height } = element.getBoundingClientRect();
       return { x, y, width, height };
     });
@@ -232,14 +205,20 @@ export class Tab {
 
   /** @param {string} key */
   async key(key) {
-    await this.press(key);
+    await this.page.keyboard.press(/** @type {any} */ (key));
     await this.frames();
+  }
+
+  /** Moves the mouse. @param {Point} at */
+  move(at) {
+    return this.page.mouse.move(at.x, at.y);
   }
 
   /** @param {Point} at */
   async click(at) {
-    for (const what of /** @type {const} */ (['move', 'down', 'up'])) {
-      await this.mouse(what, at);
+    const { mouse } = this.page;
+    for (const act of [() => this.move(at), () => mouse.down(), () => mouse.up()]) {
+      await act();
       await this.frames(1);
     }
     await this.frames(1);
@@ -250,15 +229,15 @@ export class Tab {
    * @param {Point} from @param {Point} to
    */
   async drag(from, to) {
-    await this.mouse('move', from);
+    await this.move(from);
     await this.frames(1);
-    await this.mouse('down', from);
+    await this.page.mouse.down();
     await this.frames(1);
     for (const at of between(from, to)) {
-      await this.mouse('move', at);
+      await this.move(at);
       await this.frames(1);
     }
-    await this.mouse('up', to);
+    await this.page.mouse.up();
     await this.frames();
   }
 
@@ -267,7 +246,7 @@ export class Tab {
    * @param {Point} from @param {Point} to
    */
   async touchDrag(from, to) {
-    const finger = await this.finger(from);
+    const finger = await this.page.touchscreen.touchStart(from.x, from.y);
     await this.frames();
     for (const at of between(from, to)) {
       await finger.move(at.x, at.y);

@@ -8,26 +8,14 @@ import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { setTimeout as sleep } from 'node:timers/promises';
+import { Capabilities, Key, WebDriver } from 'selenium-webdriver';
+import { Executor, HttpClient } from 'selenium-webdriver/http/index.js';
+import { DriverService } from 'selenium-webdriver/remote/index.js';
 import { Picture } from '../picture.mjs';
 import { display } from './display.mjs';
 import { keepProblems } from './page-scripts.mjs';
 import { program } from './programs.mjs';
 import { PATIENCE, Tab } from './tab.mjs';
-import { Session } from './webdriver.mjs';
-
-/** WebDriver's characters for keys without text. */
-const KEYS = {
-  Tab: '\uE004',
-  Enter: '\uE007',
-  Escape: '\uE00C',
-  Space: ' ',
-  Home: '\uE011',
-  End: '\uE010',
-  ArrowLeft: '\uE012',
-  ArrowUp: '\uE013',
-  ArrowRight: '\uE014',
-  ArrowDown: '\uE015',
-};
 
 /**
  * @param {{reducedMotion?: boolean}} options  A desktop setting for all its pages.
@@ -43,36 +31,36 @@ export async function webkit({ reducedMotion = false }, server) {
     `[Settings]\ngtk-enable-animations=${reducedMotion ? 0 : 1}\n`,
   );
   const screen = await display();
-  const end = () => {
+  const env = { ...process.env, DISPLAY: screen.name, WAYLAND_DISPLAY: undefined, GDK_BACKEND: 'x11' };
+  const service = new DriverService.Builder(driver)
+    .setLoopback(true)
+    .setEnvironment({ ...env, XDG_CONFIG_HOME: home, NO_AT_BRIDGE: '1' })
+    .build();
+  const end = async () => {
+    await service.kill();
     screen.close();
     rmSync(home, { recursive: true, force: true });
   };
   try {
-    const session = await Session.start(
-      driver,
-      // A cached page would keep its fires and contexts.
-      { 'webkitgtk:browserOptions': { args: ['--automation', '--enable-page-cache=false'], ...browserFile() } },
-      {
-        ...process.env,
-        DISPLAY: screen.name,
-        WAYLAND_DISPLAY: undefined,
-        GDK_BACKEND: 'x11',
-        XDG_CONFIG_HOME: home,
-        NO_AT_BRIDGE: '1',
-      },
+    const browser = WebDriver.createSession(
+      new Executor(service.start().then((address) => new HttpClient(address))),
+      new Capabilities({
+        // A cached page would keep its fires and contexts.
+        'webkitgtk:browserOptions': { args: ['--automation', '--enable-page-cache=false'], ...browserFile() },
+      }),
     );
-    await session.post('timeouts', { script: 4 * PATIENCE, pageLoad: 4 * PATIENCE });
+    await browser.manage().setTimeouts({ script: 4 * PATIENCE, pageLoad: 4 * PATIENCE });
     return {
-      browser: session,
+      browser,
       async open(opening) {
-        const tab = new WebKitTab(session, server);
+        const tab = new WebKitTab(browser, server);
         await tab.prepare(opening, reducedMotion);
         return tab;
       },
-      close: () => session.close().finally(end),
+      close: () => browser.quit().finally(end),
     };
   } catch (error) {
-    end();
+    await end();
     throw error;
   }
 }
@@ -84,13 +72,12 @@ function browserFile() {
 }
 
 /** A page of WebKit. */
-export class WebKitTab extends Tab {
-  #mouse = { x: 0, y: 0 };
-
-  /** @param {Session} session @param {import('../server.mjs').Server} server */
-  constructor(session, server) {
-    super();
-    this.session = session;
+class WebKitTab extends Tab {
+  /** @param {WebDriver} browser @param {import('../server.mjs').Server} server */
+  constructor(browser, server) {
+    super(/** @type {any} */ (undefined));
+    this.page = /** @type {any} */ (new WebKitPage(browser, server, this.problems));
+    this.browser = browser;
     this.server = server;
   }
 
@@ -102,122 +89,113 @@ export class WebKitTab extends Tab {
     this.server.prepend({ pages: [`(${keepProblems})();`, ...before], workers: beforeWorker });
     this.server.refused = (problem) => this.problems.push(problem);
     // The window is larger than the page by its toolbar, whose size the page reports.
-    const inner = () => this.session.run('arguments[0]([innerWidth, innerHeight])', []);
+    const inner = () => this.browser.executeScript('return [innerWidth, innerHeight]');
+    const window = this.browser.manage().window();
     let [across, down] = [0, 0];
     const end = Date.now() + PATIENCE;
     while (Date.now() < end) {
-      await this.session.post('window/rect', { width: width + across, height: height + down });
+      await window.setRect({ width: width + across, height: height + down });
       await sleep(50);
       const [w, h] = await inner();
       if (w === width && h === height) return;
-      const rect = await this.session.get('window/rect');
+      const rect = await window.getRect();
       [across, down] = [rect.width - w, rect.height - h];
     }
     throw new Error(`WebKit's window does not become ${width} × ${height}, but ${await inner()}`);
   }
 
+  /** @override @param {import('./tab.mjs').Rectangle} [clip] */
+  async picture(clip) {
+    const whole = Picture.decode(Buffer.from(await this.browser.takeScreenshot(), 'base64'));
+    if (!clip) return whole;
+    const { x, y, width, height } = clip;
+    return whole.crop(x / whole.width, y / whole.height, (x + width) / whole.width, (y + height) / whole.height);
+  }
+}
+
+/** What tests use of puppeteer's page in every browser. */
+class WebKitPage {
+  #browser;
+  #server;
+  #problems;
+
+  /** @param {WebDriver} browser @param {import('../server.mjs').Server} server @param {string[]} problems */
+  constructor(browser, server, problems) {
+    this.#browser = browser;
+    this.#server = server;
+    this.#problems = problems;
+    const act = () => browser.actions();
+    this.mouse = {
+      move: (x, y) =>
+        act()
+          .move({ x: Math.round(x), y: Math.round(y), duration: 0 })
+          .perform(),
+      down: () => act().press().perform(),
+      up: () => act().release().perform(),
+    };
+    // `ArrowLeft` is `Key.ARROW_LEFT`.
+    const named = (key) => Key[key.replace(/(?<=[a-z])(?=[A-Z])/g, '_').toUpperCase()];
+    this.keyboard = {
+      press: (key) =>
+        act()
+          .sendKeys(named(key) ?? key)
+          .perform(),
+    };
+  }
+
   /** @param {string} url */
-  async go(url) {
-    await this.session.post('url', { url });
+  async goto(url) {
+    await this.#browser.get(url);
     // The driver does not always wait for modules.
-    await this.until('the page is loaded', () => document.readyState === 'complete');
+    await this.waitForFunction(() => document.readyState === 'complete', { timeout: PATIENCE });
   }
 
-  /** @override */
-  evaluate(act, ...args) {
-    return this.#run(`(${act})`, args);
+  async close() {
+    this.#server.refused = undefined;
+    await this.goto('about:blank');
+    this.#server.prepend({});
   }
 
-  /** @override */
-  on(selector, act, ...args) {
-    return this.#run(
-      `((wanted, ...rest) => {
+  async waitForFunction(holds, { timeout }, ...args) {
+    const end = Date.now() + timeout;
+    for (;;) {
+      const value = await this.evaluate(holds, ...args);
+      if (value) return { jsonValue: () => value };
+      if (Date.now() > end) throw new Error(`waited for ${timeout} ms`);
+      await sleep(50);
+    }
+  }
+
+  $eval(selector, act, ...args) {
+    return this.evaluate(
+      `(wanted, ...rest) => {
         const found = document.querySelector(wanted);
         if (!found) throw new Error('no ' + wanted + ' on the page');
         return (${act})(found, ...rest);
-      })`,
-      [selector, ...args],
+      }`,
+      selector,
+      ...args,
     );
   }
 
-  /** @param {string} source @param {unknown[]} args */
-  async #run(source, args) {
+  async evaluate(act, ...args) {
     const { text, failure, problems } = JSON.parse(
-      await this.session.run(
+      await this.#browser.executeAsyncScript(
         `const done = arguments[arguments.length - 1];
       const answer = (response) => done(JSON.stringify({
         ...response, problems: (window.keptProblems ?? []).splice(0),
       }));
       Promise.resolve()
-        .then(() => ${source}(...JSON.parse(arguments[0])))
+        .then(() => (${act})(...JSON.parse(arguments[0])))
         .then(
           (value) => answer({ text: JSON.stringify(value) }),
           (error) => answer({ failure: String(error) }),
         );`,
-        [JSON.stringify(args)],
+        JSON.stringify(args),
       ),
     );
-    this.problems.push(...problems);
+    this.#problems.push(...problems);
     if (failure !== undefined) throw new Error(failure);
     return text === undefined ? undefined : JSON.parse(text);
-  }
-
-  /** @override */
-  async until(what, holds, ...args) {
-    const end = Date.now() + PATIENCE;
-    for (;;) {
-      const value = await this.evaluate(holds, ...args);
-      if (value) return value;
-      if (Date.now() > end) {
-        throw new Error(`never came true: ${what}; problems: ${this.problems.join('; ')}`);
-      }
-      await sleep(50);
-    }
-  }
-
-  /** @override */
-  async picture(clip) {
-    const whole = Picture.decode(Buffer.from(await this.session.get('screenshot'), 'base64'));
-    if (!clip) return whole;
-    const { x, y, width, height } = clip;
-    return whole.crop(x / whole.width, y / whole.height, (x + width) / whole.width, (y + height) / whole.height);
-  }
-
-  /** @override */
-  mouse(what, at) {
-    // Without a previous move, a pointer is at the corner.
-    if (what === 'move') this.#mouse = at;
-    const { x, y } = this.#mouse;
-    const actions = {
-      move: { type: 'pointerMove', x: Math.round(x), y: Math.round(y), duration: 0 },
-      down: { type: 'pointerDown', button: 0 },
-      up: { type: 'pointerUp', button: 0 },
-    };
-    return this.session.post('actions', {
-      actions: [{ type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions: [actions[what]] }],
-    });
-  }
-
-  /** @override */
-  async press(key) {
-    const value = KEYS[key] ?? key;
-    await this.session.post('actions', {
-      actions: [
-        {
-          type: 'key',
-          id: 'keyboard',
-          actions: [
-            { type: 'keyDown', value },
-            { type: 'keyUp', value },
-          ],
-        },
-      ],
-    });
-  }
-
-  async close() {
-    this.server.refused = undefined;
-    await this.go('about:blank');
-    this.server.prepend({});
   }
 }

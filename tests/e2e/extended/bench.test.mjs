@@ -48,7 +48,7 @@ test('a measurement of few particles fills the tables with numbers, on a phone a
   for (const row of sizes) assert.ok(Number(row['wasm, MB']) > 0);
   await tab.page.click('[data-copies="csv"]');
   await tab.until('the words about the copy', () => document.getElementById('copied')?.textContent);
-  assert.match(await tab.on('#copy', (field) => field.value), /^particles,model,.*\n300,classic,/);
+  assert.match(await tab.page.$eval('#copy', (field) => field.value), /^particles,model,.*\n300,classic,/);
   assert.ok(
     await tab.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth),
     'only tables scroll sideways',

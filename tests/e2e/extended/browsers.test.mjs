@@ -6,7 +6,10 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { BROWSERS, Browser } from '../driver.mjs';
 import { assertBurns, assertStands, events, recording } from '../assertions.mjs';
+import { Panel, along, controlOf } from '../panel.mjs';
 import { table } from '../site.mjs';
+import { drag } from '../tools.mjs';
+import { objectsUntil } from '../waits.mjs';
 
 const { DEFAULTS } = await table();
 
@@ -248,6 +251,44 @@ for (const kind of BROWSERS) {
       }, kind !== 'webkit');
       assert.deepEqual(film, [1, 240, 240]);
       await assertSilent(tab);
+    });
+
+    test('a visitor drags a slider and draws a solid, undoes and redoes both, and the address opens the same fire', async () => {
+      const tab = await browser.open('index.html?scene=default&paused&quality=low', { width: 1000, height: 700 });
+      await tab.ready();
+      const panel = await new Panel(tab).mounted();
+      const click = (/** @type {string} */ selector) => tab.on(selector, (button) => button.click());
+      await tab.on(controlOf('wind'), (control) => control.focus());
+      const slider = await panel.standing(controlOf('wind'));
+      await tab.on(controlOf('wind'), (control) => control.blur());
+      await tab.drag(along(slider, 0.5), along(slider, 0.8));
+      const wind = await panel.value('wind', 'where the mouse let go', (value) => value > 1.5 && value < 2.1);
+
+      await tab.until('the button of the tools', () => document.querySelector('#draw:not([hidden])'));
+      await click('#draw');
+      await tab.until('the tools', () => document.querySelector('.hearth-toolbar [data-tool="box"]'));
+      await click('[data-tool="box"]');
+      await drag(tab, [-0.1, 1.1], [0.1, 0.9]);
+      await objectsUntil(tab, 'two', (all) => all.length === 2 && all[1].shape === 'box');
+
+      await click('[data-tool="undo"]');
+      await objectsUntil(tab, 'one', (all) => all.length === 1);
+      await click('[data-action="undo"]');
+      await panel.value('wind', 'as before', (value) => value === 0);
+      await click('[data-action="redo"]');
+      await panel.value('wind', 'as dragged', (value) => value === wind);
+      await click('[data-tool="redo"]');
+      await objectsUntil(tab, 'two again', (all) => all.length === 2);
+      const config = await tab.fire((fire) => fire.exportConfig());
+      const search = await tab.until('the address', () => {
+        const { search } = location;
+        return search.includes('wind=') && search.includes('objects=') && search;
+      });
+      await assertSilent(tab);
+      const other = await browser.open(`index.html${search}`, { width: 1000, height: 700 });
+      await other.ready();
+      assert.deepEqual(await other.fire((fire) => fire.exportConfig()), config);
+      await assertSilent(other);
     });
 
     test('thirty fires on one page all burn', async () => {

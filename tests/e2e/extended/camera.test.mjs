@@ -5,7 +5,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
-import { events, recording } from '../assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -55,44 +54,6 @@ function near(found, expected, what) {
   const same = Math.abs(found.x - expected.x) < 2e-3 && Math.abs(found.y - expected.y) < 2e-3;
   assert.ok(same, `${what} is ${JSON.stringify(found)}, not ${JSON.stringify(expected)}`);
 }
-
-test('zoom and pan show a part of the picture, and change nothing in the fire', async () => {
-  const tab = await browser.show(
-    recording(`<hearth-fire paused edges="open" floor="solid"
-    style="width: 300px; height: 200px"></hearth-fire>`),
-  );
-  await tab.ready();
-  const corners = () => tab.fire((fire) => [fire.toMetres(0, 200), fire.toMetres(300, 0)]);
-  const [low, high] = await corners();
-  const side = { x: high.x - low.x, y: high.y - low.y };
-  await tab.fire((fire) => {
-    fire.zoom = 4;
-    fire.pan = '1 0.25';
-  });
-  const [from, to] = await corners();
-  near(from, { x: low.x + 0.75 * side.x, y: low.y + 0.25 * 0.75 * side.y }, 'the lower left');
-  near(to, { x: high.x, y: from.y + side.y / 4 }, 'the upper right');
-  const burn = (zoom) =>
-    tab.fire(async (fire, zoomed) => {
-      fire.setAttribute('zoom', zoomed);
-      await fire.reset();
-      await fire.step(120);
-      return [fire.stats.particles, fire.stats.time];
-    }, zoom);
-  assert.deepEqual(await burn(7), await burn(1));
-  await tab.fire((fire) => {
-    fire.zoom = 11;
-    fire.zoom = 0;
-    fire.zoom = 'much';
-    fire.zoom = 2;
-    fire.pan = 'left';
-  });
-  const errors = await events(tab, 'error');
-  assert.deepEqual(
-    errors.map(({ kind, id }) => `${kind} ${id}`),
-    [...Array(3).fill('bad-parameter zoom'), 'bad-parameter pan'],
-  );
-});
 
 /** Waits until a wheel with Ctrl reaches the fire, whose code for pointers is loaded on request. */
 const listened = (tab) =>
@@ -166,25 +127,4 @@ test('two fingers enlarge and move the picture', async () => {
   assert.ok(zoom[0] > 1.9 && zoom[0] < 2.2, `zoom ${zoom[0]}`);
   assert.equal(zoom[1], zoom[0], 'one finger enlarges nothing');
   near(held[1], held[0], 'the place between the fingers');
-});
-
-test('a resize of the element leaves the fire as it is', async () => {
-  const tab = await browser.show(`<hearth-fire paused edges="open" floor="solid" particles="8000"
-    style="width: 300px; height: 200px"></hearth-fire>`);
-  await tab.ready();
-  await tab.burnt(1);
-  const steps = async (width) => {
-    await tab.fire((fire, wide) => (fire.style.width = `${wide}px`), width);
-    await tab.frames(3);
-    return tab.fire(async (fire) => {
-      await fire.step(4);
-      return fire.stats.particles;
-    });
-  };
-  let before = await steps(300);
-  for (const width of [900, 200, 600, 300]) {
-    const after = await steps(width);
-    assert.ok(Math.abs(after / before - 1) < 0.1, `${before} particles, ${after} at ${width} px`);
-    before = after;
-  }
 });

@@ -58,10 +58,11 @@ const near = (box, wanted) =>
   );
 
 /** Changes the target. */
-const restyle = (tab, style) => tab.on('#it', (element, style) => void Object.assign(element.style, style), style);
+const restyle = (tab, style) =>
+  tab.page.$eval('#it', (element, style) => void Object.assign(element.style, style), style);
 
 /** Gives the image another address. */
-const source = (tab, src) => tab.on('#it', (image, src) => void Object.assign(image, { src }), src);
+const source = (tab, src) => tab.page.$eval('#it', (image, src) => void Object.assign(image, { src }), src);
 
 /** Counts masks from now on, in `window.masks`. */
 const counts = (tab) =>
@@ -140,7 +141,7 @@ test('an SVG element counts as the style of the page draws it, and a canvas by i
   const solid = await masked(tab);
   near(solid.box, [40, 30, 200, 110]);
   assertOpaque(solid, '+0.05 0.5, +0.25 0.1, -0.25 0.5, -0.5 0.5, +0.8125 0.5, -0.95 0.5');
-  await tab.on('#it circle', (circle) => circle.setAttribute('r', '4'));
+  await tab.page.$eval('#it circle', (circle) => circle.setAttribute('r', '4'));
   const smaller = await another(tab, 'it follows a change', solid.mask);
   assertOpaque(smaller, '-0.05 0.5, +0.15 0.5, -0.25 0.5');
   await tab.evaluate(() => {
@@ -174,7 +175,7 @@ test('glyphs lie where the page shows them', async () => {
     ['font: 700 40px/1.4 monospace; direction: rtl; overflow-wrap: anywhere', 'extraordinarily'],
     ['font: 600 30px/1.3 serif; transform: scale(1.3) translate(12px, 30px)', 'of-text<br><small>quite</small> close'],
   ]) {
-    await tab.on(
+    await tab.page.$eval(
       '#it',
       (element, style, text) => {
         element.style = style;
@@ -233,7 +234,7 @@ test('a mask is made again when the text, its style or its size changes, and kep
   await tab.fire((fire) => fire.setAttribute('zoom', '2'));
   await until(tab, 'it is seen closer', (object, width) => object.width < 0.6 * width, moved.width);
   assert.deepEqual([moved.mask === first.mask, await masks(tab)], [true, 0]);
-  await tab.on('#it', (headline) => {
+  await tab.page.$eval('#it', (headline) => {
     headline.firstChild.data = 'Embers';
   });
   const words = await another(tab, 'another text', first.mask);
@@ -265,7 +266,7 @@ test('a text without a letter, and a picture without an opaque pixel, make no so
       new RegExp(`<hearth-solid>: of = #${name} has no effect now: nothing of that element is opaque`),
     );
   }
-  await tab.on('#it', (headline) => {
+  await tab.page.$eval('#it', (headline) => {
     headline.textContent = 'Fire';
   });
   await masked(tab, 'the text');

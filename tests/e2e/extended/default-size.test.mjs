@@ -37,13 +37,6 @@ for (const [place, html, width, height] of /** @type {[string, string, number, n
     300,
     375,
   ],
-  ['a centred item of a grid', `<div style="display: grid; place-items: center">${FIRE}</div>`, 300, 375],
-  [
-    'an item of a centred column',
-    `<div style="display: flex; flex-flow: column; align-items: center">${FIRE}</div>`,
-    300,
-    375,
-  ],
   [
     'an automatic column of a grid',
     `<div style="display: grid; grid: auto / auto 1fr">${FIRE}<p>Text</p></div>`,
@@ -51,13 +44,8 @@ for (const [place, html, width, height] of /** @type {[string, string, number, n
     375,
   ],
   ['a float', styled('float: left'), 300, 375],
-  ['an inline block', styled('display: inline-block'), 300, 375],
   ['an absolute box', styled('position: absolute'), 300, 375],
-  ['a fixed box', styled('position: fixed; right: 0'), 300, 375],
   ['a cell of a table', `<table cellpadding="0"><tr><td>${FIRE}</td><td>Text</td></tr></table>`, 300, 375],
-  ['a cell by itself', styled('display: table-cell'), 300, 375],
-  ['a dialog', `<dialog open>${FIRE}</dialog>`, 300, 375],
-  ['a box as wide as its content', styled('width: fit-content'), 300, 375],
   ['a narrow flex box', `<div style="width: 200px; display: flex; justify-content: center">${FIRE}</div>`, 200, 250],
   ['the least content', styled('width: min-content'), 80, 100],
   ['a block', `<div style="width: 400px">${FIRE}</div>`, 400, 500],
@@ -67,13 +55,6 @@ for (const [place, html, width, height] of /** @type {[string, string, number, n
     110,
     137.5,
   ],
-  [
-    'a size of a rule without weight',
-    `<style>:where(hearth-fire) { width: 90px; height: 70px }</style>${FIRE}`,
-    90,
-    70,
-  ],
-  ['a static box', styled('position: static; width: 200px; height: 100px'), 200, 100],
 ])) {
   test(`a fire has a size, and its picture is in it: ${place}`, async () => {
     assert.deepEqual(await sizes(html), [width, height, width, height]);

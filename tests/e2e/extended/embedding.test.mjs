@@ -70,10 +70,7 @@ test('the reference names the attributes, properties, methods and parts of the e
   const without = (/** @type {string[]} */ all, /** @type {string[]} */ others) =>
     sorted(all.filter((name) => !others.includes(name)));
   const attributes = PARAMETERS.map(({ attribute }) => attribute).filter((name) => name !== 'model');
-  assert.deepEqual(
-    without(named('Attributes'), ['low', 'medium', 'high']),
-    without(has.attributes, attributes),
-  );
+  assert.deepEqual(without(named('Attributes'), ['low', 'medium', 'high']), without(has.attributes, attributes));
   const parameters = PARAMETERS.map(({ id }) => camel(id));
   // The statistics are properties of one of them.
   const own = without(has.properties, parameters);

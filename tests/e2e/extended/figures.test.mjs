@@ -27,7 +27,7 @@ const figureAt = (id, at) => `[aria-labelledby="${id}"] .fires > figure:nth-chil
  * @returns {Promise<{[name: string]: number}>}
  */
 async function numbers(tab, id, at) {
-  await tab.on(figureAt(id, at), (figure) => figure.scrollIntoView({ block: 'center' }));
+  await tab.page.$eval(figureAt(id, at), (figure) => figure.scrollIntoView({ block: 'center' }));
   return tab.until(
     `the numbers of ${id}, ${at}`,
     (figure) => {
@@ -51,9 +51,9 @@ test('a slider moves a fire and its numbers by keys; the page fits a phone and h
   assert.ok(low.width > middle.width && middle.width > high.width && high.height > 3 * low.height);
   const figure = figureAt('buoyancy', 1);
   await tab.page.focus(`${figure} input`);
-  await tab.press('End');
+  await tab.page.keyboard.press('End');
   assert.deepEqual(
-    await tab.on(figure, (element) => [
+    await tab.page.$eval(figure, (element) => [
       element.querySelector('hearth-fire').getAttribute('buoyancy'),
       element.querySelector('hearth-fire').alt,
       element.querySelector('input').ariaValueText,
@@ -61,7 +61,7 @@ test('a slider moves a fire and its numbers by keys; the page fits a phone and h
     ['1', 'Fire: buoyancy 1', '1'],
   );
   assert.deepEqual(await numbers(tab, 'buoyancy', 1), high);
-  await tab.on('#colours', (colours) => colours.scrollIntoView());
+  await tab.page.$eval('#colours', (colours) => colours.scrollIntoView());
   await tab.until('the colours', () => document.querySelectorAll('#scale li').length === 16);
   assert.equal(await tab.evaluate(() => document.documentElement.scrollWidth > window.innerWidth), false);
   assert.deepEqual(await violations(tab), []);

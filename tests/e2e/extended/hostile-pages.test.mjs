@@ -143,9 +143,9 @@ for (const page of ['index.html', 'web/embed.html']) {
     if (page === 'index.html') {
       await new Panel(tab).mounted();
       await tab.fire((fire) => fire.toBlob());
-      await tab.on('[data-opens=embed]', (button) => button.click());
+      await tab.page.$eval('[data-opens=embed]', (button) => button.click());
       await tab.until('the dialog is open', () => document.querySelector('#embed')?.matches('[open]'));
-      await tab.on('#embed form button', (button) => button.click());
+      await tab.page.$eval('#embed form button', (button) => button.click());
       await tab.until('the dialog is closed', () => !document.querySelector('#embed')?.matches('[open]'));
     }
     const others = (await violations(tab)).filter((violation) => !violation.includes('Element innerHTML'));

@@ -5,7 +5,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
-import { assertBurns, events, recording } from '../assertions.mjs';
+import { assertBurns, recording } from '../assertions.mjs';
 import { table } from '../site.mjs';
 
 const { DEFAULTS } = await table();

@@ -36,7 +36,7 @@ test('keys act after a press of a button of the page', async () => {
   await tab.page.click('#speaker');
   await tab.until('the sound is on', () => /** @type {any} */ (document.getElementById('fire')).sound > 0);
   assert.equal(await tab.evaluate(() => document.activeElement?.id), 'speaker');
-  await tab.press('m');
+  await tab.page.keyboard.press('m');
   // The code of the button is loaded on request.
   await tab.until('the sound is off', () => /** @type {any} */ (document.getElementById('fire')).muted);
 });

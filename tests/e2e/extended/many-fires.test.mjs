@@ -5,7 +5,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser, eventually } from '../driver.mjs';
-import { assertBurns } from '../assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -84,24 +83,6 @@ for (const engine of ['worker', 'main']) {
     assert.deepEqual(tab.problems, []);
   });
 }
-
-test('with its last fire a page loses the engine, and gets another with the next', async () => {
-  const tab = await browser.show('<hearth-fire></hearth-fire>');
-  await tab.burnt(0.2);
-  await tab.fire((fire) => fire.remove());
-  await tab.until('there is no worker', () => /** @type {any} */ (window).driver.workers() === 0);
-  // The browser reports it a little later.
-  await eventually(
-    'no worker is left',
-    () => tab.page.workers().length,
-    (workers) => workers === 0,
-    () => tab.frames(),
-  );
-  await tab.evaluate(() => document.body.append(document.createElement('hearth-fire')));
-  await tab.burnt(1);
-  await assertBurns(tab);
-  assert.deepEqual(tab.problems, []);
-});
 
 test('of thirty fires, those out of sight cost nothing', async () => {
   const tab = await browser.show(`

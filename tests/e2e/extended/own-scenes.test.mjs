@@ -49,7 +49,7 @@ test('a saved fire is in the list with its picture, and is shown again after oth
   const config = await tab.fire((fire) => fire.exportConfig());
   await tab.page.click('[data-card="save"]');
   await named(tab, ['Candle']);
-  assert.match(await tab.on('.hearth-own img', (image) => image.src), /^data:image\/jpeg/);
+  assert.match(await tab.page.$eval('.hearth-own img', (image) => image.src), /^data:image\/jpeg/);
   await tab.page.click('[data-card="save"]');
   await named(tab, ['Candle', 'Candle 2']);
   await rename(tab, 'Candle 2', 'Candle');

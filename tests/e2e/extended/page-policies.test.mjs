@@ -6,7 +6,6 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
 import { assertBurns, assertStands } from '../assertions.mjs';
-import { Picture } from '../picture.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -115,27 +114,6 @@ test('the poster is shown until the first picture, and while there is no picture
   await good.burnt(0.5);
   await good.frames(4);
   assert.equal(lime(await good.firePicture()), 0, 'the poster is gone');
-});
-
-test('`toBlob` keeps the transparency of the picture', async () => {
-  const tab = await browser.show('<hearth-fire paused></hearth-fire>', { draws: true });
-  await tab.fire((fire) => fire.step(600));
-  const keep = (type) =>
-    tab.fire(async (fire, wanted) => {
-      const blob = await fire.toBlob(...(wanted ? [wanted, 0.9] : []));
-      const canvas = new OffscreenCanvas(240, 240);
-      const context = /** @type {any} */ (canvas.getContext('2d'));
-      context.drawImage(await createImageBitmap(blob), 0, 0);
-      const corner = [...context.getImageData(4, 4, 1, 1).data];
-      return { type: blob.type, corner, bytes: [...new Uint8Array(await blob.arrayBuffer())] };
-    }, type);
-  const png = await keep('');
-  assert.equal(png.type, 'image/png');
-  const picture = Picture.decode(Uint8Array.from(png.bytes));
-  assert.deepEqual([picture.width, picture.height], [240, 240]);
-  assert.deepEqual(png.corner, [0, 0, 0, 0], 'the corner is transparent');
-  assert.ok(picture.crop(0.3, 0.4, 0.7, 1).glowing() > 0.02, 'it shows the fire');
-  assert.equal((await keep('image/webp')).type, 'image/webp');
 });
 
 test('`toBlob` draws another width and background for the file, and the element stays as it is', async () => {

@@ -184,7 +184,7 @@ describe('its position', () => {
     await tab.drag(along(rectangle, 0.2), along(rectangle, 0.8));
     await panel.value('fuel_power', 'about 480', (value) => Math.abs(value - 480) < 40);
     // The tooltip of the row lies beside the panel.
-    await tab.mouse('move', along(rectangle, 0.5));
+    await tab.move(along(rectangle, 0.5));
     const [tooltip, host] = await tab.until('the tooltip', () => {
       const shown = document.querySelector('.hearth-tooltip');
       if (!shown?.checkVisibility() || !/Attribute fuel-power$/.test(shown.textContent ?? '')) return false;
@@ -195,7 +195,7 @@ describe('its position', () => {
     });
     assert.ok(tooltip.left >= host.right && tooltip.right <= 700, JSON.stringify([tooltip, host]));
     assert.ok(tooltip.top <= rectangle.y && tooltip.bottom >= rectangle.y, JSON.stringify([tooltip, rectangle]));
-    await tab.mouse('move', { x: 600, y: 20 });
+    await tab.move({ x: 600, y: 20 });
     await tab.until('no tooltip', () => !document.querySelector('.hearth-tooltip')?.checkVisibility());
   });
 

@@ -292,7 +292,7 @@ test('a fire out of sight is ready without a picture, and a picture of it is ref
   assert.match(refused, /no frame was drawn in 10 s, because the fire is not visible/);
 });
 
-test('a fire of a main thread whose engine throws is continued', async () => {
+test('a fire of a main thread whose engine throws is continued, and no listener runs in a frame of the engine', async () => {
   const tab = await browser.open(
     `${BODY}<script type="module">
     import { HearthFire } from '/web/hearth-fire.js';
@@ -300,10 +300,14 @@ test('a fire of a main thread whose engine throws is continued', async () => {
   </script>`,
     {
       before: () => {
+        const scope = /** @type {any} */ (window);
+        Error.stackTraceLimit = 50;
+        scope.stacks = [];
+        for (const name of ['ready', 'restored'])
+          addEventListener(name, () => scope.stacks.push(new Error().stack), true);
         const { prototype } = WebGL2RenderingContext;
         const original = prototype.drawArraysInstanced;
         prototype.drawArraysInstanced = function drawArraysInstanced(...call) {
-          const scope = /** @type {any} */ (window);
           if (scope.defect) {
             scope.defect = false;
             throw new Error('a defect');
@@ -317,5 +321,8 @@ test('a fire of a main thread whose engine throws is continued', async () => {
   await tab.evaluate(() => Object.assign(window, { defect: true }));
   await tab.until('the fire is back', () => /** @type {any} */ (window).restored === 1);
   assert.match((await events(tab, 'error'))[0].message, /engine has stopped: .*a defect/);
+  const stacks = await tab.evaluate(() => /** @type {any} */ (window).stacks);
+  assert.equal(stacks.length, 2);
+  for (const stack of stacks) assert.doesNotMatch(stack, /wasm-function/);
   await assertBurns(tab);
 });

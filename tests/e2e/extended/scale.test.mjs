@@ -22,7 +22,7 @@ after(() => browser?.close());
 
 /** The accessible name and the text of the bar; null where there is none. */
 const bar = (tab, selector = 'hearth-fire') =>
-  tab.on(selector, (fire) => {
+  tab.page.$eval(selector, (fire) => {
     const found = fire.shadowRoot.querySelector('[part="scale"]');
     if (!found?.checkVisibility()) return null;
     const { left, bottom, height } = found.getBoundingClientRect();

@@ -62,7 +62,7 @@ describe('the scenes', () => {
     );
     // Those in sight come, and the others when they are about to be.
     for (const { name } of PRESETS) {
-      await tab.on(`[data-scene="${name}"]`, (tile) => tile.scrollIntoView({ block: 'nearest' }));
+      await tab.page.$eval(`[data-scene="${name}"]`, (tile) => tile.scrollIntoView({ block: 'nearest' }));
       await tab.until(
         `the picture of ${name}`,
         (wanted) => {
@@ -184,7 +184,7 @@ test('a finger pushes and taps the scenes in the sheet of a phone', async () => 
       await tab.frames(20);
     }
     const { x, y } = await rowBox(name);
-    await (await tab.finger({ x, y })).end();
+    await (await tab.page.touchscreen.touchStart(x, y)).end();
     await isScene(tab, name);
   }
   assert.deepEqual(tab.problems, []);

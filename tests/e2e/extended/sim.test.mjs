@@ -86,6 +86,31 @@ test('the library loads with a policy that allows wasm, and else rejects with th
   }
 });
 
+test('no call of a simulation loads anything', async () => {
+  const browser = await Browser.launch(...FOLDERS);
+  try {
+    const tab = await browser.open('<!doctype html><link rel="icon" href="data:,">');
+    const [before, after, ...done] = await tab.evaluate(async () => {
+      const { createSimulation } = await import(/** @type {any} */ ('/web/sim.js'));
+      const requests = () => performance.getEntriesByType('resource').length;
+      const sim = await createSimulation();
+      const before = requests();
+      const log = sim.addObject({ kind: 'solid', fuel: 'wood', motion: 'free', y: 0.5 });
+      sim.spray(0, 1);
+      sim.ignite(log);
+      sim.advance(0.05);
+      const done = [sim.fuels().length, sim.freeSolids().length];
+      sim.set('model', 'classic');
+      sim.advance(0.05);
+      return [before, requests(), ...done, sim.get('model')];
+    });
+    assert.equal(after, before);
+    assert.deepEqual(done, [1, 1, 'classic']);
+  } finally {
+    await browser.close();
+  }
+});
+
 /** Burns on until the lower middle of the window glows; and it moves. */
 async function burns(/** @type {any} */ tab) {
   const middle = async () => (await tab.picture()).crop(0.25, 0.4, 0.75, 1);

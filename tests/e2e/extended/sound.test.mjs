@@ -234,20 +234,34 @@ describe('with a panel', () => {
       slider.dispatchEvent(new Event('input'));
     });
     assert.equal(await tab.fire((fire) => fire.sound), 0.25);
-    await tab.press('m');
+    await tab.page.keyboard.press('m');
     await hasState(tab, 'silent');
     assert.equal(await pressed(), 'false');
-    await tab.press('m');
+    await tab.page.keyboard.press('m');
     await hasState(tab, 'playing');
     assert.equal(await tab.fire((fire) => fire.sound), 0.25);
   });
 
-  test('a stream of the fire carries its sound while it is on', async () => {
+  test('a stream of the fire carries its sound while it is on, by a track of its own from one node', async () => {
     const tab = await opened(browser);
     const tracks = () => tab.fire((fire) => fire.captureStream().then((stream) => stream.getAudioTracks().length));
     assert.equal(await tracks(), 0);
     await tab.click({ x: 300, y: 300 });
     await hasState(tab, 'playing');
     assert.equal(await tracks(), 1);
+    const found = await tab.fire(async (fire) => {
+      let nodes = 0;
+      globalThis.MediaStreamAudioDestinationNode = new Proxy(globalThis.MediaStreamAudioDestinationNode, {
+        construct(Node, given) {
+          nodes += 1;
+          return Reflect.construct(Node, given);
+        },
+      });
+      const streams = [await fire.captureStream(), await fire.captureStream()];
+      const [first, second] = streams.map((stream) => stream.getAudioTracks()[0]);
+      first.stop();
+      return { nodes, states: [first.readyState, second.readyState] };
+    });
+    assert.deepEqual(found, { nodes: 0, states: ['ended', 'live'] });
   });
 });

@@ -30,7 +30,7 @@ test('a drag blows flames its way, and keys blow and throw sparks from the cross
   const left = await calls(tab, () => drag(tab, [0.1, 0.3], [-0.1, 0.3]));
   assert.ok(left.every(([name, , , u]) => name === 'stir' && u <= 0) && left.some(([, , , u]) => u < 0), `${left}`);
   await tab.page.focus('.hearth-overlay');
-  const cross = () => tab.on('.hearth-overlay .cross', (path) => path.getBoundingClientRect().y);
+  const cross = () => tab.page.$eval('.hearth-overlay .cross', (path) => path.getBoundingClientRect().y);
   await tab.key('Enter');
   const middle = await cross();
   for (let down = 0; down < 4; down += 1) await chord(tab, 'Shift', 'ArrowDown');

@@ -58,7 +58,7 @@ test('a press lights wood; a drag and keys spray water', async () => {
   assert.match(await toolStatus(tab), /^Water: Hold to spray/);
   const calls = await sprayed(tab, () => drag(tab, [0.25, 0.8], [0.35, 0.8]));
   assert.ok(calls.length > 0 && calls.every(([, y, , v]) => close(y, 0.8, 0.05) && v < 0), JSON.stringify(calls));
-  await tab.on('.hearth-overlay', (layer) => layer.focus());
+  await tab.page.$eval('.hearth-overlay', (layer) => layer.focus());
   const byKeys = await sprayed(tab, async () => {
     await tab.key('Enter');
     await tab.until('several sprays', () => window.sprayed.length > 2);

@@ -87,7 +87,7 @@ async function saved(tab) {
 async function assertShows(tab, size) {
   await tool(tab, 'plots');
   await tab.page.waitForSelector('.hearth-plots');
-  assert.equal(await tab.on('[data-tool="plots"]', (button) => button.getAttribute('aria-pressed')), 'true');
+  assert.equal(await tab.page.$eval('[data-tool="plots"]', (button) => button.getAttribute('aria-pressed')), 'true');
   await burn(tab, 3);
   const shown = await charts(tab);
   assert.deepEqual(Object.keys(shown), CHARTS);
@@ -110,7 +110,7 @@ async function assertShows(tab, size) {
   await tab.key('Escape');
   assert.equal(await tab.evaluate(() => document.querySelector('.hearth-plots')), null);
   assert.equal(await tab.evaluate(() => document.activeElement?.getAttribute('data-tool')), 'plots');
-  assert.equal(await tab.on('[data-tool="plots"]', (button) => button.getAttribute('aria-pressed')), 'false');
+  assert.equal(await tab.page.$eval('[data-tool="plots"]', (button) => button.getAttribute('aria-pressed')), 'false');
 }
 
 for (const size of PHONES) {

@@ -86,7 +86,7 @@ test('a mouse reads without a press and keys read at the cross, in both models',
     [0.1, 0.6],
     [-0.2, 1],
   ]) {
-    await tab.mouse('move', await pixel(tab, x, y));
+    await tab.move(await pixel(tab, x, y));
     const shown = await read(tab, x, y);
     const { place } = await tab.fire((fire, at) => fire.measure(...at), [x, y]);
     assert.ok(

@@ -50,13 +50,13 @@ test('keys and clicks add to the selection, move, duplicate, align and order all
   await tab.page.focus('[data-tool="align-left"]');
   for (const key of ['ArrowRight', 'ArrowRight', 'Enter']) await tab.key(key);
   await until(tab, 'aligned at the right', ([, a, b]) => close(a.x + 0.05, b.x + 0.1, 2e-3));
-  const aligns = () => tab.on('.hearth-align', (bar) => bar.checkVisibility());
+  const aligns = () => tab.page.$eval('.hearth-align', (bar) => bar.checkVisibility());
   assert.equal(await aligns(), true);
   await tool(tab, 'several');
   await tool(tab, 'select');
   await tap(tab, 0.3, 1.1);
   assert.equal(await aligns(), false);
-  assert.equal(await tab.on('[aria-label="Selected object"]', (list) => list.value), '3');
+  assert.equal(await tab.page.$eval('[aria-label="Selected object"]', (list) => list.value), '3');
   await tab.page.keyboard.down('Shift');
   await tap(tab, 0.35, 0.98);
   await tab.page.keyboard.up('Shift');

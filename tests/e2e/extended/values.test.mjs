@@ -25,7 +25,7 @@ function seeds(tab) {
   });
 }
 
-test('a fire keeps its automatic seed when it is moved or inserted again, until another is set', async () => {
+test('a fire keeps its automatic seed, or one that is set, when it is moved or inserted again and with another preset', async () => {
   const tab = await browser.show(`<hearth-fire ${SMALL} seed="auto"></hearth-fire><div></div>`);
   const [own] = await seeds(tab);
   const after = await tab.fire(async (fire) => {
@@ -38,8 +38,17 @@ test('a fire keeps its automatic seed when it is moved or inserted again, until 
     document.body.append(fire);
     await fire.ready;
     found.push(fire.seed, (await fire.exportConfig()).values.seed);
-    await fire.set('seed', 7);
-    found.push(fire.seed);
+    // The second is the preset's.
+    for (const seed of [7, 1]) {
+      await fire.set('seed', seed);
+      await fire.destroy();
+      document.body.append(fire);
+      await fire.ready;
+      await fire.importConfig(fire.history.settings);
+      fire.preset = seed === 1 ? 'default' : 'candle';
+      await fire.exportConfig();
+      found.push(fire.seed);
+    }
     fire.setAttribute('seed', '9');
     await fire.exportConfig();
     found.push(fire.seed);
@@ -51,7 +60,7 @@ test('a fire keeps its automatic seed when it is moved or inserted again, until 
     found.push(fire.seed);
     return found;
   });
-  assert.deepEqual(after, [own, own, own, 7, 9, 1, own]);
+  assert.deepEqual(after, [own, own, own, 7, 1, 9, 1, own]);
 });
 
 test('replacing all values keeps an automatic seed, unless they name one', async () => {

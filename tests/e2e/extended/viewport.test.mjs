@@ -4,9 +4,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
-import { table } from '../site.mjs';
-
-const { DEFAULTS } = await table();
 
 /** @type {Browser} */
 let browser;
@@ -20,36 +17,6 @@ function assertNear(found, expected, what) {
   const near = Math.abs(found.x - expected.x) < 1e-3 && Math.abs(found.y - expected.y) < 1e-3;
   assert.ok(near, `${what} is ${JSON.stringify(found)}, not ${JSON.stringify(expected)}`);
 }
-
-test('the height of the world fits the picture, its origin is the lower middle', async () => {
-  const tab = await browser.show(`<hearth-fire paused
-    style="width: 300px; height: 200px; border: 10px solid; margin: 20px"></hearth-fire>`);
-  await tab.ready();
-  const height = DEFAULTS.domain_height;
-  for (const [pixels, metres] of [
-    [
-      { x: 160, y: 210 },
-      { x: 0, y: 0 },
-    ],
-    [
-      { x: 160, y: 10 },
-      { x: 0, y: height },
-    ],
-    [
-      { x: 260, y: 110 },
-      { x: height / 2, y: height / 2 },
-    ],
-    [
-      { x: 10, y: 210 },
-      { x: -0.75 * height, y: 0 },
-    ],
-  ]) {
-    const there = await tab.fire((fire, { x, y }) => fire.toMetres(x, y), pixels);
-    assertNear(there, metres, `toMetres(${pixels.x}, ${pixels.y})`);
-    const back = await tab.fire((fire, { x, y }) => fire.toPixels(x, y), metres);
-    assertNear(back, pixels, `toPixels(${metres.x}, ${metres.y})`);
-  }
-});
 
 test('they follow the height of the world, and have no value without a picture', async () => {
   const tab = await browser.show('<hearth-fire paused></hearth-fire>');

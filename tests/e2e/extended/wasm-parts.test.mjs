@@ -3,9 +3,12 @@
  * its settings.
  */
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
 import { assertBurns, events, recording } from '../assertions.mjs';
+import { SITE } from '../site.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -87,6 +90,42 @@ test('a fire that does not get a part keeps its settings and burns on, and the c
   for (const at of [1, 5]) assert.equal(outcomes[at], 'fulfilled');
   const kept = await tab.fire(({ params, objects }) => [params.model, params.wind, objects.length]);
   assert.deepEqual(kept, ['combustion', 0.5, 2]);
+  await assertBurns(tab);
+});
+
+test('a fire whose part never arrives plays and pauses at once, and its removal drops the call', async () => {
+  const tab = await browser.open('<hearth-fire quality="low"></hearth-fire>', {
+    files: { [BODIES]: { silent: true } },
+  });
+  await tab.burnt(0.3);
+  const outcome = await tab.fire(async (fire) => {
+    const call = fire.importConfig({ preset: 'house-of-cards' });
+    await fire.pause();
+    const paused = [fire.paused, fire.matches(':state(burning)')];
+    await fire.play();
+    fire.remove();
+    await fire.destroy();
+    const dropped = await call.catch(({ message }) => message);
+    document.body.append(fire);
+    await fire.ready;
+    return { paused, dropped, preset: fire.preset };
+  });
+  assert.deepEqual(outcome, { paused: [true, false], dropped: 'the fire was removed', preset: 'default' });
+  await assertBurns(tab);
+});
+
+test('a part of another build is refused, and the fire gets the right one with the next call', async () => {
+  // The library's part fits another module.
+  const other = readFileSync(path.join(SITE, 'web/wasm/hearth-sim_classic.wasm'));
+  const tab = await browser.open('<hearth-fire quality="low"></hearth-fire>', {
+    files: { [CLASSIC]: { body: other, type: 'application/wasm' } },
+  });
+  await tab.burnt(0.3);
+  const classic = () => tab.fire((fire) => fire.set('model', 'classic').then(() => fire.params.model, String));
+  assert.match(await classic(), /could not be loaded: it is of another build/);
+  await assertBurns(tab);
+  browser.server.replace({});
+  assert.equal(await classic(), 'classic');
   await assertBurns(tab);
 });
 

@@ -156,9 +156,9 @@ fn burning(request: &Request, seconds: f64) -> Result<Fire, Failure> {
 /// All values of the fire of a request, as a person would write them.
 fn values(request: &Request) -> Result<Value, Failure> {
     let fire = burning(request, 0.0)?;
-    let values = PARAMETERS.iter().filter_map(|param| {
-        let value = fire.parameters().get(param.id)?;
-        Some((param.id.to_owned(), Value::from(value.to_string())))
+    let values = PARAMETERS.iter().map(|param| {
+        let value = fire.scene().value(param);
+        (param.id.to_owned(), Value::from(value.to_string()))
     });
     Ok(Value::Object(values.collect()))
 }

@@ -3,7 +3,7 @@
 use hearth_core::params::{DisplayMode, Input, Model};
 use hearth_core::preset::Preset;
 use hearth_core::resolution::Level;
-use hearth_core::{Charred, Instance, Parameters, Simulation};
+use hearth_core::{Charred, Instance, Scene, Simulation};
 use hearth_render::{History, RenderError, Renderer, ResolutionLimits, View};
 
 use crate::Failure;
@@ -28,12 +28,12 @@ impl Fire {
         let name = request.text("lit");
         let preset = Preset::find(name)?;
         let mut scene = preset.scene();
-        let mut settings = scene.settings().clone();
+        let mut world = scene.world().clone();
         let most = request.number("particles") as u32;
-        let limited = most > 0 && settings.model() == Model::Combustion;
-        if limited && settings.domain_particles() > most {
-            settings.set_domain_particles(most);
-            scene.set_settings(settings);
+        let limited = most > 0 && world.model() == Model::Combustion;
+        if limited && world.domain_particles() > most {
+            world.set_domain_particles(most);
+            scene.set_world(world);
         }
         Ok(Fire {
             simulation: Simulation::new(scene),
@@ -56,9 +56,9 @@ impl Fire {
         Ok(())
     }
 
-    /// The settings.
-    pub fn parameters(&self) -> &Parameters {
-        self.simulation.parameters()
+    /// The scene.
+    pub fn scene(&self) -> &Scene {
+        self.simulation.scene()
     }
 
     /// How long it has burnt \[s\].
@@ -108,7 +108,7 @@ impl Fire {
             time: fire.time(),
             ..View::default()
         };
-        renderer.paint_in_passes(gl, &view, fire.parameters(), &self.history, on_pass)
+        renderer.paint_in_passes(gl, &view, fire.scene(), &self.history, on_pass)
     }
 }
 

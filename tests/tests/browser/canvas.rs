@@ -77,11 +77,7 @@ impl Canvas {
     }
 
     /// Paints `instances` with a renderer of its own and reads the picture.
-    pub fn paint(
-        &self,
-        instances: &[Instance],
-        scene: &Scene,
-    ) -> Result<Pixels, JsValue> {
+    pub fn paint(&self, instances: &[Instance], scene: &Scene) -> Result<Pixels, JsValue> {
         let mut renderer = Renderer::new(&self.gl).map_err(words)?;
         let painted = self.paint_with(&mut renderer, instances, scene);
         renderer.destroy(&self.gl);

@@ -4,7 +4,7 @@
 mod fields;
 
 use hearth_core::params::{Choice, DisplayMode, Input, Model};
-use hearth_core::{Instance, Simulation};
+use hearth_core::{Instance, Scene, Simulation};
 use hearth_render::{History, Renderer, View};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;

@@ -155,13 +155,7 @@ fn as_many_solids_as_a_scene_holds_are_drawn_and_removed() -> Result<(), JsValue
         let pixel = pixels.at(x as f32, y as f32);
         assert_eq!(pixel[3], 255, "{pixel:?} at {x}, {y}");
     }
-    renderer.upload_solids(
-        &canvas.gl,
-        &empty,
-        &[],
-        &[],
-        &Charred::default(),
-    );
+    renderer.upload_solids(&canvas.gl, &empty, &[], &[], &Charred::default());
     let pixels = canvas.paint_with(&mut renderer, &[], &empty)?;
     renderer.destroy(&canvas.gl);
     assert!(pixels.all().all(|(_, _, pixel)| pixel == [0; 4]));

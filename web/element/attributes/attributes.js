@@ -4,6 +4,7 @@
  */
 
 import { DEFAULTS, OWN_ATTRIBUTES } from '../../generated/defaults.js';
+import { setOrRemove } from '../plain-data.js';
 
 export { DEFAULTS };
 
@@ -185,39 +186,6 @@ reflect(
 function setFlag(name) {
   return (/** @type {HTMLElement} */ element, /** @type {unknown} */ value) =>
     setOrRemove(element, name, value === undefined ? value : !isOn(value) ? null : value === true ? '' : value);
-}
-
-/** The names of the properties of each element that have a value. @type {WeakMap<HTMLElement, Set<string>>} */
-const STATED = new WeakMap();
-
-/**
- * The value that a property gets. `undefined` states nothing; after a value of the same property it is null, because
- * React writes it to a property that is taken away.
- * @template T
- * @param {HTMLElement} element
- * @param {string} name
- * @param {T} value
- * @returns {T | null}
- */
-export function stated(element, name, value) {
-  const names = STATED.get(element) ?? new Set();
-  STATED.set(element, names);
-  const wasStated = names.delete(name);
-  if (value === undefined) return wasStated ? null : value;
-  names.add(name);
-  return value;
-}
-
-/**
- * Sets an attribute to the value of a property, or removes it for null.
- * @param {HTMLElement} element
- * @param {string} name
- * @param {unknown} value
- */
-export function setOrRemove(element, name, value) {
-  const text = stated(element, name, value);
-  if (text === null) element.removeAttribute(name);
-  else if (text !== undefined) element.setAttribute(name, String(text));
 }
 
 /**

@@ -4,7 +4,7 @@
  */
 
 import { timely } from '../../engine/time-limit.js';
-import { cut, postable } from '../session/requests.js';
+import { cut, postable } from '../plain-data.js';
 
 /** The maximum length of JSON text in characters, and of a file in bytes: the same in `share/fragment.js`. */
 const MAX_LENGTH = 400_000;

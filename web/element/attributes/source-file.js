@@ -8,7 +8,7 @@
  * @typedef {import('../session/session.js').FireSession} FireSession
  */
 
-import { quiet } from '../session/requests.js';
+import { quiet } from '../promises.js';
 import { settingsOfFile } from './settings.js';
 
 /** How long a fire waits for its file before it begins without it [ms]. */

@@ -12,7 +12,7 @@
  * @typedef {{key: string, undo: Delta, redo: Delta}} Step
  */
 
-import { quiet } from './requests.js';
+import { quiet } from '../promises.js';
 
 /** The key of the changes of undo and redo. */
 const MOVE = ' move';
@@ -20,7 +20,7 @@ const MOVE = ' move';
 /** The maximum number of steps. */
 const MAX_STEPS = 200;
 
-/** @type {(value: unknown) => value is Fields} */
+/** @type {(value: unknown) => boolean} */
 const hasFields = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
 /** Fields with those of a later delta; a list or a value replaces another one. @type {(first: Fields, then: Fields) => Fields} */
@@ -28,7 +28,7 @@ function joined(first, then) {
   const all = { ...first };
   for (const [name, value] of Object.entries(then)) {
     // A whole object leaves no field of an earlier one.
-    const isPart = hasFields(value) && !('kind' in value) && hasFields(all[name]);
+    const isPart = hasFields(value) && value.kind === undefined && hasFields(all[name]);
     all[name] = isPart ? joined(all[name], value) : value;
   }
   return all;

@@ -6,7 +6,8 @@
  * @typedef {import('./requests.js').Refusal} Refusal
  */
 
-import { postable, quiet } from './requests.js';
+import { postable } from '../plain-data.js';
+import { quiet } from '../promises.js';
 
 /** The code of one session. */
 export class OnDemandCode {

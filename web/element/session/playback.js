@@ -2,7 +2,8 @@
  * Whether a fire plays: what its page requests, and the visitor's preference for reduced motion.
  */
 
-import { isOn, setOrRemove } from '../attributes/attributes.js';
+import { isOn } from '../attributes/attributes.js';
+import { setOrRemove } from '../plain-data.js';
 import { motionIsReduced } from '../view/visibility.js';
 
 /** The playback of one element. */

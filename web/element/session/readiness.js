@@ -4,7 +4,7 @@
  */
 
 import { countdown } from '../../engine/time-limit.js';
-import { deferred } from './requests.js';
+import { deferred } from '../promises.js';
 
 /** Maximum time from the first values of a visible fire to its picture [s]. */
 const PICTURE_S = 10;

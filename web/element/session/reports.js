@@ -7,7 +7,8 @@
 import { timely } from '../../engine/time-limit.js';
 import { VERSION } from '../../generated/version.js';
 import { DEFAULTS } from '../attributes/attributes.js';
-import { cut, refusal } from './requests.js';
+import { cut } from '../plain-data.js';
+import { refusal } from './requests.js';
 
 /** The reports of one element. */
 export class Reports {

@@ -8,11 +8,11 @@
  *
  * @typedef {import('../../engine/engine.js').Call} Call
  * @typedef {{id: string, value: unknown, message: string, min?: number, max?: number}} Refusal
- * @typedef {{promise: Promise<any>, resolve: (value?: unknown) => void, reject: (error: Error) => void, failed:
- *   boolean}} Deferred
+ * @typedef {import('../promises.js').Deferred} Deferred
  */
 
-import { AT_ONCE } from '../../engine/at-once.js';
+import { AT_ONCE } from '../../parts.js';
+import { deferred } from '../promises.js';
 
 /**
  * The number of unanswered sets from which on calls wait, and the number of waiting calls from which on
@@ -157,78 +157,3 @@ export function refusal(errors) {
   const { message, ...first } = errors[0] ?? { message: '' };
   return Object.assign(new RangeError(message), first, { errors });
 }
-
-/**
- * A promise with its handles, whose rejection needs no handler.
- * @returns {Deferred}
- */
-export function deferred() {
-  /** @type {any} */
-  const made = { failed: false };
-  made.promise = quiet(
-    new Promise((resolve, reject) => {
-      made.resolve = resolve;
-      made.reject = (/** @type {Error} */ error) => {
-        made.failed = true;
-        reject(error);
-      };
-    }),
-  );
-  return made;
-}
-
-/**
- * The same promise, whose rejection needs no handler.
- * @template T
- * @param {Promise<T>} promise
- */
-export function quiet(promise) {
-  promise.catch(() => {});
-  return promise;
-}
-
-/** The maximum number of fields of an object, items of a list and characters of a text; far more than any value has. */
-const MAX_FIELDS = 1000;
-
-/** The maximum length of a text that draws an outline, and its names. */
-const MAX_OUTLINE = 66_000;
-const OUTLINES = ['points', 'mask'];
-
-/** The maximum length of a text in a refusal, and of the name of a field. */
-const MAX_SHOWN = 100;
-
-/** The start of a long text: a refusal repeats no more of it. @param {string} text */
-export const cut = (text) => (text.length > MAX_SHOWN ? `${text.slice(0, MAX_SHOWN)}…` : text);
-
-/**
- * A copy of a value as plain data, which can be posted, without fields that are undefined. A value that is no plain data becomes a
- * description or an empty value, which the engine refuses with its id. No getter of the page runs after this.
- * @param {unknown} value
- * @param {number} [depth] the levels of nesting that are copied
- * @param {number} [longest] the maximum length of a text
- * @returns {any}
- */
-export function postable(value, depth = 0, longest = MAX_FIELDS) {
-  if (longest === MAX_OUTLINE && Array.isArray(value)) return pairs(value);
-  if (Array.isArray(value)) return depth > 0 ? value.slice(0, MAX_FIELDS).map((item) => postable(item, depth - 1)) : [];
-  if (typeof value === 'object' && value !== null) {
-    const given = depth > 0 ? Object.entries(value) : [];
-    if (given.length > MAX_FIELDS) return 'an object of more than a thousand fields';
-    const fields = given.map(([name, field]) => {
-      const most = OUTLINES.includes(name) ? MAX_OUTLINE : MAX_FIELDS;
-      return [cut(name), postable(field, depth - 1, most)];
-    });
-    // A field without a value states nothing.
-    return Object.fromEntries(fields.filter(([, field]) => field !== undefined));
-  }
-  // Wasm would keep the memory of a copy.
-  if (typeof value === 'string' && value.length > longest) return `a text of more than ${longest} letters`;
-  return ['function', 'symbol', 'bigint'].includes(typeof value) ? `a ${typeof value}` : value;
-}
-
-/** A list of pairs of numbers as text: `0,0.1 0.2,-0.1`. @param {unknown[]} list */
-const pairs = (list) =>
-  list
-    .slice(0, MAX_FIELDS)
-    .map((pair) => (Array.isArray(pair) && pair.length === 2 ? pair.join() : 'no pair'))
-    .join(' ');

@@ -10,7 +10,8 @@
 import { EngineError } from '../../engine/engine.js';
 import { missingFeature } from '../../engine/features.js';
 import { prewarmed } from '../../engine/files.js';
-import { ID_OF_ATTRIBUTE, isOn, setOrRemove, warmth } from '../attributes/attributes.js';
+import { ID_OF_ATTRIBUTE, isOn, warmth } from '../attributes/attributes.js';
+import { postable, setOrRemove } from '../plain-data.js';
 import { EngineConnection } from './engine-connection.js';
 import { OnDemandCode } from './on-demand-code.js';
 import { MUTED } from './muted.js';
@@ -18,7 +19,7 @@ import { PagePolicies } from '../attributes/page-policies.js';
 import { Playback } from './playback.js';
 import { Readiness } from './readiness.js';
 import { Reports } from './reports.js';
-import { Requests, postable } from './requests.js';
+import { Requests } from './requests.js';
 import { DEPTH, reportedSettings } from '../attributes/settings.js';
 import { SourceFile } from '../attributes/source-file.js';
 import { FireHistory } from './history.js';
@@ -34,6 +35,9 @@ const WARMTH = 3;
 
 /** How long an element that is removed keeps its fire: frameworks insert it again after some tasks [ms]. */
 const GRACE_MS = 500;
+
+/** The types of the events that answer calls. */
+const ANSWERS = ['ready', 'changed', 'done', 'refused'];
 
 /** The session of one element. */
 export class FireSession {
@@ -337,68 +341,73 @@ export class FireSession {
 
   /** @type {(message: Message, connection: EngineConnection) => void} */
   #receive(message, connection) {
-    const { state, reports } = this;
-    const { type } = message;
     // A removed fire only answers earlier calls.
-    if (connection.closed && !['ready', 'changed', 'done', 'refused'].includes(type)) return;
-    if (type === 'series') {
-      this.code.hear(message);
-    } else if (type === 'ready') {
-      state.take(message);
+    if (connection.closed && !ANSWERS.includes(message.type)) return;
+    this.#receivers[message.type]?.(message, connection);
+  }
+
+  /** What each type of event does. @type {{[type: string]: (message: Message, connection: EngineConnection) => void}} */
+  #receivers = {
+    ready: (message) => {
+      this.state.take(message);
       this.code.sound(true);
       this.code.adopt();
       this.code.reportToChildren(message);
-    } else if (type === 'changed') {
-      // These values apply to a saved picture alone.
-      if (message.source === 'picture') return;
-      const [source, key] = message.source.split(/:(.*)/s);
-      message.source = source;
-      const { objects } = state;
-      state.take(message);
-      if (key !== undefined) this.history.record(key, message.undo, message.redo);
-      this.code.reportToChildren(message);
-      if (message.redo.preset && (this.fire.getAttribute('preset') ?? 'default') !== state.preset)
-        this.reflectPreset(state.preset);
-      if (!this.#ready.announced) return;
-      for (const [id, value] of Object.entries(message.values)) reports.emit('params-change', { id, value, source });
-      if (state.objects !== objects) reports.emit('objects-change', { objects: this.fire.objects, source });
-    } else if (type === 'done') {
-      this.#requests.settle(message.request, undefined, message.value);
-    } else if (type === 'refused') {
-      const { request, errors } = message;
-      const error = reports.refused(this.code.named(errors, this.#requests.promise(request)));
+    },
+    changed: (message) => this.#change(message),
+    done: ({ request, value }) => this.#requests.settle(request, undefined, value),
+    refused: ({ request, errors }) => {
+      const error = this.reports.refused(this.code.named(errors, this.#requests.promise(request)));
       if (request !== undefined) this.#requests.settle(request, error);
-    } else if (type === 'stats') {
-      const { stats } = message;
-      state.stats = { ...stats, engine: connection.engineThread };
+    },
+    series: (message) => this.code.hear(message),
+    stats: ({ stats }, { engineThread }) => {
+      const { state } = this;
+      state.stats = { ...stats, engine: engineThread };
       this.#policies.measure(state.params.display_mode, stats.scale);
       this.code.setLight(stats.scale ? 0 : stats.power, state.params);
-      reports.emit('stats', { ...state.stats });
-    } else if (type === 'quality') {
-      const { requested, quality, reason } = message;
-      state.quality = requested;
-      if (this.#ready.announced) reports.emit('quality-change', { quality, reason });
-    } else if (type === 'state') {
-      reports.emit(message.playing ? 'play' : 'pause');
-    } else if (type === 'warming') {
-      this.view.fade();
-    } else if (type === 'restored') {
+      this.reports.emit('stats', { ...state.stats });
+    },
+    quality: ({ requested, quality, reason }) => {
+      this.state.quality = requested;
+      if (this.#ready.announced) this.reports.emit('quality-change', { quality, reason });
+    },
+    state: ({ playing }) => this.reports.emit(playing ? 'play' : 'pause'),
+    warming: () => this.view.fade(),
+    restored: (_, connection) => {
       this.drawable = true;
       this.updateBurning();
-      if (this.#ready.announced && !this.#returns) reports.emit('restored');
+      if (this.#ready.announced && !this.#returns) this.reports.emit('restored');
       this.#present(connection);
-    } else if (message.kind === 'context-lost') {
-      // The last frame stays visible.
-      this.drawable = false;
-      this.updateBurning();
-      reports.failure(message.kind, message.message);
-    } else if (message.burns) {
-      reports.warn(message.kind, message.message);
-    } else if (message.kind === 'stopped') {
-      this.#stop(message.message);
-    } else if (type === 'error') {
-      this.#fail(message.kind, message.message);
-    }
+    },
+    error: ({ kind, message, burns }) => {
+      if (kind === 'context-lost') {
+        // The last frame stays visible.
+        this.drawable = false;
+        this.updateBurning();
+        this.reports.failure(kind, message);
+      } else if (burns) this.reports.warn(kind, message);
+      else if (kind === 'stopped') this.#stop(message);
+      else this.#fail(kind, message);
+    },
+  };
+
+  /** Settings have changed. @param {Message} message */
+  #change(message) {
+    // These values apply to a saved picture alone.
+    if (message.source === 'picture') return;
+    const { state, reports } = this;
+    const [source, key] = message.source.split(/:(.*)/s);
+    message.source = source;
+    const { objects } = state;
+    state.take(message);
+    if (key !== undefined) this.history.record(key, message.undo, message.redo);
+    this.code.reportToChildren(message);
+    if (message.redo.preset && (this.fire.getAttribute('preset') ?? 'default') !== state.preset)
+      this.reflectPreset(state.preset);
+    if (!this.#ready.announced) return;
+    for (const [id, value] of Object.entries(message.values)) reports.emit('params-change', { id, value, source });
+    if (state.objects !== objects) reports.emit('objects-change', { objects: this.fire.objects, source });
   }
 
   /**

@@ -3,8 +3,8 @@
  * the fire. Code that is loaded on request adds elements and their styles.
  */
 
-import { setOrRemove } from '../attributes/attributes.js';
-import { deferred } from '../session/requests.js';
+import { setOrRemove } from '../plain-data.js';
+import { deferred } from '../promises.js';
 import { viewportOf } from './viewport.js';
 import { motionIsReduced } from './visibility.js';
 

@@ -165,12 +165,9 @@ fn a_source_has_the_surface_of_its_solid() {
     ];
     assert_eq!(scene.add(&on_solid), Ok(2));
     let id = |scene: &Scene| {
-        let sources: Vec<_> = scene.sources().collect();
-        let of = |source| scene.solid_of(&source).is_some();
-        sources
-            .into_iter()
-            .map(|source| of(source))
-            .collect::<Vec<_>>()
+        let sources = scene.sources();
+        let are_on_solids = sources.map(|source| scene.solid_of(&source).is_some());
+        are_on_solids.collect::<Vec<_>>()
     };
     assert_eq!(id(&scene), [false, true]);
     assert_eq!(value(&scene, 2, "solid"), Some(Value::Integer(9)));

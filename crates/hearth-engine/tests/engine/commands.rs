@@ -7,9 +7,7 @@ use hearth_engine::commands::{
 };
 use hearth_render::Fit;
 use hearth_settings::untrusted::Argument;
-use hearth_settings::untrusted::{
-    Check, Form, Positive, Untrusted, ValidationError, Whole, Within,
-};
+use hearth_settings::untrusted::{Check, Form, Untrusted, ValidationError, Whole, Within};
 
 #[track_caller]
 fn refused(name: &str, arguments: &[Untrusted]) -> ValidationError {

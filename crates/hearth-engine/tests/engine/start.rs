@@ -1,8 +1,8 @@
 //! What a new fire starts with.
 
 use crate::harness::{Sent, number, object, sent, text};
-use hearth_core::Parameters;
-use hearth_core::params::Model;
+use hearth_core::Scene;
+use hearth_core::params::{Model, Value};
 use hearth_engine::change::{at_first, by_command};
 use hearth_engine::commands::{Command, Start};
 use hearth_settings::untrusted::{Argument, Untrusted, ValidationError};
@@ -16,9 +16,9 @@ fn of_model<const N: usize>(model: &str, values: [(&str, Untrusted); N]) -> Sent
 }
 
 /// The parameters of a new fire, and the errors in its start.
-fn starting_values(start: &Untrusted) -> (Parameters, Vec<ValidationError>) {
+fn starting_values(start: &Untrusted) -> (Scene, Vec<ValidationError>) {
     let (settings, errors) = at_first(&Start::read(start));
-    (settings.parameters().clone(), errors)
+    (settings.scene().clone(), errors)
 }
 
 /// A start with these values only.
@@ -40,8 +40,8 @@ fn a_new_fire_takes_the_valid_values_beside_an_invalid_one() {
         ("preset", text("no such preset")),
         ("values", Untrusted::Object(values)),
     ]));
-    assert_eq!(parameters.viscosity, 0.02);
-    assert_eq!(parameters.bloom, Parameters::default().bloom);
+    assert_eq!(parameters.world().viscosity, 0.02);
+    assert_eq!(parameters.world().bloom, Scene::default().world().bloom);
     assert_eq!(ids(&errors), ["preset", "bloom"]);
 }
 
@@ -58,8 +58,11 @@ fn the_order_of_values_does_not_change_the_start() {
     assert_eq!(errors, []);
     assert_eq!(parameters.model(), Model::Classic);
     assert_eq!(
-        (parameters.emission_speed, parameters.domain_height),
-        (2.5, 1.0)
+        (
+            parameters.get("emission_speed"),
+            parameters.get("domain_height")
+        ),
+        (Some(Value::Number(2.5)), Some(Value::Number(1.0)))
     );
     sent.reverse();
     assert_eq!(starting_values(&start(sent)), (parameters, Vec::new()));
@@ -72,7 +75,7 @@ fn a_model_among_the_values_overrides_that_of_the_preset() {
         ("values", Untrusted::Object(of_model("combustion", []))),
     ]));
     assert_eq!(errors, []);
-    assert_eq!(parameters, Parameters::new(Model::Combustion));
+    assert_eq!(parameters, Scene::default());
 }
 
 #[test]

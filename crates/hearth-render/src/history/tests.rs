@@ -1,19 +1,16 @@
-use hearth_core::Parameters;
-use hearth_core::params::Input;
-
 use super::*;
 use crate::bounds::tests::particle;
 
 /// A fire of the combustion model with these values, and some gas above its source.
 fn fire(values: &[(&str, f64)]) -> Scene {
-    let mut parameters = Parameters::new(Model::Combustion);
+    let mut scene = Scene::of_model(Model::Combustion);
     for (id, value) in [("source_x", 0.0), ("source_width", 0.3)]
         .iter()
         .chain(values)
     {
-        assert_eq!(parameters.set(id, Input::Number(*value)), Ok(()));
+        assert_eq!(scene.set(id, *value), Ok(()));
     }
-    Scene::from(parameters)
+    scene
 }
 
 /// Records a fire from one time to another, 100 times a second.
@@ -70,7 +67,7 @@ fn the_last_slice_of_a_fractional_number_is_faint() {
     let (mut history, scene) = (History::default(), fire(&[]));
     burn(&mut history, &scene, 0.0, 3.0);
     let smoke = |count| {
-        let source = SourcePlace::first(scene, &[]);
+        let source = SourcePlace::first(&scene, &[]);
         let slices = history.slices(3.0, count, &source);
         slices.iter().map(|slice| slice.smoke).collect::<Vec<_>>()
     };

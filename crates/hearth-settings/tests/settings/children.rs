@@ -208,6 +208,26 @@ fn what_a_call_removes_stays_away_until_the_child_states_something() {
 }
 
 #[test]
+fn a_source_that_a_call_adds_burns_beside_a_child() {
+    let none = sent([("objects", Untrusted::List(Vec::new()))]);
+    let page = with(
+        &after(&Settings::default(), Change::State(&none)),
+        &[SOURCE],
+    );
+    let added = sent([("kind", text("source")), ("x", number(0.3))]);
+    let two = after(&page, Change::AddObject(&added));
+    let places = |settings: &Settings| {
+        let all = settings
+            .scene()
+            .objects()
+            .filter_map(|object| Some(object.source()?.x));
+        all.collect::<Vec<_>>()
+    };
+    assert_eq!(places(&two), [0.2, 0.3]);
+    assert_eq!(places(&file(&two, &export(&two))), [0.2, 0.3]);
+}
+
+#[test]
 fn objects_of_the_page_come_before_those_of_children_in_the_order_of_the_document() {
     let page = with(&Settings::default(), &[SOLID, SECOND]);
     let page = after(&page, Change::AddObject(&sent([("kind", text("solid"))])));

@@ -65,7 +65,9 @@ fn flame(fire: &Simulation) -> f32 {
     let places = fire.positions().into_iter().zip(fire.temperatures());
     let bright = places.filter(|&(_, kelvin)| kelvin > 1000.0);
     let top = bright.map(|(at, _)| at.y).fold(0.0, f32::max);
-    top - Burner::of(fire.parameters()).bottom
+    top - fire
+        .scene()
+        .read_first_source(|source| Burner::of(source).bottom)
 }
 
 #[test]

@@ -9,14 +9,12 @@
 export const AT_ONCE = ['play', 'pause', 'visible', 'resize', 'remove'];
 
 /**
- * The parts that a module has when it starts: all of a module that is as cargo linked it. The build takes them out of a
- * module, which then exports by numbers what they import.
+ * Whether the build has taken the parts out of a module, which then exports by numbers what they import. A module as
+ * cargo linked it has all parts when it starts.
  * @param {WebAssembly.Module} module
- * @param {string[]} all
  */
-export function loadedParts(module, all) {
-  const isDivided = WebAssembly.Module.exports(module).some(({ name }) => name === '0');
-  return new Set(isDivided ? [] : all);
+export function isDivided(module) {
+  return WebAssembly.Module.exports(module).some(({ name }) => name === '0');
 }
 
 /**

@@ -1,12 +1,14 @@
 /** The parts of the wasm that a page gives its engine: only those of the same build, each asked for until it is right. */
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { connect } from '../../web/engine/engine.js';
+import { connect, preload } from '../../web/engine/engine.js';
 import { VERSION } from '../../web/generated/version.js';
 import { base, part } from './parts.mjs';
 
 /** What the server answers to the next requests. @type {(Uint8Array<ArrayBuffer> | 'silence')[]} */
 const answers = [];
+/** The files that are fetched. @type {string[]} */
+const files = [];
 /** How the browser's cache was used. @type {(string | undefined)[]} */
 const caches = [];
 /** What the engine gets. @type {any[]} */
@@ -29,7 +31,8 @@ Object.assign(globalThis, {
       else sent.push(message);
     }
   },
-  fetch: async (/** @type {string} */ _url, /** @type {RequestInit} */ { signal, cache }) => {
+  fetch: async (/** @type {string} */ url, /** @type {RequestInit} */ { signal, cache }) => {
+    files.push(url.replace(/.*_/, ''));
     caches.push(cache);
     const answer = answers.shift();
     if (answer !== 'silence') return new Response(answer, { headers: { 'content-type': 'application/wasm' } });
@@ -58,4 +61,16 @@ test('a part that does not arrive or is of another build is refused, and the nex
   // It is kept.
   assert.equal(await asked('classic'), 'Module');
   assert.deepEqual(caches, ['default', 'reload', 'reload', 'reload']);
+});
+
+test('the parts of a preset load with the wasm, once', async () => {
+  files.length = 0;
+  await preload('default');
+  assert.deepEqual(files, []);
+  answers.push(part('scenes', 1), part('bodies', 1));
+  await preload('rope');
+  assert.deepEqual(files, ['scenes.wasm', 'bodies.wasm']);
+  assert.equal(await asked('scenes'), 'Module');
+  assert.equal(await asked('bodies'), 'Module');
+  assert.equal(files.length, 2);
 });

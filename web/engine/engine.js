@@ -17,7 +17,8 @@
  */
 
 import { VERSION } from '../generated/version.js';
-import { checkPart } from '../parts.js';
+import { SCENES } from '../generated/scene-parts.js';
+import { checkPart, isDivided } from '../parts.js';
 import { PARTS, glue, wasm, worker } from './files.js';
 import { countdown, timely } from './time-limit.js';
 
@@ -227,6 +228,18 @@ function loadPart(part) {
       throw error;
     });
   return keptParts[part];
+}
+
+/**
+ * Loads the parts that a preset needs as soon as the wasm is there, which asks for each when it has started.
+ * @param {string} preset
+ */
+export async function preload(preset) {
+  const base = await kept?.catch(() => undefined);
+  if (preset === 'default' || !base || !isDivided(base.module)) return;
+  const parts = Object.keys(SCENES).filter((part) => SCENES[part].includes(preset));
+  // The engine asks for a part again, and names the failure.
+  for (const part of ['scenes', ...parts]) loadPart(part).catch(() => {});
 }
 
 /** @type {(source: Source | undefined, thread: Thread) => Promise<EnginePort>} */

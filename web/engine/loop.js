@@ -3,7 +3,7 @@
  * canvas, and stops an engine that throws, which only a defect causes.
  */
 
-import { AT_ONCE, loadedParts } from '../parts.js';
+import { AT_ONCE, isDivided } from '../parts.js';
 
 /**
  * @typedef {[fire: number, request: number, ...call: import('./engine.js').Call]} Sent
@@ -44,7 +44,7 @@ export function runEngine(Engine, canvas, { post, show, module, extend, fail }, 
   let frame = 0;
   /** Calls of fires that wait for a part, which the first of each needs. @type {Map<number, Waiting>} */
   const waiting = new Map();
-  const loaded = loadedParts(module, Object.keys(PARTS));
+  const loaded = new Set(isDivided(module) ? [] : Object.keys(PARTS));
 
   const stop = () => {
     cancelAnimationFrame(frame);

@@ -53,6 +53,10 @@ fn generate(checkout: &Path) -> Result<Vec<Generated>> {
         ("web/generated/quantities.js", javascript::quantities()),
         ("web/generated/prewarmed.js", javascript::prewarmed()),
         (
+            "web/generated/scene-parts.js",
+            javascript::scene_parts(&scenes)?,
+        ),
+        (
             "web/generated/interpolation.js",
             javascript::interpolation(),
         ),

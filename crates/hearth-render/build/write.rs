@@ -47,7 +47,9 @@ fn write(programs: &[Program], text: &mut String) -> std::fmt::Result {
         programs.len()
     )?;
     for program in programs {
-        let part = PARTS.iter().find(|(_, names)| names.contains(&&*program.name));
+        let part = PARTS
+            .iter()
+            .find(|(_, names)| names.contains(&&*program.name));
         let [vertex, fragment] = program.stages.each_ref().map(|stage| match part {
             Some((part, _)) => format!("//part {part}\n{}\n//end\n", stage.text()),
             None => stage.text(),

@@ -93,6 +93,34 @@ test('a fire that does not get a part keeps its settings and burns on, and the c
   await assertBurns(tab);
 });
 
+test('presets and displays that do not arrive are refused by name, and arrive with the next call', async () => {
+  const missing = { status: 404, body: '' };
+  const tab = await browser.open('<hearth-fire quality="low"></hearth-fire>', {
+    files: { 'hearth-engine_scenes.wasm': missing, 'hearth-engine_displays.wasm': missing },
+  });
+  await tab.burnt(0.3);
+  const outcomes = () =>
+    tab.fire(async (fire) => {
+      const calls = [fire.set('display_mode', 'temperature'), fire.importConfig({ hearth: 3, preset: 'candle' })];
+      const all = await Promise.allSettled(calls);
+      const errors = all.map(({ reason }) => reason?.errors.map(({ id, message }) => `${id}: ${message}`).join());
+      return [...errors, fire.params.display_mode, fire.preset];
+    });
+  const [display, preset, ...kept] = await outcomes();
+  assert.match(display, /^display_mode: The code for this display could not be loaded: .*_displays\.wasm gave 404$/);
+  assert.match(preset, /^preset: The code for the presets could not be loaded: .*_scenes\.wasm gave 404$/);
+  assert.deepEqual(kept, ['fire', 'default']);
+  await assertBurns(tab);
+  browser.server.replace({});
+  const [, , ...now] = await outcomes();
+  assert.deepEqual(now, ['fire', 'candle']);
+  assert.equal(
+    await tab.fire((fire) => fire.set('display_mode', 'temperature').then(() => fire.params.display_mode)),
+    'temperature',
+  );
+  await assertBurns(tab);
+});
+
 test('a fire whose part never arrives plays and pauses at once, and its removal drops the call', async () => {
   const tab = await browser.open('<hearth-fire quality="low"></hearth-fire>', {
     files: { [BODIES]: { silent: true } },
@@ -115,8 +143,9 @@ test('a fire whose part never arrives plays and pauses at once, and its removal 
 });
 
 test('a part of another build is refused, and the fire gets the right one with the next call', async () => {
-  // The library's part fits another module.
-  const other = readFileSync(path.join(SITE, 'web/wasm/hearth-sim_classic.wasm'));
+  const other = readFileSync(path.join(SITE, 'web/wasm', CLASSIC));
+  // The hash of its build ends it.
+  other[other.length - 1] ^= 1;
   const tab = await browser.open('<hearth-fire quality="low"></hearth-fire>', {
     files: { [CLASSIC]: { body: other, type: 'application/wasm' } },
   });

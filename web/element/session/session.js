@@ -9,6 +9,7 @@
 
 import { EngineError } from '../../engine/engine.js';
 import { missingFeature } from '../../engine/features.js';
+import { preload } from '../../engine/engine.js';
 import { prewarmed } from '../../engine/files.js';
 import { ID_OF_ATTRIBUTE, isOn, warmth } from '../attributes/attributes.js';
 import { postable, setOrRemove } from '../plain-data.js';
@@ -266,6 +267,7 @@ export class FireSession {
   async #prepare() {
     const { fire } = this;
     const state = this.#warmth() && !fire.src ? prewarmed(fire.preset) : undefined;
+    preload(fire.preset);
     const file = this.state.started ? undefined : this.#file.begin();
     await this.#gone;
     await this.code.adopt(true);

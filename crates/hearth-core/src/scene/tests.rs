@@ -238,6 +238,31 @@ fn the_number_of_objects_is_limited() {
 }
 
 #[test]
+fn a_scene_with_other_ids_is_the_same_scene() {
+    let mut scene = Scene::default();
+    let surface = |solid: f64| {
+        [
+            SOURCE,
+            ("shape", Input::Text("solid")),
+            ("solid", number(solid)),
+        ]
+    };
+    assert_eq!(scene.add(&[SOLID]), Ok(2));
+    assert_eq!(scene.change(1, &surface(2.0)), Ok(()));
+    assert_eq!(scene.add(&surface(2.0)), Ok(3));
+    let before = scene.clone();
+    scene.renumber(&|id| id + 7);
+    assert_eq!(ids(&scene), [8, 9, 10]);
+    assert!(
+        scene
+            .sources()
+            .all(|source| scene.solid_of(source).is_some())
+    );
+    scene.renumber(&|id| id - 7);
+    assert_eq!(scene, before);
+}
+
+#[test]
 fn a_solid_has_properties_that_are_no_settings() {
     let mut scene = Scene::default();
     let settings = scene.settings().clone();

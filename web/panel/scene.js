@@ -26,6 +26,9 @@ export const MODEL = /** @type {import('../parameters.js').Parameter} */ (PARAME
 /** The model of a fire without one. */
 const DEFAULT_MODEL = /** @type {ModelName} */ (MODEL.default);
 
+/** The properties that name a solid. */
+const LINKS = ['solid', 'hangs_from'];
+
 /** The fields of a domain. */
 const FIELDS = /** @type {const} */ (['default', 'min', 'max']);
 
@@ -75,11 +78,10 @@ function idOf({ history }, number) {
 export function sceneObjects(fire) {
   const others = OBJECTS[presetOf(fire)?.name ?? ''] ?? [];
   const objects = /** @type {Fields[]} */ ([{ kind: 'source' }, ...others]);
-  return objects.map((fields, index) => ({
-    ...fields,
-    ...(fields.solid && { solid: idOf(fire, fields.solid) }),
-    id: idOf(fire, index + 1),
-  }));
+  return objects.map((fields, index) => {
+    const links = LINKS.filter((name) => name in fields).map((name) => [name, idOf(fire, fields[name])]);
+    return { ...fields, ...Object.fromEntries(links), id: idOf(fire, index + 1) };
+  });
 }
 
 /**

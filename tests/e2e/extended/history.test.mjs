@@ -46,7 +46,7 @@ async function sequence(seed) {
 
   /** Values with the places of objects for their ids, which each fire gives itself. @type {(of: any, all: any[]) => any} */
   const numbered = (of, all) => {
-    const known = ['id', 'solid', 'source_solid'];
+    const known = ['id', 'solid', 'source_solid', 'hangs_from'];
     const place = (/** @type {number} */ id) => of.objects.findIndex((/** @type {any} */ object) => object.id === id);
     return all.map((values) =>
       Object.fromEntries(

@@ -48,6 +48,9 @@ async function scenePage(name) {
   return { tab, panel };
 }
 
+/** The id of the object in a place of the list: each scene has other ids. */
+const idAt = async (tab, place) => (await objects(tab))[place].id;
+
 const titled = (panel, text) =>
   panel.until(
     `the scene is called ${text}`,
@@ -125,7 +128,7 @@ describe('a mouse', () => {
     const { tab, panel } = await scenePage('campfire');
     const before = await objects(tab);
     await panel.pointAt(actionOf('select-object'));
-    await tab.click(along(await panel.rectangleOf('object:2'), 0.5));
+    await tab.click(along(await panel.rectangleOf(`object:${await idAt(tab, 1)}`), 0.5));
     await press(panel, tab, 'duplicate');
     const now = await until(tab, 'one more', (all) => all.length === before.length + 1);
     const { x, y, id, ...copy } = now.at(-1);
@@ -212,7 +215,7 @@ describe('buttons act on the fire at the selected object', () => {
         (root, wanted) => root.querySelector('.hearth-controls [role="status"]').textContent.startsWith(wanted),
         words,
       );
-    await tab.page.select(actionOf('select-object'), '1');
+    await tab.page.select(actionOf('select-object'), String(await idAt(tab, 0)));
     await press(panel, tab, 'extinguish');
     await statusBegins('A source has no fuel');
     await tab.fire((fire) => fire.addObject({ kind: 'solid', material: 'stone' }));
@@ -230,9 +233,10 @@ test('an object is named and switched off, in the list of the panel and by its o
   const { tab, panel } = await scenePage('campfire');
   const first = await tab.fire((fire) => fire.exportConfig());
   await panel.pointAt(actionOf('select-object'));
-  await tab.click(along(await panel.rectangleOf('enabled:2'), 0.5));
+  const id = await idAt(tab, 1);
+  await tab.click(along(await panel.rectangleOf(`enabled:${id}`), 0.5));
   await until(tab, 'the log is off', (all) => all[1].enabled === false);
-  await tab.page.select(actionOf('select-object'), '2');
+  await tab.page.select(actionOf('select-object'), String(id));
   await panel.pointAt(propertyOf('solid:name'));
   await panel.in((root) => {
     const field = root.querySelector('[data-property="solid:name"]');
@@ -240,10 +244,11 @@ test('an object is named and switched off, in the list of the panel and by its o
     field.dispatchEvent(new Event('change'));
   });
   await until(tab, 'the log has a name', (all) => all[1].name === 'Back log');
-  await panel.until('the list has the name', (root) =>
-    [...root.querySelector('[data-action="select-object"]').options].some(
-      ({ text }) => text === 'Back log · Solid 2 · off',
-    ),
+  await panel.until(
+    'the list has the name',
+    (root, wanted) =>
+      [...root.querySelector('[data-action="select-object"]').options].some(({ text }) => text === wanted),
+    `Back log · Solid ${id} · off`,
   );
   await titled(panel, 'Campfire, changed');
   for (let step = 0; step < 2; step += 1) {
@@ -278,7 +283,10 @@ test('a source on a solid goes with it, and undo restores both', async () => {
 
 test('the list follows the page, and a removed object is not selected', async () => {
   const { tab, panel } = await scenePage('default');
-  await tab.fire((fire) => fire.addObject({ kind: 'solid', shape: 'box', material: 'brick' }));
+  const [first, id] = await tab.fire(async (fire) => {
+    const added = await fire.addObject({ kind: 'solid', shape: 'box', material: 'brick' });
+    return [fire.objects[0].id, added];
+  });
   const listed = (/** @type {string[]} */ names) =>
     panel.until(
       `the list has ${names}`,
@@ -286,15 +294,15 @@ test('the list follows the page, and a removed object is not selected', async ()
         [...root.querySelector('[data-action="select-object"]').options].map(({ text }) => text).join() === wanted,
       ['none', ...names].join(),
     );
-  await listed(['Source 1', 'Solid 2 · brick box']);
+  await listed([`Source ${first}`, `Solid ${id} · brick box`]);
   await panel.pointAt(actionOf('select-object'));
-  await panel.rectangleOf('object:2');
-  await tab.page.select(actionOf('select-object'), '2');
+  await panel.rectangleOf(`object:${id}`);
+  await tab.page.select(actionOf('select-object'), String(id));
   await panel.pointAt(propertyOf('solid:corner'));
-  await tab.fire((fire) => fire.changeObject(2, { material: 'none', shape: 'line' }));
-  await listed(['Source 1', 'Solid 2 · invisible line']);
-  await tab.fire((fire) => fire.removeObject(2));
-  await listed(['Source 1']);
+  await tab.fire((fire, solid) => fire.changeObject(solid, { material: 'none', shape: 'line' }), id);
+  await listed([`Source ${first}`, `Solid ${id} · invisible line`]);
+  await tab.fire((fire, solid) => fire.removeObject(solid), id);
+  await listed([`Source ${first}`]);
   assert.equal(await tab.page.$eval(actionOf('select-object'), (list) => list.value), '');
   assert.equal(await panel.in((root) => root.querySelector('[data-property="solid:corner"]').checkVisibility()), false);
 });
@@ -305,7 +313,7 @@ test('a search finds a property and shows its row', async () => {
   await tab.click(along(await panel.rectangleOf('search'), 0.5));
   await tab.page.keyboard.type('corner radius');
   // The logs are lines, which have no corners: the first stone has some.
-  await panel.rectangleOf('object:5');
+  await panel.rectangleOf(`object:${await idAt(tab, 4)}`);
   // Each letter finds fewer rows, which move.
   await tab.until(
     'the only row',
@@ -373,7 +381,7 @@ test('accessible controls add, change, reset and delete by keys', async () => {
   const wider = await until(tab, 'wider', (all) => all.at(-1).width > width);
   assert.deepEqual(wider.slice(0, -1), now.slice(0, -1));
   // The list selects; the first source has its parameters instead of properties, and a name.
-  await tab.page.select(actionOf('select-object'), '1');
+  await tab.page.select(actionOf('select-object'), String(now[0].id));
   await panel.until(
     'its name alone',
     (root) =>
@@ -382,16 +390,17 @@ test('accessible controls add, change, reset and delete by keys', async () => {
         .map((row) => row.dataset.property)
         .join() === 'source:name',
   );
-  await tab.page.select(actionOf('select-object'), '5');
+  const stone = now[4].id;
+  await tab.page.select(actionOf('select-object'), String(stone));
   await tab.page.focus(propertyOf('solid:angle'));
   await tab.key('ArrowRight');
   await until(tab, 'turned', (all) => all[4].angle !== 8);
   await enter('restore:solid:angle');
   await until(tab, 'as in the scene', (all) => all[4].angle === 8);
   await enter('to:back');
-  await until(tab, 'behind the others', (all) => all[0].id === 5);
+  await until(tab, 'behind the others', (all) => all[0].id === stone);
   await enter('undo');
-  await until(tab, 'in its place', (all) => all[4].id === 5);
+  await until(tab, 'in its place', (all) => all[4].id === stone);
   await tab.page.select(actionOf('select-object'), String(id));
   await enter('delete');
   await until(tab, 'as many as before', (all) => all.length === count);

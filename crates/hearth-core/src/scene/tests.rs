@@ -250,9 +250,12 @@ fn a_scene_with_other_ids_is_the_same_scene() {
     assert_eq!(scene.add(&[SOLID]), Ok(2));
     assert_eq!(scene.change(1, &surface(2.0)), Ok(()));
     assert_eq!(scene.add(&surface(2.0)), Ok(3));
+    assert_eq!(scene.add(&[SOLID, ("hangs_from", number(2.0))]), Ok(4));
     let before = scene.clone();
     scene.renumber(&|id| id + 7);
-    assert_eq!(ids(&scene), [8, 9, 10]);
+    assert_eq!(ids(&scene), [8, 9, 10, 11]);
+    let hang = scene.solids().map(|solid| solid.hangs_from);
+    assert!(hang.eq([0, 9]));
     assert!(
         scene
             .sources()

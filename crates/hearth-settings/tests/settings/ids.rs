@@ -61,6 +61,11 @@ fn another_scene_has_other_objects_and_its_sources_stay_on_their_solids() {
     assert!(other.scene().objects().all(|object| object.id > count));
     assert_eq!(solids_of(other.scene()), solids_of(first.scene()));
     assert_eq!(in_order(other.scene()), *first.scene());
+    for name in ["rope", "curtains"] {
+        let hanging = after(&second, Change::Preset(name));
+        let of_preset = Settings::of_preset(name).map(|preset| preset.scene().clone());
+        assert_eq!(Ok(in_order(hanging.scene())), of_preset);
+    }
     // A file numbers them from 1, and is a scene, too.
     assert_eq!(export(&other), export(&first));
     let moved = set(&other, "source_x", number(0.2));

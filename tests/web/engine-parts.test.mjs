@@ -9,12 +9,11 @@ import { base, part } from './parts.mjs';
 const answers = [];
 /** How the browser's cache was used. @type {(string | undefined)[]} */
 const caches = [];
-/** What the engine gets. @type {any[]} */
-let sent = [];
+/** Takes what the engine gets next. @type {(message: any) => void} */
+let take = () => {};
 /** @type {any} */
 let thread;
 
-const { timeout } = AbortSignal;
 Object.assign(globalThis, {
   document: { baseURI: 'https://fire.example/', hidden: false },
   Worker: class {
@@ -26,25 +25,27 @@ Object.assign(globalThis, {
     postMessage(message) {
       if (message.type === 'start')
         queueMicrotask(() => thread.onmessage({ data: { type: 'started', version: VERSION } }));
-      else sent.push(message);
+      else take(message);
     }
   },
   fetch: async (/** @type {string} */ _url, /** @type {RequestInit} */ { signal, cache }) => {
     caches.push(cache);
     const answer = answers.shift();
-    if (answer !== 'silence') return new Response(answer, { headers: { 'content-type': 'application/wasm' } });
-    return new Promise((_, reject) => signal?.addEventListener('abort', () => reject(signal.reason)));
+    if (answer === 'silence') throw signal?.reason;
+    return new Response(answer, { headers: { 'content-type': 'application/wasm' } });
   },
 });
 // The time limit of a download passes at once.
-AbortSignal.timeout = () => timeout.call(AbortSignal, 1);
+AbortSignal.timeout = () => AbortSignal.abort(new DOMException('no answer', 'TimeoutError'));
 
 /** What the engine gets when it asks for a part. @param {string} name */
 async function asked(name) {
-  sent = [];
+  const answer = new Promise((resolve) => {
+    take = resolve;
+  });
   thread.onmessage({ data: { type: 'part', part: name } });
-  while (sent.length === 0) await new Promise((resolve) => setTimeout(resolve, 1));
-  return sent[0].why ?? sent[0].module.constructor.name;
+  const { why, module } = await answer;
+  return why ?? module.constructor.name;
 }
 
 test('a part that does not arrive or is of another build is refused, and the next call gets the right one', async () => {

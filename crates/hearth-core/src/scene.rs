@@ -42,7 +42,7 @@ pub const MAX_OBJECTS: usize = 64;
 const MAX_PIXELS: usize = 262_144;
 
 /// Largest id of an object.
-pub(crate) const MAX_ID: f64 = 1e6;
+pub const MAX_ID: u32 = 1_000_000;
 
 /// The fields of an object that are not properties.
 pub(crate) const KIND: &str = "kind";
@@ -225,7 +225,7 @@ impl Scene {
             }
         }
         let number = match id {
-            Input::Number(x) if is_free(x) && (1.0..=MAX_ID).contains(&x) => x as u32,
+            Input::Number(x) if is_free(x) && (1.0..=f64::from(MAX_ID)).contains(&x) => x as u32,
             _ => 0,
         };
         let kind = KINDS.iter().find(|kind| name == Input::Text(kind.name));

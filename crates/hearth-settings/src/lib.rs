@@ -20,6 +20,7 @@ mod children;
 mod delta;
 mod export;
 pub mod file;
+mod resolution;
 mod settings;
 pub mod untrusted;
 
@@ -27,4 +28,5 @@ pub use apply::{OBJECTS, objects, preset};
 pub use change::Change;
 pub use delta::{delta, objects_delta};
 pub use export::{children, export, whole};
-pub use settings::{Settings, StatedResolution, adapt};
+pub use resolution::StatedResolution;
+pub use settings::{Settings, adapt};

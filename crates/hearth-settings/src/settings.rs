@@ -6,53 +6,12 @@ use crate::children::child::Child;
 use crate::children::compose::compose;
 use crate::children::divide::{detach_all, divide};
 use crate::file;
+use crate::resolution::StatedResolution;
 use crate::untrusted::{Argument, Untrusted, ValidationError, Values};
-use hearth_core::params::{Input, Model};
+use hearth_core::params::Input;
 use hearth_core::preset::Preset;
-use hearth_core::resolution::Resolution;
+use hearth_core::scene::MAX_ID;
 use hearth_core::{Parameters, Scene, Simulation};
-
-/// Id of the number of particles.
-const COUNT: &str = "particles";
-/// Id of the spacing of particles.
-const SPACING: &str = "spacing";
-/// Id of the largest number of particles.
-const CAP: &str = "max_particles";
-
-/// The parameter that states the resolution of the combustion model.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum StatedResolution {
-    /// None: the resolution follows the scene or the quality.
-    #[default]
-    Auto,
-    /// The number of particles that would fill the domain.
-    Count,
-    /// The spacing of particles in open air.
-    Spacing,
-}
-
-impl StatedResolution {
-    /// What states the resolution, and the parameters that state it. Of two, the last one wins.
-    const IDS: [(StatedResolution, &str); 2] = [
-        (StatedResolution::Count, COUNT),
-        (StatedResolution::Spacing, SPACING),
-    ];
-
-    /// The resolution after these values.
-    fn after(mut self, values: Values<'_>) -> StatedResolution {
-        for (own, id) in StatedResolution::IDS {
-            for (_, value) in values.iter().filter(|(known, _)| known == id) {
-                match value {
-                    Untrusted::Missing => {}
-                    Untrusted::Null if self != own => {}
-                    Untrusted::Null => self = StatedResolution::Auto,
-                    _ => self = own,
-                }
-            }
-        }
-        self
-    }
-}
 
 /// Settings: the preset that they started from, the scene, which parameter states the resolution, and the children of
 /// the element.
@@ -67,7 +26,7 @@ pub struct Settings {
     scene: Scene,
     /// The number of the list of objects. Another list may have the same ids.
     pub(crate) list: u32,
-    /// Smallest id that no object of the page has had.
+    /// The id of the next object of the page: the smallest that none has had, as long as there is one.
     pub(crate) next_id: u32,
 }
 
@@ -130,7 +89,6 @@ impl Settings {
             return Err(errors);
         }
         settings.resolution = StatedResolution::Auto.after(&values);
-        settings.list = config.field(file::LIST).number() as u32;
         Ok(settings.composed())
     }
 
@@ -140,6 +98,7 @@ impl Settings {
     /// All validation errors of the file.
     pub fn of_whole(config: &Untrusted) -> Result<Settings, Vec<ValidationError>> {
         let mut settings = Settings::of_file(config)?;
+        settings.list = config.field(file::LIST).number() as u32;
         settings.children = Child::read_all(config.field(file::CHILDREN));
         Ok(settings.composed())
     }
@@ -232,7 +191,9 @@ impl Settings {
         self.resolution = self.resolution.after(values);
         let is_list =
             |(id, value): &(String, Untrusted)| id == apply::OBJECTS && !value.is_missing();
-        self.list += u32::from(values.iter().any(is_list));
+        if values.iter().any(is_list) {
+            self.list = self.list.wrapping_add(1);
+        }
     }
 
     /// The settings of a [file](crate::file), with the children of these. [Whole](crate::whole) settings restore what
@@ -254,7 +215,7 @@ impl Settings {
     fn replaced(&self, other: Settings) -> Settings {
         let mut settings = Settings {
             children: self.children.clone(),
-            list: self.list + 1,
+            list: self.list.wrapping_add(1),
             next_id: self.next_id,
             ..other
         };
@@ -283,8 +244,7 @@ impl Settings {
     /// These settings with what follows from their parts.
     pub(crate) fn composed(mut self) -> Settings {
         self.settle();
-        let largest = self.page.ids().max().unwrap_or_default();
-        self.next_id = self.next_id.max(largest + 1);
+        self.next_id = free_id(&self.page, self.next_id);
         self.scene = match self.children.is_empty() {
             true => self.page.clone(),
             false => compose(&self.page, &self.children, &self.scene, &mut Vec::new()),
@@ -312,54 +272,6 @@ impl Settings {
         self.scene.world()
     }
 
-    /// Whether a parameter states the resolution; `None` for one that cannot.
-    pub(crate) fn states(&self, id: &str) -> Option<bool> {
-        let mut all = StatedResolution::IDS.iter();
-        let found = all.find(|(_, known)| *known == id);
-        found.map(|(own, _)| self.resolution == *own)
-    }
-
-    /// Whether the cap is another one than that of the preset.
-    fn has_cap(&self) -> bool {
-        self.page.get(CAP) != self.base().get(CAP)
-    }
-
-    /// Completes the resolution of a world.
-    fn complete(&self, world: &mut Parameters) {
-        let names = |id: &str| {
-            self.states(id)
-                .unwrap_or_else(|| id == CAP && self.has_cap())
-        };
-        self.preset().complete(world, &names);
-    }
-
-    /// The number of particles that the settings state.
-    pub fn resolution(&self) -> Resolution {
-        let (values, preset) = (self.parameters(), self.preset());
-        let number = || self.completed().domain_particles();
-        let is_stated = match self.resolution {
-            StatedResolution::Auto => false,
-            StatedResolution::Count => true,
-            StatedResolution::Spacing => values.has_open_edges(),
-        };
-        if values.model() == Model::Classic {
-            Resolution::Classic(number())
-        } else if is_stated {
-            Resolution::Page(number())
-        } else if preset.names(COUNT) {
-            Resolution::Scene(number())
-        } else {
-            Resolution::Level
-        }
-    }
-
-    /// The parameters with the resolution that follows from what the settings and the preset state.
-    pub fn completed(&self) -> Parameters {
-        let mut values = self.parameters().clone();
-        self.complete(&mut values);
-        values
-    }
-
     /// The scene of the preset in the model of these settings.
     pub(crate) fn base(&self) -> Scene {
         let mut base = self.preset().scene();
@@ -367,54 +279,16 @@ impl Settings {
         debug_assert_eq!(set, Ok(()));
         base
     }
+}
 
-    /// Adapts what is not stated of the resolution to the preset and the domain, even while a closed box has no use
-    /// for it.
-    fn settle(&mut self) {
-        if self.page.model() == Model::Classic {
-            self.resolution = StatedResolution::Auto;
-            return;
-        }
-        let mut values = self.page.world().clone();
-        let put = |values: &mut Parameters, id, input: Input<'_>| {
-            let set = values.set(id, input);
-            debug_assert_eq!(set, Ok(()));
-        };
-        let mut open = values.clone();
-        put(&mut open, "edges", Input::Text("open"));
-        self.complete(&mut open);
-        put(&mut values, SPACING, Input::Number(open.spacing.into()));
-        put(&mut values, COUNT, Input::Number(open.particles.into()));
-        self.page.set_world(values);
-    }
-
-    /// The scene with that [number of particles](hearth_core::resolution::ParticleCount). Only levels raise the cap, unless it is stated.
-    pub fn at(&self, particles: u32) -> Scene {
-        let mut values = self.completed();
-        let resolution = self.resolution();
-        if particles != resolution.number() {
-            let cap = values.max_particles;
-            values.set_domain_particles(particles);
-            if values.max_particles > cap && (resolution != Resolution::Level || self.has_cap()) {
-                let set = values.set(CAP, Input::Number(cap.into()));
-                debug_assert_eq!(set, Ok(()));
-            }
-        }
-        let mut scene = self.scene.clone();
-        scene.set_world(values);
-        scene
-    }
-
-    /// Whether frames cost as much as those of `other` at the same level. If not, measured
-    /// times do not predict the next ones.
-    pub fn costs_like(&self, other: &Settings) -> bool {
-        let cost = |settings: &Settings| {
-            let values = settings.parameters();
-            let resolution = (values.max_particles, values.domain_particles());
-            (values.model(), resolution, values.time_scale)
-        };
-        let follows_level = |settings: &Settings| settings.resolution() == Resolution::Level;
-        cost(self) == cost(other) && follows_level(self) == follows_level(other)
+/// The smallest id from this one on that is larger than those of a scene. Beyond the largest id, ids of gone objects are
+/// given again.
+pub(crate) fn free_id(scene: &Scene, from: u32) -> u32 {
+    let next = scene.ids().fold(from, |next, id| next.max(id + 1));
+    let is_free = |id: &u32| scene.object(*id).is_none();
+    match next <= MAX_ID {
+        true => next,
+        false => (1..MAX_ID).find(is_free).unwrap_or(MAX_ID),
     }
 }
 

@@ -4,6 +4,7 @@ use super::child::{Child, State, get, put};
 use super::compose::{compose, first_source, object_of};
 use crate::apply::OBJECTS;
 use crate::change::Change;
+use crate::settings::free_id;
 use crate::untrusted::Untrusted;
 use hearth_core::Scene;
 use hearth_core::params::{Input, Param};
@@ -61,7 +62,7 @@ pub fn divide(
     let is_new = hidden.is_none() && page.first_source_id().is_some();
     if let Some(first) = first_source(children).filter(|_| is_new) {
         // The first child has the place of a source before the one that a call has added.
-        let id = page.ids().fold(next_id, |free, id| free.max(id + 1));
+        let id = free_id(page, next_id);
         page.take(after, first);
         if !page.rename(first, id) {
             let source = ("kind", Input::Text(Kind::SOURCE.name));
@@ -148,7 +149,7 @@ pub fn detach(page: &mut Scene, children: &mut [Child], at: usize, next_id: &mut
     }
     if is_first {
         page.rename(number, *next_id);
-        *next_id += 1;
+        *next_id = free_id(page, *next_id);
     } else {
         let removed = page.remove(number);
         debug_assert_eq!(removed, Ok(()));

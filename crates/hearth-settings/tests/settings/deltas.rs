@@ -2,7 +2,7 @@
 
 use crate::harness::{after, number, object, sent, set, text};
 use hearth_settings::untrusted::Untrusted;
-use hearth_settings::{Change, Settings, delta};
+use hearth_settings::{Change, Settings, delta, whole};
 
 /// What a step has done, by its deltas back and on.
 struct Step {
@@ -127,4 +127,27 @@ fn a_delta_with_a_refused_value_changes_nothing() {
             .expect_err("refused");
         assert_eq!(errors[0].id, named);
     }
+}
+
+#[test]
+fn objects_are_added_beside_one_with_the_largest_id() {
+    let solid = |id| sent([("kind", text("solid")), ("id", id)]);
+    let largest = after(&Settings::default(), Change::AddObject(&solid(number(1e6))));
+    let both = after(&largest, Change::AddObject(&solid(Untrusted::Missing)));
+    let two = after(&both, Change::AddObject(&solid(Untrusted::Missing)));
+    assert_eq!(Settings::of_whole(&whole(&two)), Ok(two.clone()));
+    assert_eq!(
+        two.scene().objects().len(),
+        largest.scene().objects().len() + 2
+    );
+}
+
+#[test]
+fn the_list_after_the_one_with_the_largest_number_is_another_list() {
+    let file = object([("list", number(f64::from(u32::MAX)))]);
+    let settings = Settings::of_whole(&file).unwrap_or_default();
+    let objects = Untrusted::List(vec![object([("kind", text("solid"))])]);
+    let (now, step) = step(&settings, Change::Set(&sent([("objects", objects)])));
+    assert_eq!(step.undo.field("replaces"), &Untrusted::Flag(true));
+    assert_eq!(moved(&now, &step.undo), settings);
 }

@@ -38,7 +38,7 @@ impl FreeBodies {
             return 0;
         };
         free.parts += 1;
-        let new = MAX_ID as u32 + free.parts;
+        let new = MAX_ID + free.parts;
         if let Some(body) = free.all.iter_mut().find(|body| body.id == id) {
             let amount = rest.amount + piece.left.amount;
             let part = body.part(new, piece, amount);
@@ -75,7 +75,7 @@ impl FreeBodies {
             free.contacts.clear();
             free.old.clear();
             let bodies = &mut solids.bodies;
-            bodies.retain(|body| body.id <= MAX_ID as u32 || is_there(body.id));
+            bodies.retain(|body| body.id <= MAX_ID || is_there(body.id));
         }
     }
 }

@@ -37,13 +37,13 @@ test('every parameter of the model has an accessible control with a name', async
   for (const [at, { id, label }] of PARAMETERS.entries()) {
     assert.ok(names[at]?.includes(label), `${id} is called ${names[at]}`);
   }
-  for (const [model, edges] of [
-    ['combustion', 'open'],
-    ['combustion', 'periodic'],
-    ['classic', 'periodic'],
+  for (const values of [
+    { model: 'combustion', edges: 'open' },
+    { model: 'combustion', edges: 'periodic' },
+    { model: 'classic' },
   ]) {
-    await tab.fire((fire, values) => fire.set(values), { model, edges });
-    const used = Object.values(entriesOf(PARAMETERS, model, edges))
+    await tab.fire((fire, values) => fire.set(values), values);
+    const used = Object.values(entriesOf(PARAMETERS, values.model, values.edges))
       .filter((entry) => entry.used)
       .map(({ id }) => id);
     assert.deepEqual(await panel.controls(), used);

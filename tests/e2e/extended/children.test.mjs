@@ -168,7 +168,7 @@ test('the code is loaded with the first child, and children move between fires, 
     parentNode.insertBefore(fire, nextSibling);
     await fire.ready;
   });
-  assert.deepEqual(await listed(tab), ['solid 0.4', 'source 0']);
+  assert.deepEqual(await listed(tab), ['source 0', 'solid 0.4']);
   // A warm fire has burnt with its children before it is shown.
   const stats = await tab.until(
     'its statistics',

@@ -18,11 +18,10 @@ before(async () => {
 after(() => browser?.close());
 
 const BAD = /** @type {[string, string, RegExp][]} */ ([
-  ['viscosity', 'thick', /thick/],
-  ['viscosity', 'NaN', /NaN/],
+  ['wind', 'strong', /strong/],
+  ['wind', 'NaN', /NaN/],
   ['max-particles', '400.5', /400\.5.*whole/],
-  ['walls', 'sideways', /sideways.*open, solid, periodic/],
-  ['printed-kernel', 'perhaps', /perhaps/],
+  ['edges', 'sideways', /sideways.*open, periodic/],
   ['background', 'reddish', /reddish/],
   ['seed', '-1', /-1/],
   ['preset', 'volcano', /volcano/],
@@ -58,8 +57,8 @@ test('a rejection without a handler is no uncaught exception', async () => {
   const tab = await browser.show(recording('<hearth-fire></hearth-fire>'));
   await tab.ready();
   await tab.fire((fire) => {
-    fire.set('viscosity', 99);
-    fire.viscosity = 99;
+    fire.set('wind', 99);
+    fire.wind = 99;
   });
   await tab.until(
     'two refusals',

@@ -187,33 +187,33 @@ impl Fire {
     fn adapt(&mut self) {
         let scene = self.scene();
         adapt(&mut self.simulation, scene);
-        self.send_seen_domain();
+        self.set_visible_area();
         self.stale = true;
     }
 
     /// Resizes the picture. A size of zero draws nothing.
     pub fn resize(&mut self, size: (u32, u32), side: f64) {
-        let was_on_stage = self.is_on_stage();
+        let could_draw = self.can_draw();
         self.stale |= self.size != size;
         self.size = size;
         if self.size_limit.resize(side) {
             self.quality.skip();
             self.adapt();
         }
-        self.send_seen_domain();
-        self.follow_stage(was_on_stage);
+        self.set_visible_area();
+        self.on_drawable_change(could_draw);
     }
 
-    /// Sets whether the element is visible. Time off stage is not made up for.
+    /// Sets whether the element is visible. Time without a picture is not made up for.
     pub fn set_visible(&mut self, visible: bool) {
-        let was_on_stage = self.is_on_stage();
+        let could_draw = self.can_draw();
         self.visible = visible;
         if !visible {
             // Other fires can use the memory of its targets.
             self.renderer.free();
             self.stale = true;
         }
-        self.follow_stage(was_on_stage);
+        self.on_drawable_change(could_draw);
     }
 
     /// Limits pictures per second.
@@ -247,7 +247,7 @@ impl Fire {
             ..self.camera
         };
         self.stale = true;
-        self.send_seen_domain();
+        self.set_visible_area();
     }
 
     /// Enlarges a part of the picture.
@@ -260,8 +260,8 @@ impl Fire {
         self.stale = true;
     }
 
-    /// Sends the simulation the part of the world that the picture shows before it is enlarged.
-    fn send_seen_domain(&mut self) {
+    /// Tells the simulation the part of the world that the picture shows before it is enlarged.
+    fn set_visible_area(&mut self) {
         let (width, height) = self.size;
         let values = self.settings.parameters();
         // The map of what is seen needs less memory than so many particles.
@@ -272,7 +272,7 @@ impl Fire {
         let domain = [values.domain_width, values.domain_height];
         let viewport = Viewport::new([width, height], domain, self.camera.zoomed_out());
         self.simulation
-            .see(Some(viewport.corners().map(Vec2::from)));
+            .set_visible_area(Some(viewport.corners().map(Vec2::from)));
     }
 
     /// Limits the memory of the fire's past \[bytes\].
@@ -314,19 +314,19 @@ impl Fire {
 
     /// Sets whether there is a context to draw in. The simulation is not affected.
     pub fn set_drawable(&mut self, drawable: bool) {
-        let was_on_stage = self.is_on_stage();
+        let could_draw = self.can_draw();
         self.drawable = drawable;
         self.renderer.free();
         self.stale = true;
-        self.follow_stage(was_on_stage);
+        self.on_drawable_change(could_draw);
     }
 
     /// Whether the next frame has work for this fire.
     pub fn needs_frame(&self) -> bool {
-        let on_stage = self.is_on_stage();
+        let can_draw = self.can_draw();
         let pending =
-            !self.step_requests.is_empty() || (self.step_requests.awaits_drawing() && !on_stage);
-        pending || (on_stage && (self.playing || self.is_warming() || self.needs_picture()))
+            !self.step_requests.is_empty() || (self.step_requests.awaits_drawing() && !can_draw);
+        pending || (can_draw && (self.playing || self.is_warming() || self.needs_picture()))
     }
 
     fn needs_picture(&self) -> bool {
@@ -347,13 +347,13 @@ impl Fire {
         (mode == self.settings.parameters().display_mode).then_some(ends)
     }
 
-    /// Whether the fire is on stage: visible, with a size and a context.
-    fn is_on_stage(&self) -> bool {
+    /// Whether the fire can be drawn: it is visible, with a size and a context.
+    fn can_draw(&self) -> bool {
         self.visible && self.size.0 > 0 && self.size.1 > 0 && self.drawable
     }
 
-    fn follow_stage(&mut self, was_on_stage: bool) {
-        if self.is_on_stage() != was_on_stage {
+    fn on_drawable_change(&mut self, could_draw: bool) {
+        if self.can_draw() != could_draw {
             self.restart_clock();
         }
     }

@@ -10,7 +10,7 @@ use hearth_settings::adapt;
 
 impl Fire {
     /// Sets the duration of the warm-up of new fires. The answer to `request` follows when the
-    /// fire is shown or off stage.
+    /// fire is shown or cannot be drawn.
     pub fn set_warm_up(&mut self, seconds: Option<f64>, request: u32) {
         if let Some(seconds) = seconds {
             self.warm_up.set(seconds);
@@ -40,7 +40,7 @@ impl Fire {
             let scene = self.scene();
             adapt(&mut self.simulation, scene);
         }
-        self.send_seen_domain();
+        self.set_visible_area();
         self.stale = true;
     }
 

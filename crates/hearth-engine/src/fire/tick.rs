@@ -49,11 +49,11 @@ impl Fire {
         let scale = f64::from(self.settings.parameters().time_scale);
         // The warm-up comes before requested steps.
         let warms =
-            self.is_warming() && (self.is_on_stage() || self.step_requests.next_open().is_some());
+            self.is_warming() && (self.can_draw() || self.step_requests.next_open().is_some());
         if warms && self.starts {
             self.begin_warm_up(events);
         }
-        let passed = if self.playing && self.is_on_stage() && !self.is_warming() {
+        let passed = if self.playing && self.can_draw() && !self.is_warming() {
             Some(self.clock.advance(now / 1000.0, scale))
         } else {
             None
@@ -91,7 +91,7 @@ impl Fire {
         // Pictures between requested steps are not shown.
         let (paused, warming) = (!self.playing, self.is_warming());
         let drawn =
-            self.needs_picture() && self.step_requests.is_empty() && self.is_on_stage() && !warming;
+            self.needs_picture() && self.step_requests.is_empty() && self.can_draw() && !warming;
         self.drawn |= drawn;
         let scale_before = self.renderer.scale();
         let draw_ms = if drawn {
@@ -139,7 +139,7 @@ impl Fire {
             events.stats(self.id, &stats::of(self, canvas));
         }
         // The answer to a step request follows its picture and statistics.
-        if !self.is_on_stage() || (!warming && (!self.stale || !self.step_requests.is_empty())) {
+        if !self.can_draw() || (!warming && (!self.stale || !self.step_requests.is_empty())) {
             for request in self.step_requests.answers() {
                 events.done(self.id, request);
             }

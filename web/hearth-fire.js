@@ -561,7 +561,7 @@ class FireElement extends FireAttributes {
 
   /** The element has moved to another document, for instance another window. @internal */
   adoptedCallback() {
-    this.#session.mend();
+    this.#session.replaceCanvas();
   }
 
   /** @internal */

@@ -143,7 +143,7 @@ fn another_view_makes_no_burst() {
             let (x, y) = (f32::from(at % 7), f32::from(at % 5));
             let low = Vec2::new(-0.2 - 0.5 * x, -0.3 * y);
             let high = Vec2::new(0.2 + 0.4 * x, 0.8 + 0.5 * y);
-            fire.see((at != 13).then_some([low, high]));
+            fire.set_visible_area((at != 13).then_some([low, high]));
             let found = Extremes::of(&mut fire, 25);
             found.assert_within(&steady, &format!("view {at} from {low} to {high}"));
         }
@@ -203,7 +203,7 @@ fn a_fire_that_starts_anew_in_its_view_is_the_fire_that_started_in_it() {
     let view = Some([Vec2::new(-2.0, 0.0), Vec2::new(2.0, 2.5)]);
     let [mut again, mut first] = [(); 2].map(|()| fire(true));
     for fire in [&mut again, &mut first] {
-        fire.see(view);
+        fire.set_visible_area(view);
     }
     Extremes::of(&mut again, 300);
     again.reset();

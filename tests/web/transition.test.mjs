@@ -57,7 +57,7 @@ function burning({ calm = false, isConnected = true } = {}) {
   };
   const session = /** @type {any} */ ({
     fire,
-    playback: { isCalm: () => calm },
+    playback: { prefersStill: () => calm },
     hexOf: () => '#808080',
     reports: {
       refuse: (/** @type {string} */ id, /** @type {unknown} */ value, /** @type {string} */ allowed) =>

@@ -20,7 +20,7 @@ const FILL_STEPS = 48;
 /** The share of the particles at which a fire is full: some die in each step, and others are born in the next. */
 const FULL = 0.985;
 /** Looks without growth after which a fire is full: a busy browser answers some before it has new statistics. */
-const PATIENCE = 4;
+const LOOKS_WITHOUT_GROWTH = 4;
 
 /** Statistics, of four a second, that are passed over, and those whose median is the result. */
 const WARM_STATS = 4;
@@ -88,7 +88,7 @@ export async function fill(fire, count, pause) {
     const { x: _x, id: _id, ...first } = fire.objects[0];
     for (const x of [-APART, APART]) await fire.addObject({ ...first, x });
   }
-  for (let most = 0, still = 0; most < FULL * count && still < PATIENCE; ) {
+  for (let most = 0, still = 0; most < FULL * count && still < LOOKS_WITHOUT_GROWTH; ) {
     await pause();
     await fire.step(FILL_STEPS);
     const alive = fire.stats?.particles ?? 0;

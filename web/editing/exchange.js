@@ -16,7 +16,7 @@ const FOLDER =
   /^https?:/.test(SHARE) && SHARE.split('?')[0] === new URL('../share.js', import.meta.url).href ? SHARE : undefined;
 
 /** The URL of a file beside `hearth-fire.js`. @param {string} file */
-export function beside(file) {
+export function urlBesideModule(file) {
   return FOLDER ? new URL(file, FOLDER) : undefined;
 }
 

@@ -5,7 +5,7 @@
 import { askForSettings, offerFile, showKeys, showText } from './cards.js';
 import { download, saveSettings } from '../editing/download.js';
 import { editingOf } from '../editing/editing.js';
-import { COPIES, beside, isSettings, settingsOf, shownAs, textOf } from '../editing/exchange.js';
+import { COPIES, isSettings, settingsOf, shownAs, textOf, urlBesideModule } from '../editing/exchange.js';
 import { ownScenesOf } from './own-scenes.js';
 import { askForPicture } from './picture-card.js';
 import { Report } from './report.js';
@@ -45,7 +45,7 @@ export class CardCommands extends EventTarget {
   message = '';
 
   /** @param {PanelOptions} options */
-  constructor({ fire, host, page, script = beside('hearth-fire.js'), embed = beside('embed.html') }) {
+  constructor({ fire, host, page, script = urlBesideModule('hearth-fire.js'), embed = urlBesideModule('embed.html') }) {
     super();
     this.#fire = fire;
     this.#host = host;
@@ -106,7 +106,7 @@ export class CardCommands extends EventTarget {
       showScenes({
         host: this.#host,
         scenes: PRESETS,
-        pictureOf: (name) => beside(`scenes/${name}.jpg`),
+        pictureOf: (name) => urlBesideModule(`scenes/${name}.jpg`),
         current: () => this.#fire.preset,
         choose: (name) => this.attempt(() => this.replace(settingsOfPreset(name))),
         own: ownScenesOf(this.#fire, (config) => this.replace(config)),

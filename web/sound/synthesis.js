@@ -70,7 +70,7 @@ const PEAK = 0.25;
 export const FADE_TIME = 0.08;
 
 /** @typedef {{duration: number, slope: number, gain: number, rate: number, load: number, pan: number, hiss: number,
- *   jet: number, strikes: boolean}} Segment  What lasts from the middle of a step to that of the next, by the clock */
+ *   jet: number, strikes: boolean}} Segment  From mid-step to mid-step, in clock time */
 
 /** A value that moves to another at a constant rate. */
 class Ramp {

@@ -15,7 +15,7 @@ const APART_PX = 12;
 
 /** Sparks of a press, sparks at each point of a drag, and the most points between two events. */
 const FIRST = 24;
-const EACH = 6;
+const SPARKS_AT_ONCE = 6;
 const MOST = 20;
 
 /** An arrow to a point [px]: its length, and that of its head. */
@@ -75,7 +75,7 @@ export function throwSparks({ fire }, from) {
       const [x, y] = [to.x - last.x, to.y - last.y];
       const count = Math.min(MOST, Math.floor(Math.hypot(x, y) / (APART_PX * perPixel)));
       for (let step = 1; step <= count; step += 1) {
-        sparks({ x: last.x + (x * step) / count, y: last.y + (y * step) / count }, EACH);
+        sparks({ x: last.x + (x * step) / count, y: last.y + (y * step) / count }, SPARKS_AT_ONCE);
       }
       if (count > 0) last = to;
     },

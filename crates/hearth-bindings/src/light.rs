@@ -41,7 +41,7 @@ mod tests {
     /// A fire with a log, whose id is 2.
     fn fire() -> Simulation {
         let log = [("kind", "solid"), ("fuel", "wood")];
-        let log = log.map(|(id, value)| Untrusted::named(id, Untrusted::Text(value.to_owned())));
+        let log = log.map(|(id, value)| Untrusted::field_of(id, Untrusted::Text(value.to_owned())));
         let settings = Settings::default().after(&Change::AddObject(&log));
         let settings = settings.expect("a log is a valid object");
         Simulation::new(settings.scene().clone())

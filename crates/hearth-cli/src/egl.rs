@@ -350,7 +350,8 @@ impl Drop for Offscreen {
     fn drop(&mut self) {
         self.end_timer();
         self.free_target();
-        // Another thread may use the display, so it stays. Nothing follows from a failure here.
+        // Another thread may use the display, so it stays. Errors are ignored: the process is about to drop the
+        // display.
         let _ = self.egl.make_current(self.display, None, None, None);
         let _ = self.egl.destroy_context(self.display, self.context);
     }

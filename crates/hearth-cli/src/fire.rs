@@ -61,12 +61,12 @@ impl Fire {
 
     /// Sends the simulation the part of the world that pictures of that size show: gas that is seen
     /// stays in open air.
-    pub fn see(&mut self, size: [u32; 2], camera: Camera) {
+    pub fn set_visible_area(&mut self, size: [u32; 2], camera: Camera) {
         let values = self.settings.parameters();
         let domain = [values.domain_width, values.domain_height];
         let viewport = Viewport::new(size, domain, camera.zoomed_out());
         self.simulation
-            .see(Some(viewport.corners().map(Vec2::from)));
+            .set_visible_area(Some(viewport.corners().map(Vec2::from)));
     }
 
     /// Burns until an age \[s\]. Calls `on_step` with the age after each step.

@@ -131,9 +131,9 @@ impl Combustion {
     }
 
     /// Sets which part of the world is seen: open air reaches beyond it.
-    pub fn see(&mut self, seen: Option<Seen>, scene: &Scene) {
+    pub fn set_visible_area(&mut self, seen: Option<Seen>, scene: &Scene) {
         self.domain
-            .see(seen, &self.gas, scene, &self.obstacles.solids);
+            .set_visible_area(seen, &self.gas, scene, &self.obstacles.solids);
         self.reserve(scene.world());
     }
 

@@ -134,7 +134,7 @@ impl Simulation {
         self.random = Random::new(self.scene.world().seed);
         self.solver = AnySolver::new(&self.scene, &mut self.random);
         self.time = 0.0;
-        self.see(self.seen);
+        self.set_visible_area(self.seen);
     }
 
     /// Becomes a new fire of a scene, which is [recorded](Simulation::record_series) if this one is.
@@ -148,10 +148,10 @@ impl Simulation {
     /// `None`: the domain alone. With open edges there is gas up to a margin beyond the domain and
     /// beyond what is seen, as far as 4 heights of the domain. A change keeps every particle; gas
     /// beyond a smaller part is removed with the next steps.
-    pub fn see(&mut self, seen: Option<[Vec2; 2]>) {
+    pub fn set_visible_area(&mut self, seen: Option<[Vec2; 2]>) {
         self.seen = seen;
         if let Some(combustion) = self.solver.combustion_mut() {
-            combustion.see(seen, &self.scene);
+            combustion.set_visible_area(seen, &self.scene);
         }
     }
 

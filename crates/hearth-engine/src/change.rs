@@ -47,7 +47,7 @@ pub fn by_command<'a>(
             keeps_seed,
         } => {
             let kept = Untrusted::Number(settings.parameters().seed.into());
-            let kept = [Untrusted::named("seed", kept)];
+            let kept = [Untrusted::field_of("seed", kept)];
             let keeps =
                 keeps_seed == Some(true) && config.field("values").field("seed").is_missing();
             let imported = settings.after_file(config);

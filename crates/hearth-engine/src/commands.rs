@@ -201,7 +201,7 @@ commands! { 'a
     /// Makes steps for a duration [s of fire], even if paused. The answer follows when they are drawn.
     "advance" Advance { seconds: Within<0, MAX_SECONDS> }
     /// Sets the duration of the warm-up of new fires. The answer follows when the fire is shown
-    /// or off stage.
+    /// or cannot be drawn.
     "warm" Warm { seconds: Option<WarmSeconds> }
     /// Frees the fire.
     "remove" Remove {}

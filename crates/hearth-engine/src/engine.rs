@@ -119,7 +119,7 @@ impl Engine {
     /// this for each picture, so unlike [`call`](Engine::call) it creates no object.
     pub fn shown(&mut self, fire: u32) -> bool {
         if let Some(fire) = self.fires.iter_mut().find(|known| known.id() == fire) {
-            fire.shown();
+            fire.presentation.renderer.shown();
         }
         self.needs_frame()
     }
@@ -172,7 +172,7 @@ impl Engine {
         };
         let drawable = self.canvas.gpu().is_some();
         for fire in &mut self.fires {
-            fire.set_drawable(drawable);
+            fire.present(&|presentation| presentation.set_drawable(drawable));
             match &result {
                 Ok(()) if drawable => self.events.restored(fire.id()),
                 // Lost again meanwhile: the next event reports it.
@@ -200,7 +200,7 @@ impl Engine {
     fn share_history(&mut self) {
         let bytes = HISTORY_BYTES / self.fires.len().max(1);
         for fire in &mut self.fires {
-            fire.limit_history(bytes);
+            fire.presentation.history.set_limit(bytes);
         }
     }
 
@@ -239,7 +239,7 @@ impl Engine {
                 events.ready(id, &settings);
                 let mut fire = Fire::new(id, settings, &start, self.on_page);
                 let drawable = self.canvas.gpu().is_some();
-                fire.set_drawable(drawable);
+                fire.present(&|presentation| presentation.set_drawable(drawable));
                 if !drawable {
                     events.error(id, ErrorKind::ContextLost, CONTEXT_LOST);
                 }
@@ -302,12 +302,14 @@ impl Engine {
                 height,
                 side,
             } => fire.resize((width.0, height.0), side),
-            Command::Visible { visible } => fire.set_visible(visible),
-            Command::LimitFps { fps_limit } => fire.limit_fps(fps_limit),
-            Command::LimitPixels { max_pixels } => fire.limit_pixels(max_pixels),
+            Command::Visible { visible } => {
+                fire.present(&|presentation| presentation.set_visible(visible))
+            }
+            Command::LimitFps { fps_limit } => fire.presentation.limit_fps(fps_limit),
+            Command::LimitPixels { max_pixels } => fire.presentation.limit_pixels(max_pixels),
             Command::Stir { x, y, u, v } => {
                 let pair = |x: f64, y: f64| [x as f32, y as f32];
-                fire.apply_force(PointerForce::new(pair(x.0, y.0), pair(u.0, v.0)));
+                fire.playback.pointer = Some(PointerForce::new(pair(x.0, y.0), pair(u.0, v.0)));
             }
             Command::Sparks { x, y, count } => {
                 let from = Vec2::new(x.0 as f32, y.0 as f32);
@@ -337,22 +339,25 @@ impl Engine {
                 return Ok(Answer::Deferred);
             }
             Command::View { fit, x, y } => fire.set_fit(fit.0, [x.0 as f32, y.0 as f32]),
-            Command::Zoom { zoom, x, y } => fire.set_zoom(zoom.0 as f32, [x.0 as f32, y.0 as f32]),
+            Command::Zoom { zoom, x, y } => fire
+                .presentation
+                .set_zoom(zoom.0 as f32, [x.0 as f32, y.0 as f32]),
             Command::Quality { quality } => fire.request_quality(quality.0, events),
             Command::Play {} => fire.set_playing(true, events),
             Command::Pause {} => fire.set_playing(false, events),
             Command::Series { on } => fire.simulation.record_series(on),
             Command::Reset {} => fire.reset(events),
             Command::Warm { seconds } => {
-                fire.set_warm_up(seconds.map(|seconds| seconds.0), request);
+                fire.playback
+                    .set_warm_up(seconds.map(|seconds| seconds.0), request);
                 return Ok(Answer::Deferred);
             }
             Command::Step { steps } => {
-                fire.request_steps(steps.0, 0.0, request);
+                fire.playback.requests.add(steps.0, 0.0, request);
                 return Ok(Answer::Deferred);
             }
             Command::Advance { seconds } => {
-                fire.request_steps(0, seconds.0, request);
+                fire.playback.requests.add(0, seconds.0, request);
                 return Ok(Answer::Deferred);
             }
             Command::Remove {} => {

@@ -1,52 +1,24 @@
-//! A fire: its simulation, clock and picture.
+//! A fire: its simulation, and when, how and how much of it is drawn.
 
-mod particles;
+mod playback;
+mod presentation;
 mod tick;
 
-use glam::Vec2;
 use hearth_bindings::memory;
-use hearth_core::clock::Clock;
-use hearth_core::fps::FpsCounter;
-use hearth_core::{Charred, Instance, Parameters, Simulation, burning};
-use hearth_render::{Camera, Fit, History, Viewport};
+use hearth_core::resolution::{Level, ParticleCount};
+use hearth_core::{Parameters, Scene, Simulation, burning};
+use hearth_render::{Camera, Fit};
+use hearth_settings::{Settings, adapt};
 
 use crate::commands::Start;
 use crate::events::Events;
-use crate::fire_renderer::FireRenderer;
-use crate::pacing::averages::Averages;
-use crate::pacing::machine_limit::MachineLimit;
-use crate::pacing::picture_limits::{Fps, PictureLimits, Pixels};
-use crate::pacing::quality::Quality;
-use crate::pacing::real_time::RealTime;
-use crate::pacing::step_requests::StepRequests;
-use crate::pointer::PointerForce;
-use hearth_core::resolution::Level;
-use hearth_core::resolution::SizeLimit;
-use hearth_core::warm_up::WarmUp;
-use hearth_settings::{Settings, adapt};
-
-/// The time of a frame.
-#[derive(Clone, Copy, Debug)]
-pub struct FrameTime {
-    /// Time of the frame \[ms\].
-    pub now: f64,
-    /// Time after which no step begins \[ms\].
-    pub deadline: f64,
-    /// Number of fires that share it.
-    pub fires: usize,
-    /// Share of the thread that the engine takes.
-    pub share: f64,
-}
+use crate::pacing::Pacing;
+use playback::Playback;
+use presentation::Presentation;
+pub use tick::FrameTime;
 
 /// Memory of the largest map of open air, in particles.
 const MAP_MEMORY_IN_PARTICLES: usize = 4096;
-
-/// Work since the last picture. The simulation also runs in frames without a picture.
-#[derive(Default)]
-struct SincePicture {
-    steps_ms: f64,
-    simulated: f64,
-}
 
 /// A fire of an engine.
 pub struct Fire {
@@ -55,83 +27,25 @@ pub struct Fire {
     /// decides.
     settings: Settings,
     pub(crate) simulation: Simulation,
-    warm_up: WarmUp,
-    /// Whether a new fire starts before the next step.
-    starts: bool,
-    /// Whether the fire was ever drawn.
-    drawn: bool,
-    pub(crate) quality: Quality,
-    size_limit: SizeLimit,
-    machine_limit: MachineLimit,
-    pub(crate) renderer: FireRenderer,
-    history: History,
-    /// Whether there is a context to draw in.
-    drawable: bool,
-    instances: Vec<Instance>,
-    embers: Vec<Instance>,
-    charred: Charred,
-    /// Size of the element [device pixels].
-    size: (u32, u32),
-    limits: PictureLimits,
-    /// Earliest time of the next picture if their rate is limited \[ms\].
-    next: f64,
-    pointer: Option<PointerForce>,
-    camera: Camera,
-    visible: bool,
-    pub(crate) playing: bool,
-    /// Whether the picture is out of date.
-    stale: bool,
-    step_requests: StepRequests,
-    clock: Clock,
-    /// Length of the last step [s of fire], an estimate of the next.
-    last_step: f64,
-    pub(crate) fps: FpsCounter,
-    pub(crate) real_time: RealTime,
-    pub(crate) averages: Averages,
+    pub(crate) playback: Playback,
+    pub(crate) presentation: Presentation,
+    pub(crate) pacing: Pacing,
     /// Time of the last statistics \[ms\].
     stats_at: f64,
-    since_picture: SincePicture,
 }
 
 impl Fire {
     /// A fire before its first step. It is not visible and has no size. `on_page`: its thread is
     /// the page's own.
     pub fn new(id: u32, settings: Settings, start: &Start<'_>, on_page: bool) -> Fire {
-        let guess = start.guess.unwrap_or(Level::Medium);
-        let quality = Quality::new(start.quality, guess);
-        let warm_up = WarmUp::new(start.warm, start.state.to_vec());
         let mut fire = Fire {
             id,
-            simulation: Simulation::new(Parameters::default()),
             settings,
-            starts: warm_up.is_enabled(),
-            drawn: false,
-            warm_up,
-            quality,
-            size_limit: SizeLimit::of(start.side),
-            machine_limit: MachineLimit::new(on_page),
-            renderer: FireRenderer::default(),
-            history: History::default(),
-            drawable: false,
-            instances: Vec::new(),
-            embers: Vec::new(),
-            charred: Charred::default(),
-            size: (0, 0),
-            limits: PictureLimits::default(),
-            next: 0.0,
-            pointer: None,
-            visible: false,
-            camera: Camera::default(),
-            playing: !start.paused,
-            stale: true,
-            step_requests: StepRequests::default(),
-            clock: Clock::new(),
-            last_step: 0.0,
-            fps: FpsCounter::new(),
-            real_time: RealTime::default(),
-            averages: Averages::default(),
+            simulation: Simulation::new(Parameters::default()),
+            playback: Playback::new(start),
+            presentation: Presentation::default(),
+            pacing: Pacing::new(start, on_page),
             stats_at: f64::NEG_INFINITY,
-            since_picture: SincePicture::default(),
         };
         fire.simulation = Simulation::new(fire.scene());
         fire
@@ -153,12 +67,10 @@ impl Fire {
         let old = &self.settings;
         events.changed(self.id, source, old, &settings);
         if settings.parameters().model != old.parameters().model {
-            self.averages.forget_steps();
+            self.pacing.averages.forget_steps();
         }
         if !settings.costs_like(old) {
-            self.real_time.forget_losses();
-            self.quality.skip();
-            self.machine_limit.restart();
+            self.pacing.restart();
         }
         let time = self.simulation.time();
         // The fire of another scene starts without gas of the previous one.
@@ -166,130 +78,65 @@ impl Fire {
         self.settings = settings;
         self.adapt();
         let restarted = replaced && differs || self.simulation.time() < time;
-        if self.warm_up.is_enabled() && (restarted || differs && !self.drawn) {
+        if self.playback.warm_up.is_enabled() && (restarted || differs && !self.presentation.drawn)
+        {
             self.start(events);
         }
     }
 
     /// Fixes the level of quality, or makes it adaptive.
     pub fn request_quality(&mut self, level: Option<Level>, events: &Events) {
-        let before = (self.quality.requested(), self.quality.level());
-        self.quality.request(level);
-        if before != (self.quality.requested(), self.quality.level()) {
-            events.quality(self.id, &self.quality);
+        let quality = &mut self.pacing.quality;
+        let before = (quality.requested(), quality.level());
+        quality.request(level);
+        if before != (quality.requested(), quality.level()) {
+            events.quality(self.id, quality);
         }
-        self.real_time.forget_losses();
+        self.pacing.real_time.forget_losses();
         self.adapt();
     }
 
-    /// Applies the settings and the number of particles to the simulation, which
-    /// resamples a burning fire.
-    fn adapt(&mut self) {
-        let scene = self.scene();
-        adapt(&mut self.simulation, scene);
-        self.send_seen_domain();
-        self.stale = true;
+    /// Changes whether the fire can be drawn. Time without a picture is not made up for.
+    pub fn present(&mut self, change: &dyn Fn(&mut Presentation)) {
+        let could_draw = self.presentation.can_draw();
+        change(&mut self.presentation);
+        if self.presentation.can_draw() != could_draw {
+            self.restart_clock();
+        }
     }
 
     /// Resizes the picture. A size of zero draws nothing.
     pub fn resize(&mut self, size: (u32, u32), side: f64) {
-        let was_on_stage = self.is_on_stage();
-        self.stale |= self.size != size;
-        self.size = size;
-        if self.size_limit.resize(side) {
-            self.quality.skip();
+        self.present(&|presentation| presentation.resize(size));
+        if self.pacing.resize(side) {
             self.adapt();
         }
-        self.send_seen_domain();
-        self.follow_stage(was_on_stage);
-    }
-
-    /// Sets whether the element is visible. Time off stage is not made up for.
-    pub fn set_visible(&mut self, visible: bool) {
-        let was_on_stage = self.is_on_stage();
-        self.visible = visible;
-        if !visible {
-            // Other fires can use the memory of its targets.
-            self.renderer.free();
-            self.stale = true;
-        }
-        self.follow_stage(was_on_stage);
-    }
-
-    /// Limits pictures per second.
-    pub fn limit_fps(&mut self, fps: Option<Fps>) {
-        self.limits.fps = fps.map(|fps| fps.0);
-        self.stale = true;
-    }
-
-    /// Limits the pixels of a picture.
-    pub fn limit_pixels(&mut self, pixels: Option<Pixels>) {
-        self.limits.pixels = pixels.map(|pixels| pixels.0);
-        self.stale = true;
-    }
-
-    /// Applies the force of a pointer in the next steps.
-    pub fn apply_force(&mut self, force: PointerForce) {
-        self.pointer = Some(force);
-    }
-
-    /// Acts on the burning fire, whose picture is out of date then.
-    pub fn act<T>(&mut self, act: impl FnOnce(&mut Simulation) -> T) -> T {
-        self.stale = true;
-        act(&mut self.simulation)
+        self.set_visible_area();
     }
 
     /// Sets how the domain fits the picture.
     pub fn set_fit(&mut self, fit: Fit, align: [f32; 2]) {
-        self.camera = Camera {
+        let camera = &mut self.presentation.camera;
+        *camera = Camera {
             fit,
             align,
-            ..self.camera
+            ..*camera
         };
-        self.stale = true;
-        self.send_seen_domain();
+        self.presentation.current = false;
+        self.set_visible_area();
     }
 
-    /// Enlarges a part of the picture.
-    pub fn set_zoom(&mut self, zoom: f32, pan: [f32; 2]) {
-        self.camera = Camera {
-            zoom,
-            pan,
-            ..self.camera
-        };
-        self.stale = true;
-    }
-
-    /// Sends the simulation the part of the world that the picture shows before it is enlarged.
-    fn send_seen_domain(&mut self) {
-        let (width, height) = self.size;
-        let values = self.settings.parameters();
-        // The map of what is seen needs less memory than so many particles.
-        let has_room = !values.has_open_edges() || memory::has_room(MAP_MEMORY_IN_PARTICLES);
-        if width == 0 || height == 0 || !has_room {
-            return;
-        }
-        let domain = [values.domain_width, values.domain_height];
-        let viewport = Viewport::new([width, height], domain, self.camera.zoomed_out());
-        self.simulation
-            .see(Some(viewport.corners().map(Vec2::from)));
-    }
-
-    /// Limits the memory of the fire's past \[bytes\].
-    pub fn limit_history(&mut self, bytes: usize) {
-        self.history.set_limit(bytes);
-    }
-
-    /// Counts a picture in flight as shown.
-    pub fn shown(&mut self) {
-        self.renderer.shown();
+    /// Acts on the burning fire, whose picture is out of date then.
+    pub fn act<T>(&mut self, act: impl FnOnce(&mut Simulation) -> T) -> T {
+        self.presentation.current = false;
+        act(&mut self.simulation)
     }
 
     /// Plays or pauses.
     pub fn set_playing(&mut self, playing: bool, events: &Events) {
-        if self.playing != playing {
-            self.playing = playing;
-            self.stale = true;
+        if self.playback.playing != playing {
+            self.playback.playing = playing;
+            self.presentation.current = false;
             self.restart_clock();
             events.state(self.id, playing);
         }
@@ -298,70 +145,102 @@ impl Fire {
     /// Restarts the simulation.
     pub fn reset(&mut self, events: &Events) {
         self.simulation.reset();
-        self.history.clear();
-        if self.warm_up.is_enabled() {
+        self.presentation.history.clear();
+        self.presentation.current = false;
+        self.restart_clock();
+        if self.playback.warm_up.is_enabled() {
             self.start(events);
         }
-        self.stale = true;
-        self.restart_clock();
-    }
-
-    /// Requests a number of steps, or steps for a duration, which frames make as their budget
-    /// allows. The answer to `request` follows when they are drawn.
-    pub fn request_steps(&mut self, steps: u32, seconds: f64, request: u32) {
-        self.step_requests.add(steps, seconds, request);
-    }
-
-    /// Sets whether there is a context to draw in. The simulation is not affected.
-    pub fn set_drawable(&mut self, drawable: bool) {
-        let was_on_stage = self.is_on_stage();
-        self.drawable = drawable;
-        self.renderer.free();
-        self.stale = true;
-        self.follow_stage(was_on_stage);
     }
 
     /// Whether the next frame has work for this fire.
     pub fn needs_frame(&self) -> bool {
-        let on_stage = self.is_on_stage();
-        let pending =
-            !self.step_requests.is_empty() || (self.step_requests.awaits_drawing() && !on_stage);
-        pending || (on_stage && (self.playing || self.is_warming() || self.needs_picture()))
+        let can_draw = self.presentation.can_draw();
+        let requests = &self.playback.requests;
+        let pending = !requests.is_empty() || (requests.awaits_drawing() && !can_draw);
+        let burns = self.playback.playing || self.playback.is_warming();
+        pending || (can_draw && (burns || self.presentation.needs_picture()))
     }
 
-    fn needs_picture(&self) -> bool {
-        self.stale && self.renderer.is_ready()
-    }
-
-    /// Whether the limit of the frame rate allows a frame at `now` \[ms\].
+    /// Whether a frame at `now` \[ms\] does work: the limit of the frame rate allows a picture, or steps do not wait for it.
     pub fn is_due(&mut self, now: f64) -> bool {
-        !self.step_requests.is_empty()
-            || self.is_warming()
-            || self.limits.is_due(now, &mut self.next)
+        !self.playback.requests.is_empty()
+            || self.playback.is_warming()
+            || self.presentation.is_due(now)
     }
 
     /// Quantities of the first and last colour of the picture; `None` if the display mode
     /// measures nothing, or is not drawn yet.
     pub(crate) fn measured(&self) -> Option<[f32; 2]> {
-        let (mode, ends) = self.renderer.scale()?;
+        let (mode, ends) = self.presentation.renderer.scale()?;
         (mode == self.settings.parameters().display_mode).then_some(ends)
     }
 
-    /// Whether the fire is on stage: visible, with a size and a context.
-    fn is_on_stage(&self) -> bool {
-        self.visible && self.size.0 > 0 && self.size.1 > 0 && self.drawable
+    /// The present number of particles, and what limits it.
+    pub(crate) fn particle_count(&self) -> ParticleCount {
+        let is_coarse = self.playback.warm_up.is_coarse();
+        self.pacing
+            .particle_count(self.settings.resolution(), is_coarse)
     }
 
-    fn follow_stage(&mut self, was_on_stage: bool) {
-        if self.is_on_stage() != was_on_stage {
-            self.restart_clock();
+    /// The scene with the present number of particles.
+    fn scene(&self) -> Scene {
+        self.settings.at(self.particle_count().number)
+    }
+
+    /// Applies the settings and the number of particles to the simulation, which
+    /// resamples a burning fire.
+    fn adapt(&mut self) {
+        let scene = self.scene();
+        adapt(&mut self.simulation, scene);
+        self.set_visible_area();
+        self.presentation.current = false;
+    }
+
+    /// Tells the simulation the part of the world that the picture shows before it is enlarged.
+    fn set_visible_area(&mut self) {
+        let values = self.settings.parameters();
+        let domain = [values.domain_width, values.domain_height];
+        // The map of what is seen needs less memory than so many particles.
+        let has_room = !values.has_open_edges() || memory::has_room(MAP_MEMORY_IN_PARTICLES);
+        if let Some(area) = self.presentation.visible_area(domain)
+            && has_room
+        {
+            self.simulation.set_visible_area(Some(area));
         }
     }
 
+    /// Starts a new fire with a warm-up before the next step.
+    fn start(&mut self, events: &Events) {
+        self.playback.starts = true;
+        self.presentation.current = false;
+        self.restart_clock();
+        if self.presentation.drawn {
+            events.warming(self.id);
+        }
+    }
+
+    /// Starts the warm-up of a new fire, or resumes the saved one.
+    fn begin_warm_up(&mut self, events: &Events) {
+        let resolution = self.settings.resolution();
+        let scene = self
+            .settings
+            .at(self.pacing.particle_count(resolution, false).number);
+        self.presentation.history.clear();
+        self.playback.starts = false;
+        if let Some(error) = self.playback.warm_up.begin(&mut self.simulation, scene) {
+            events.warn(self.id, &error.to_string());
+        }
+        if self.playback.warm_up.is_on() {
+            let scene = self.scene();
+            adapt(&mut self.simulation, scene);
+        }
+        self.set_visible_area();
+        self.presentation.current = false;
+    }
+
     fn restart_clock(&mut self) {
-        self.clock.restart();
-        self.fps.skip();
-        self.quality.skip();
-        self.since_picture = SincePicture::default();
+        self.playback.clock.restart();
+        self.pacing.skip();
     }
 }

@@ -72,12 +72,12 @@ impl FireRenderer {
         self.in_flight = self.in_flight.saturating_sub(1);
     }
 
-    /// Frees the GPU resources, because the context is lost or the fire is off stage.
+    /// Frees the GPU resources, because the context is lost or the fire cannot be drawn.
     pub fn free(&mut self) {
         self.drawing = None;
     }
 
-    /// Times of the passes; `None` while the fire is off stage.
+    /// Times of the passes; `None` while the fire cannot be drawn.
     pub fn passes(&self) -> Option<&PassTimes> {
         self.drawing.as_ref().map(|drawing| &drawing.passes)
     }
@@ -88,7 +88,7 @@ impl FireRenderer {
         self.drawing.as_ref()?.renderer.as_ref()?.scale()
     }
 
-    /// Number of slices of the last picture; 0 while the fire is off stage.
+    /// Number of slices of the last picture; 0 while the fire cannot be drawn.
     pub fn slices(&self) -> usize {
         let renderer = self
             .drawing

@@ -51,7 +51,7 @@ macro_rules! stats {
 
 stats! { fire, report, fuels, canvas =>
     /// Pictures per second.
-    "fps": "number" = set_number(fire.fps.fps())
+    "fps": "number" = set_number(fire.pacing.fps.fps())
     /// Number of particles.
     "particles": "number" = set_number(fire.simulation.count() as f64)
     /// Share of the air around the fire that is left out, because `max_particles` are reached.
@@ -63,43 +63,43 @@ stats! { fire, report, fuels, canvas =>
     /// Age of the fire [s].
     "time": "number" = set_number(fire.simulation.time())
     /// Power of the combustion [kW/m]; 0 in the classic model.
-    "power": "number" = set_number(fire.averages.power)
+    "power": "number" = set_number(fire.pacing.averages.power)
     /// Fuel that is left in solids, as a share; 0 without any.
     "fuelLeft": "number" = set_number(fuels.left)
     /// Whether solids with fuel burn: `burning` if one does. Otherwise `no-oxygen` or `out`, if one went
     /// out because it lacked oxygen or heat; `unlit`; `burnt`, if nothing is left; empty without fuel.
     "fuel": "string" = set_text(fuels.state)
     /// Real-time factor: seconds of fire per second of the clock, averaged over a second.
-    "timeScale": "number" = set_number(fire.real_time.factor())
+    "timeScale": "number" = set_number(fire.pacing.real_time.factor())
     /// Whether the fire fell behind the clock in the last second, so that the page stays
     /// responsive.
-    "slowed": "boolean" = set_flag(fire.real_time.slowed())
+    "slowed": "boolean" = set_flag(fire.pacing.real_time.slowed())
     /// Simulation steps per picture.
-    "stepsPerFrame": "number" = set_number(fire.averages.steps_per_frame)
+    "stepsPerFrame": "number" = set_number(fire.pacing.averages.steps_per_frame)
     /// Length of a step [s of fire].
-    "stepLength": "number" = set_number(fire.averages.step_length)
+    "stepLength": "number" = set_number(fire.pacing.averages.step_length)
     /// Number of substeps that the last step needed to be stable.
     "substeps": "number" = set_number(report.substeps.into())
     /// Time of a step on the processor [ms].
-    "stepMs": "number" = set_number(fire.averages.step_ms())
+    "stepMs": "number" = set_number(fire.pacing.averages.step_ms())
     /// Time of drawing a picture on the processor [ms].
-    "drawMs": "number" = set_number(fire.averages.draw_ms)
+    "drawMs": "number" = set_number(fire.pacing.averages.draw_ms)
     /// Time per frame of each stage [ms]: `sort`, `density`, `forces` and `integrate` of all
     /// steps, whose sum is `stepMs` × `stepsPerFrame`, and `upload`, which is part of `drawMs`.
     /// Averages over more than a hundred steps hide the coarse clocks of browsers.
-    "stages": "Record<'sort' | 'density' | 'forces' | 'integrate' | 'upload', number>" = set_object(&numbers(&fire.averages.stages()))
+    "stages": "Record<'sort' | 'density' | 'forces' | 'integrate' | 'upload', number>" = set_object(&numbers(&fire.pacing.averages.stages()))
     /// Time of each render pass [ms], by name, in drawing order.
-    "passes": "Record<string, number>" = set_object(&numbers(fire.renderer.passes().map_or(&[], |passes| &passes.times)))
+    "passes": "Record<string, number>" = set_object(&numbers(fire.presentation.renderer.passes().map_or(&[], |passes| &passes.times)))
     /// What `passes` measures: `gpu`, time on the graphics card, of all passes of a
     /// picture after the results of the one before; `submit`, time of submitting the pass, if the browser offers no timer query.
-    "passTimer": "'gpu' | 'submit' | ''" = set_text(fire.renderer.passes().map_or("", |passes| passes.timer()))
+    "passTimer": "'gpu' | 'submit' | ''" = set_text(fire.presentation.renderer.passes().map_or("", |passes| passes.timer()))
     /// Number of slices of the last picture: fewer than `depth` at low quality, while slices fade in, and where many
     /// fires share their memory.
-    "slices": "number" = set_number(fire.renderer.slices() as f64)
+    "slices": "number" = set_number(fire.presentation.renderer.slices() as f64)
     /// The current level of quality.
-    "quality": "'low' | 'medium' | 'high'" = set_text(fire.quality.level().name())
+    "quality": "'low' | 'medium' | 'high'" = set_text(fire.pacing.quality.level().name())
     /// The reason of that level.
-    "qualityReason": "string" = set_text(fire.quality.reason())
+    "qualityReason": "string" = set_text(fire.pacing.quality.reason())
     /// What limits the number of particles: `quality low`, `quality medium`, `quality high`,
     /// `size` or, where more would take too long, `speed`; else empty.
     "limit": "string" = set_text(fire.particle_count().limit.name())
@@ -111,7 +111,7 @@ stats! { fire, report, fuels, canvas =>
     /// Number of particles at the speed limit.
     "atSpeedLimit": "number" = set_number(report.speed_limited.into())
     /// Whether the fire is paused.
-    "paused": "boolean" = set_flag(!fire.playing)
+    "paused": "boolean" = set_flag(!fire.playback.playing)
     /// Format of the render targets.
     "targetFormat": "string" = set_text(canvas.target_format())
 }

@@ -84,7 +84,7 @@ fn list(
         put_head(&mut fields, &object, with_ids);
         for (name, param, value) in object.properties() {
             if are_listed(&object, param, value) {
-                fields.push(Untrusted::named(name, Untrusted::of_value(value)));
+                fields.push(Untrusted::field_of(name, Untrusted::of_value(value)));
             }
         }
         Untrusted::Object(fields)
@@ -94,12 +94,15 @@ fn list(
 
 /// Appends the kind of an object and, `with_id`, its id.
 pub(crate) fn put_head(fields: &mut Vec<(String, Untrusted)>, object: &Object<'_>, with_id: bool) {
-    fields.push(Untrusted::named(
+    fields.push(Untrusted::field_of(
         "kind",
         Untrusted::Text(object.kind.name.into()),
     ));
     if with_id {
-        fields.push(Untrusted::named("id", Untrusted::Number(object.id.into())));
+        fields.push(Untrusted::field_of(
+            "id",
+            Untrusted::Number(object.id.into()),
+        ));
     }
 }
 

@@ -21,7 +21,7 @@ type Fields = Vec<(String, Untrusted)>;
 pub fn delta(from: &Settings, to: &Settings) -> Untrusted {
     let mut fields = Fields::new();
     if from.preset != to.preset {
-        fields.push(Untrusted::named(
+        fields.push(Untrusted::field_of(
             "preset",
             Untrusted::Text(to.preset.into()),
         ));
@@ -43,29 +43,32 @@ pub fn delta(from: &Settings, to: &Settings) -> Untrusted {
             [before, now] if is_same && before == now => continue,
             _ => Untrusted::of_value(value),
         };
-        values.push(Untrusted::named(param.id, value));
+        values.push(Untrusted::field_of(param.id, value));
     }
     if !values.is_empty() {
-        fields.push(Untrusted::named("values", Untrusted::Object(values)));
+        fields.push(Untrusted::field_of("values", Untrusted::Object(values)));
     }
     let replaces = from.list != to.list;
     put_objects(&mut fields, &from.page, &to.page, replaces);
     if replaces {
         let gone = from.page.ids().map(|id| Untrusted::Number(id.into()));
-        fields.push(Untrusted::named("gone", Untrusted::List(gone.collect())));
+        fields.push(Untrusted::field_of("gone", Untrusted::List(gone.collect())));
     }
     if fields.iter().any(|(name, _)| name == OBJECTS) {
-        fields.push(Untrusted::named("list", Untrusted::Number(to.list.into())));
+        fields.push(Untrusted::field_of(
+            "list",
+            Untrusted::Number(to.list.into()),
+        ));
     }
     let children = to.children.iter().filter_map(|child| {
         let mut known = from.children.iter();
         let known = known.find(|known| known.number == child.number)?;
         let differs = known.called != child.called || known.state != child.state;
-        differs.then(|| Untrusted::named(&child.number.to_string(), child.write()))
+        differs.then(|| Untrusted::field_of(&child.number.to_string(), child.write()))
     });
     let children: Fields = children.collect();
     if !children.is_empty() {
-        fields.push(Untrusted::named(CHILDREN, Untrusted::Object(children)));
+        fields.push(Untrusted::field_of(CHILDREN, Untrusted::Object(children)));
     }
     Untrusted::Object(fields)
 }
@@ -101,10 +104,10 @@ fn put_objects(fields: &mut Fields, from: &Scene, to: &Scene, replaces: bool) {
         };
         for (name, _, value) in now.properties() {
             if old(name) != Some(value) {
-                changed.push(Untrusted::named(name, Untrusted::of_value(value)));
+                changed.push(Untrusted::field_of(name, Untrusted::of_value(value)));
             }
         }
-        objects.push(Untrusted::named(
+        objects.push(Untrusted::field_of(
             &now.id.to_string(),
             Untrusted::Object(changed),
         ));
@@ -113,16 +116,16 @@ fn put_objects(fields: &mut Fields, from: &Scene, to: &Scene, replaces: bool) {
         .ids()
         .filter(|id| !replaces && to.object(*id).is_none())
     {
-        objects.push(Untrusted::named(&id.to_string(), Untrusted::Null));
+        objects.push(Untrusted::field_of(&id.to_string(), Untrusted::Null));
     }
     if replaces || from.ids().ne(to.ids()) {
         let order = to.ids().map(|id| Untrusted::Number(id.into())).collect();
-        fields.push(Untrusted::named("order", Untrusted::List(order)));
-        fields.push(Untrusted::named("replaces", Untrusted::Flag(replaces)));
+        fields.push(Untrusted::field_of("order", Untrusted::List(order)));
+        fields.push(Untrusted::field_of("replaces", Untrusted::Flag(replaces)));
     } else if objects.is_empty() {
         return;
     }
-    fields.push(Untrusted::named(OBJECTS, Untrusted::Object(objects)));
+    fields.push(Untrusted::field_of(OBJECTS, Untrusted::Object(objects)));
 }
 
 impl Settings {
@@ -209,7 +212,7 @@ impl Settings {
             if known.is_some() {
                 inputs.retain(|(name, _)| !["kind", "id"].contains(name));
             }
-            self.page.lay(known, &inputs, &mut refused);
+            self.page.apply_fields(known, &inputs, &mut refused);
             // The model may have changed since.
             refused.retain(|error| !matches!(error.kind, ParamErrorKind::OfModel(_)));
             let sent = object.fields();

@@ -40,20 +40,20 @@ pub fn export(settings: &Settings) -> Untrusted {
         let is_stated = settings.states(param.id);
         let differs = is_stated.unwrap_or(Some(value) != before);
         if differs {
-            values.push(Untrusted::named(param.id, Untrusted::of_value(value)));
+            values.push(Untrusted::field_of(param.id, Untrusted::of_value(value)));
         }
     }
-    let mut fields = vec![Untrusted::named(
+    let mut fields = vec![Untrusted::field_of(
         "hearth",
         Untrusted::Number(VERSION.into()),
     )];
     if settings.preset != Preset::all()[0].name {
         let name = Untrusted::Text(settings.preset.to_owned());
-        fields.push(Untrusted::named("preset", name));
+        fields.push(Untrusted::field_of("preset", name));
     }
-    fields.push(Untrusted::named("values", Untrusted::Object(values)));
+    fields.push(Untrusted::field_of("values", Untrusted::Object(values)));
     if lists_objects {
-        fields.push(Untrusted::named(OBJECTS, short_objects(scene)));
+        fields.push(Untrusted::field_of(OBJECTS, short_objects(scene)));
     }
     Untrusted::Object(fields)
 }
@@ -71,14 +71,14 @@ pub fn whole(settings: &Settings) -> Untrusted {
         let value = world.get(param.id)?;
         let is_listed = param.only_in(world.model()).is_none();
         let is_stated = settings.states(param.id) != Some(false);
-        (is_listed && is_stated).then(|| Untrusted::named(param.id, Untrusted::of_value(value)))
+        (is_listed && is_stated).then(|| Untrusted::field_of(param.id, Untrusted::of_value(value)))
     });
     Untrusted::Object(vec![
-        Untrusted::named("hearth", Untrusted::Number(VERSION.into())),
-        Untrusted::named("preset", Untrusted::Text(settings.preset.to_owned())),
-        Untrusted::named("values", Untrusted::Object(values.collect())),
-        Untrusted::named(OBJECTS, objects(&settings.page)),
-        Untrusted::named(CHILDREN, children(settings)),
-        Untrusted::named(LIST, Untrusted::Number(settings.list.into())),
+        Untrusted::field_of("hearth", Untrusted::Number(VERSION.into())),
+        Untrusted::field_of("preset", Untrusted::Text(settings.preset.to_owned())),
+        Untrusted::field_of("values", Untrusted::Object(values.collect())),
+        Untrusted::field_of(OBJECTS, objects(&settings.page)),
+        Untrusted::field_of(CHILDREN, children(settings)),
+        Untrusted::field_of(LIST, Untrusted::Number(settings.list.into())),
     ])
 }

@@ -79,7 +79,7 @@ impl Settings {
             None => Settings::default(),
         };
         let mut values = config.field("values").fields().to_vec();
-        values.push(Untrusted::named(
+        values.push(Untrusted::field_of(
             apply::OBJECTS,
             config.field(apply::OBJECTS).clone(),
         ));

@@ -1,4 +1,4 @@
-//! `cargo xtask test`: every check of the project, in three rings. Some that use one core run beside the others.
+//! `cargo xtask test`: every check of the project, in three rings. Some that use one core run in the background.
 //!
 //! A stage that fails stops only the stages that need its result, so one run reports
 //! everything. Quick and strict stages come first. All stages share one target folder and
@@ -37,8 +37,8 @@ struct Stage {
     /// The stage whose result this one uses.
     needs: Option<&'static str>,
     in_browser: bool,
-    /// Uses one core: it runs beside the others.
-    beside: bool,
+    /// Uses one core: it runs in the background of the others.
+    in_background: bool,
 }
 
 /// A table of stages: the ring, the name, the stage that it needs, what it checks, the function and flags.
@@ -52,7 +52,7 @@ macro_rules! stages {
                 run: $run,
                 needs: None,
                 in_browser: false,
-                beside: false,
+                in_background: false,
             };
             $( let stage = Stage { needs: Some($needs), ..stage }; )?
             $( let stage = Stage { $flag: true, ..stage }; )*
@@ -77,15 +77,15 @@ const STAGES: &[Stage] = stages! {
     Quick "shaders": "the reference compiler accepts every shader", code::shaders;
     Quick "web": "scripts that need no browser, in Node", library::scripts_in_node;
     All "burns": "laws of the physics that burn for minutes", code::burns;
-    All "publish": "the crates could be published", library::publishable, beside;
-    All "baselines": "the benchmarks' baselines compute the same gas", baselines::check, beside;
-    All "cost": "a step takes no more instructions than recorded", cost::check, beside;
-    All "wasm": "wasm gives the native bits", browser::wasm_in_node, beside;
-    All "browser": "shaders and canvases in headless Chromium", browser::wasm_in_chromium, beside, in_browser;
-    All "consumers" needs "package": "the npm package works in pages, bundlers, React and on servers", browser::consumers, beside, in_browser;
-    All "trunk" needs "site": "the page that Trunk builds and serves burns", trunk::page_burns, beside, in_browser;
+    All "publish": "the crates could be published", library::publishable, in_background;
+    All "baselines": "the benchmarks' baselines compute the same gas", baselines::check, in_background;
+    All "cost": "a step takes no more instructions than recorded", cost::check, in_background;
+    All "wasm": "wasm gives the native bits", browser::wasm_in_node, in_background;
+    All "browser": "shaders and canvases in headless Chromium", browser::wasm_in_chromium, in_background, in_browser;
+    All "consumers" needs "package": "the npm package works in pages, bundlers, React and on servers", browser::consumers, in_background, in_browser;
+    All "trunk" needs "site": "the page that Trunk builds and serves burns", trunk::page_burns, in_background, in_browser;
     Demand "trunk-files" needs "site": "Trunk builds the same files", trunk::same_files;
-    All "goldens": "fires match the golden pictures", goldens::check, beside;
+    All "goldens": "fires match the golden pictures", goldens::check, in_background;
     Quick "e2e-core" needs "site": "a visitor's first minutes, in Chromium", browser::core, in_browser;
     All "e2e" needs "site": "the page in Chromium, and its element in every browser", browser::extended, in_browser;
 };
@@ -104,11 +104,11 @@ pub(crate) fn run(skip_browser: bool, all: bool, names: &[String]) -> Result<boo
         }
     };
     let ring = if all { All } else { Quick };
-    let (beside, others) = chosen(ring, names)?
+    let (background, others) = chosen(ring, names)?
         .into_iter()
-        .partition(|stage| stage.beside);
+        .partition(|stage| stage.in_background);
     thread::scope(|scope| {
-        scope.spawn(|| run(beside));
+        scope.spawn(|| run(background));
         run(others);
     });
     print!("\n{}", report.summary());
@@ -196,8 +196,9 @@ mod tests {
     #[test]
     fn a_stage_comes_after_what_it_needs() {
         for (at, stage) in STAGES.iter().enumerate() {
-            // Stages beside others may wait for them, and never the other way round.
-            let ends = |it: &Stage, need| it.name == need && (stage.beside || !it.beside);
+            // Stages in the background may wait for them, and never the other way round.
+            let ends =
+                |it: &Stage, need| it.name == need && (stage.in_background || !it.in_background);
             let before = |need| STAGES[..at].iter().any(|it| ends(it, need));
             assert!(stage.needs.is_none_or(before), "{}", stage.name);
         }

@@ -5,7 +5,7 @@
 import puppeteer from 'puppeteer-core';
 import { display } from './display.mjs';
 import { chromium as whole, headlessShell, program } from './programs.mjs';
-import { PATIENCE, Tab } from './tab.mjs';
+import { WAIT_MS, Tab } from './tab.mjs';
 
 const CHROMIUM_FLAGS = [
   '--no-sandbox',
@@ -29,7 +29,7 @@ const COMPOSED_BY_PROCESSOR = '--disable-gpu-compositing';
 const ONE_PROCESS = '--process-per-site';
 
 /** Timeout of one request of the driver to a page [ms]. */
-const protocolTimeout = 4 * PATIENCE;
+const protocolTimeout = 4 * WAIT_MS;
 
 /** @typedef {import('./browser.mjs').Opening} Opening */
 

@@ -5,7 +5,7 @@ import { Picture } from '../picture.mjs';
 /** @typedef {import('../picture.mjs').Rectangle} Rectangle */
 
 /** Timeout of every wait [ms]: long, since only a hanging page reaches it. */
-export const PATIENCE = 60_000;
+export const WAIT_MS = 60_000;
 
 /**
  * Reads a value until it is as `holds` requires, and returns it. The wait ends by its time alone: a number of
@@ -19,7 +19,7 @@ export const PATIENCE = 60_000;
  * @returns {Promise<T>}
  */
 export async function eventually(what, read, holds, between = () => {}, shown = (value) => value) {
-  const end = Date.now() + PATIENCE;
+  const end = Date.now() + WAIT_MS;
   for (;;) {
     const value = await read();
     if (holds(value)) return value;
@@ -63,7 +63,7 @@ export class Tab {
     try {
       const handle = await this.page.waitForFunction(
         /** @type {any} */ (holds),
-        { timeout: PATIENCE, polling: 50 },
+        { timeout: WAIT_MS, polling: 50 },
         ...args,
       );
       return await handle.jsonValue();

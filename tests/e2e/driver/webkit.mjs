@@ -15,7 +15,7 @@ import { Picture } from '../picture.mjs';
 import { display } from './display.mjs';
 import { keepProblems } from './page-scripts.mjs';
 import { program } from './programs.mjs';
-import { PATIENCE, Tab } from './tab.mjs';
+import { WAIT_MS, Tab } from './tab.mjs';
 
 /**
  * @param {{reducedMotion?: boolean}} options  A desktop setting for all its pages.
@@ -49,7 +49,7 @@ export async function webkit({ reducedMotion = false }, server) {
         'webkitgtk:browserOptions': { args: ['--automation', '--enable-page-cache=false'], ...browserFile() },
       }),
     );
-    await browser.manage().setTimeouts({ script: 4 * PATIENCE, pageLoad: 4 * PATIENCE });
+    await browser.manage().setTimeouts({ script: 4 * WAIT_MS, pageLoad: 4 * WAIT_MS });
     return {
       browser,
       async open(opening) {
@@ -92,7 +92,7 @@ class WebKitTab extends Tab {
     const inner = () => this.browser.executeScript('return [innerWidth, innerHeight]');
     const window = this.browser.manage().window();
     let [across, down] = [0, 0];
-    const end = Date.now() + PATIENCE;
+    const end = Date.now() + WAIT_MS;
     while (Date.now() < end) {
       await window.setRect({ width: width + across, height: height + down });
       await sleep(50);
@@ -147,7 +147,7 @@ class WebKitPage {
   async goto(url) {
     await this.#browser.get(url);
     // The driver does not always wait for modules.
-    await this.waitForFunction(() => document.readyState === 'complete', { timeout: PATIENCE });
+    await this.waitForFunction(() => document.readyState === 'complete', { timeout: WAIT_MS });
   }
 
   async close() {

@@ -19,7 +19,7 @@ use crate::fires::{combustion, in_the_open, on_floor};
 const BODIES: (u32, u32) = (3, 20);
 /// Width of a heap \[m\], and its height for each body.
 const WIDTH: f32 = 0.7;
-const EACH: f32 = 0.06;
+const HEIGHT_OF_EACH: f32 = 0.06;
 /// Sizes of bodies \[m\].
 const SIZES: (f32, f32) = (0.02, 0.25);
 /// Distance of the particles \[m\], and the most of them.
@@ -157,7 +157,7 @@ fn add(scene: &mut Scene, bodies: u32, random: &mut Random) {
         ("x", Input::Number(between(-0.5 * WIDTH, 0.5 * WIDTH))),
         (
             "y",
-            Input::Number(between(0.05, 0.2 + EACH * bodies as f32)),
+            Input::Number(between(0.05, 0.2 + HEIGHT_OF_EACH * bodies as f32)),
         ),
         ("angle", Input::Number(between(-180.0, 180.0))),
         ("width", Input::Number(extent.into())),

@@ -75,7 +75,7 @@ fn detached_light((name, top): (&str, f32)) -> Row {
     };
     let mut fire = Simulation::new(scene);
     let half = 0.5 * width;
-    fire.see(Some([Vec2::new(-half, 0.0), Vec2::new(half, top)]));
+    fire.set_visible_area(Some([Vec2::new(-half, 0.0), Vec2::new(half, top)]));
     let mut came = run(&mut fire, SETTLE, Simulation::step);
     for look in 1..=(SECONDS * RATE) as u32 {
         let until = SETTLE + f64::from(look) / RATE;

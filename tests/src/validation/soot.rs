@@ -107,7 +107,7 @@ fn soot(view: &str, id: &str, size: (f32, f32)) -> Outcome {
     let records = SEEDS.map(|seed| {
         let mut fire = Simulation::new(open((1.2, 1.8), 0.0268, [("seed", seed)]));
         let (width, height) = size;
-        fire.see(Some([
+        fire.set_visible_area(Some([
             Vec2::new(-0.5 * width, 0.0),
             Vec2::new(0.5 * width, height),
         ]));

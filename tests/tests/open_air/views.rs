@@ -18,22 +18,22 @@ fn gas_reaches_beyond_what_is_seen_and_no_view_is_too_large() {
         fire.parameters().domain_height,
     );
     let framed = fire.extent();
-    fire.see(seen(0.5 * width, 0.5 * height));
+    fire.set_visible_area(seen(0.5 * width, 0.5 * height));
     assert_eq!(fire.extent(), framed);
-    fire.see(seen(4.0, 2.0));
+    fire.set_visible_area(seen(4.0, 2.0));
     let [low, high] = fire.extent();
     assert!(low.x < -2.0 && high.x > 2.0 && high.y > 2.0 && low.y == 0.0);
     let before = fire.extent();
     fire.reset();
     assert_eq!(fire.extent(), before);
     for (width, height) in [(1e9, 1e9), (f32::NAN, 1.0), (f32::INFINITY, 0.1)] {
-        fire.see(seen(width, height));
+        fire.set_visible_area(seen(width, height));
         let [low, high] = fire.extent();
         let frame = fire.parameters().domain_height;
         assert!(high.x - low.x < 14.0 * frame && high.y - low.y < 8.0 * frame);
         fire.step();
     }
-    fire.see(None);
+    fire.set_visible_area(None);
     assert_eq!(fire.extent(), framed);
 }
 
@@ -54,7 +54,7 @@ fn a_change_of_what_is_seen_keeps_the_fire() {
         for at in 0..40 {
             let (width, height) = views[at % views.len()];
             let before = fire.particles();
-            fire.see(seen(width, height));
+            fire.set_visible_area(seen(width, height));
             assert_eq!(fire.particles(), before);
             for _ in 0..5 {
                 fire.step();
@@ -76,7 +76,7 @@ fn a_change_of_what_is_seen_keeps_the_fire() {
 fn what_is_seen_beyond_all_gas_changes_nothing_and_costs_no_particles() {
     let count = |view| {
         let mut fire = Simulation::new(on_floor(open(&[("source_height", 0.0)])));
-        fire.see(view);
+        fire.set_visible_area(view);
         let (mut sum, mut samples) = (0, 0);
         while fire.time() < 4.0 {
             fire.step();
@@ -96,12 +96,12 @@ fn what_is_seen_beyond_all_gas_changes_nothing_and_costs_no_particles() {
 #[test]
 fn a_saved_fire_is_the_same_in_any_view() {
     let mut fire = burn(open(&[("wind", 1.0)]), 0.5);
-    fire.see(seen(5.0, 3.0));
+    fire.set_visible_area(seen(5.0, 3.0));
     burn_on(&mut fire, 1.0);
     let bytes = fire.burning().unwrap_or_default();
     for view in [None, seen(5.0, 3.0)] {
         let mut other = Simulation::new(fire.scene().clone());
-        other.see(view);
+        other.set_visible_area(view);
         assert_eq!(other.restore_burning(&bytes), Ok(()));
         burn_on(&mut other, 0.05);
         let [low, high] = fire.extent();

@@ -43,7 +43,7 @@ export class PagePolicies {
   /** Observes the attributes that scripts set, and the children with what they contain. */
   #observer = new MutationObserver((records) => {
     for (const { attributeName, target } of records) {
-      if (attributeName === null) this.#session.code.adopt();
+      if (attributeName === null) this.#session.code.loadChildren();
       else if (target === this.#fire && this.#fire.hasAttribute(attributeName)) check(attributeName);
     }
   });

@@ -26,7 +26,7 @@ const FINENESS = 4;
 const OPAQUE = /^\d+x\d+:[Po-z\d_-]+$/;
 
 /** How long an image or a font may load before its box or another font replaces it [ms]. */
-const PATIENCE = 3000;
+const LOAD_WAIT_MS = 3000;
 
 /** The least time between two masks of an element [ms]. */
 const PAUSE = 100;
@@ -42,7 +42,7 @@ const OFF_GRID = 0.123;
 const LEVEL = 1e-3;
 
 /** Attributes that pages change to move an element; what else they change is seen in its style. */
-const MOVING = /^(style|class)$/;
+const MOVE_ATTRIBUTES = /^(style|class)$/;
 
 /** A picture or a text that is followed. */
 export class Picture {
@@ -64,7 +64,7 @@ export class Picture {
   #following = new AbortController();
   #observer = new MutationObserver((records) => {
     this.#stale ||= records.some(
-      ({ attributeName, target }) => target !== this.target || !MOVING.test(attributeName ?? ''),
+      ({ attributeName, target }) => target !== this.target || !MOVE_ATTRIBUTES.test(attributeName ?? ''),
     );
   });
 
@@ -97,7 +97,7 @@ export class Picture {
     const now = performance.now();
     if (this.#changes(box)) this.#stale = true;
     if (this.#stale && now - this.#last >= PAUSE) {
-      const waits = now - this.#since < PATIENCE;
+      const waits = now - this.#since < LOAD_WAIT_MS;
       const loads = this.glyphs ? document.fonts?.status === 'loading' && waits : !isComplete(this.target);
       if (!loads) {
         this.#stale = false;

@@ -14,10 +14,10 @@ import { Look } from './child-look.js';
 export const KINDS = Object.fromEntries(Object.keys(PROPERTIES).map((kind) => [`hearth-${kind}`, kind]));
 
 /** The attribute that names the element whose box an object has. */
-const OF = 'of';
+const TARGET_ATTRIBUTE = 'of';
 
 /** The attribute with which the glyphs of that element count. */
-const OF_TEXT = 'of-text';
+const TARGET_TEXT_ATTRIBUTE = 'of-text';
 
 /**
  * The property that names the solid that a source is on, and that which names the solid that another hangs from.
@@ -44,8 +44,8 @@ const propertyOf = (/** @type {string} */ attribute) => attribute.replaceAll('-'
 
 /** The attributes of a kind. */
 export const attributesOf = (/** @type {string} */ kind) => [
-  OF,
-  ...(PROPERTIES[kind].mask ? [OF_TEXT] : []),
+  TARGET_ATTRIBUTE,
+  ...(PROPERTIES[kind].mask ? [TARGET_TEXT_ATTRIBUTE] : []),
   ...Object.keys(PROPERTIES[kind]).map(attributeOf),
 ];
 
@@ -82,7 +82,7 @@ export class Child {
     this.number = number;
     this.names = names;
     this.kind = KINDS[element.localName];
-    this.look = new Look(owner.session, () => `${this.name}: ${OF} = ${this.#shownTarget}`);
+    this.look = new Look(owner.session, () => `${this.name}: ${TARGET_ATTRIBUTE} = ${this.#shownTarget}`);
   }
 
   /** The element as messages name it. */
@@ -113,7 +113,7 @@ export class Child {
   /** An attribute has changed. @param {string} attribute */
   attribute(attribute) {
     const property = propertyOf(attribute);
-    if (attribute === OF || attribute === OF_TEXT) {
+    if (attribute === TARGET_ATTRIBUTE || attribute === TARGET_TEXT_ATTRIBUTE) {
       if (!this.readTarget()) return;
     } else if (this.of && TARGET_PROPERTIES[this.kind]?.includes(property)) {
       return;
@@ -125,16 +125,16 @@ export class Child {
 
   /** Reads `of`. Returns whether it is valid. */
   readTarget() {
-    const text = this.element.getAttribute(OF);
+    const text = this.element.getAttribute(TARGET_ATTRIBUTE);
     const id = text === null ? '' : /^\s*#(\S+)\s*$/.exec(text)?.[1];
     if (id === undefined) {
-      const message = `${this.name}: ${OF} = ${String(text).slice(0, MAX_SHOWN)} is refused: it must be # and the id of an element`;
-      this.#owner.session.reports.refused([{ id: OF, value: text, message }]);
+      const message = `${this.name}: ${TARGET_ATTRIBUTE} = ${String(text).slice(0, MAX_SHOWN)} is refused: it must be # and the id of an element`;
+      this.#owner.session.reports.refused([{ id: TARGET_ATTRIBUTE, value: text, message }]);
       this.#placed ??= {};
       return false;
     }
     this.of = id;
-    this.#warned.delete(OF);
+    this.#warned.delete(TARGET_ATTRIBUTE);
     this.look.close();
     this.#stateAll();
     if (id) this.#owner.watch();
@@ -242,7 +242,7 @@ export class Child {
     const box =
       this.look.picture?.opacity === null ? 'nothing of that element is opaque' : 'that element has no visible box';
     const why = targetOf(this.element, this.of) ? box : 'no element has that id';
-    this.#warnOnce(OF, `${OF} = ${this.#shownTarget}`, why);
+    this.#warnOnce(TARGET_ATTRIBUTE, `${TARGET_ATTRIBUTE} = ${this.#shownTarget}`, why);
   }
 
   /** @returns {Values | null | undefined} */
@@ -259,7 +259,7 @@ export class Child {
     }
     /** @type {ReturnType<Look['of']>} */
     const seen = PROPERTIES[this.kind].mask
-      ? this.look.of(target, box, (this.element.getAttribute(OF_TEXT) ?? 'false') !== 'false')
+      ? this.look.of(target, box, (this.element.getAttribute(TARGET_TEXT_ATTRIBUTE) ?? 'false') !== 'false')
       : box;
     if (!seen) return seen;
     const metres = inMetres(seen, fire.getBoundingClientRect(), viewport);

@@ -39,7 +39,7 @@ export function glyphsIn(element) {
       context.save();
       context.translate(x, y);
       context.scale(wide, high);
-      dress(context, css);
+      setFont(context, css);
       context.fillText(text, 0, 0);
       context.restore();
     }
@@ -103,7 +103,7 @@ function transformed(text, { textTransform }, inWord = false) {
 }
 
 /** Sets the font of a style for later drawing. @param {Context} context @param {CSSStyleDeclaration} css */
-function dress(context, css) {
+function setFont(context, css) {
   const caps = css.fontVariantCaps === 'small-caps' ? 'small-caps' : '';
   context.font = `${css.fontStyle} ${caps} ${css.fontWeight} ${css.fontSize} ${css.fontFamily}`;
   Object.assign(context, {
@@ -119,7 +119,7 @@ function dress(context, css) {
  * @param {Piece} piece @param {Context} measure
  */
 function laidOut({ text, css, rect }, measure) {
-  dress(measure, css);
+  setFont(measure, css);
   const {
     width,
     fontBoundingBoxAscent: ascent,

@@ -83,7 +83,7 @@ export class OnDemandCode {
   }
 
   /** The element may have other children. The code for those that are objects is loaded with the first one. */
-  async adopt(begins = this.#session.begun) {
+  async loadChildren(begins = this.#session.begun) {
     const { fire } = this.#session;
     if (fire.querySelector(':scope>:not([slot],hearth-source,hearth-solid)')) {
       import('../attributes/spelling.js').then(
@@ -148,7 +148,7 @@ export class OnDemandCode {
   }
 
   /** Passes the steps of a frame to the sound. @param {Message} message */
-  hear({ seconds, series }) {
+  playSeries({ seconds, series }) {
     this.#player?.receive(seconds, series);
   }
 

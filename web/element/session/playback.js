@@ -37,7 +37,7 @@ export class Playback {
     this.#stoppable = !paused && motionIsReduced() && (this.#still || this.#stoppable);
     this.paused = paused;
     this.#still = still;
-    this.offer();
+    this.showButton();
     // A pause for reduced motion leaves the page's attribute alone.
     if (!still && isOn(this.#fire.getAttribute('paused')) !== paused)
       setOrRemove(this.#fire, 'paused', paused ? '' : null);
@@ -45,7 +45,7 @@ export class Playback {
   }
 
   /** Shows the button that plays or pauses, or hides it. Its code is loaded on request. */
-  async offer(action = this.#still ? 'play' : this.#stoppable ? 'pause' : '') {
+  async showButton(action = this.#still ? 'play' : this.#stoppable ? 'pause' : '') {
     if (action) {
       const press = () => void (this.#still ? this.set(false) : this.set(true, true));
       this.#button ??= this.#session.reports
@@ -56,13 +56,13 @@ export class Playback {
   }
 
   /** Whether the fire is paused, and moves at once instead of gradually, for reduced motion. */
-  isCalm(reduced = motionIsReduced()) {
+  prefersStill(reduced = motionIsReduced()) {
     return reduced && this.#fire.reducedMotion !== 'ignore';
   }
 
   /** Applies a change of the visitor's preference or of the attribute. @param {boolean} [reduced] */
   follow(reduced) {
-    const still = this.isCalm(reduced);
+    const still = this.prefersStill(reduced);
     if (still && !this.paused) this.set(true, true);
     else if (!still && this.#still) this.set(false);
   }
@@ -72,7 +72,7 @@ export class Playback {
    * @param {boolean} waits whether the page makes it wait for `play()`
    */
   start(waits) {
-    const still = this.isCalm() && (this.#still || !this.paused);
+    const still = this.prefersStill() && (this.#still || !this.paused);
     if (still) {
       this.set(true, true);
     } else {

@@ -135,9 +135,9 @@ export class FireSession {
   }
 
   /** Shows the fire on another canvas: a move to another document has taken the last one away. */
-  mend() {
-    this.view.dress();
-    if (this.#connection) this.#connection.watch(this.view.mend());
+  replaceCanvas() {
+    this.view.applyStyles();
+    if (this.#connection) this.#connection.watch(this.view.replaceCanvas());
   }
 
   /** Whether the engine has the fire. */
@@ -268,7 +268,7 @@ export class FireSession {
     const state = this.#warmth() && !fire.src ? prewarmed(fire.preset) : undefined;
     const file = this.state.started ? undefined : this.#file.begin();
     await this.#gone;
-    await this.code.adopt(true);
+    await this.code.loadChildren(true);
     await file;
     return state;
   }
@@ -288,7 +288,7 @@ export class FireSession {
     }
     if (!connection.live) return;
     this.view.show('shown');
-    this.playback.offer();
+    this.playback.showButton();
     this.view.drawn().then(
       () => this.updateBurning(),
       () => {},
@@ -333,7 +333,7 @@ export class FireSession {
     this.state.stats = null;
     this.#policies.end();
     this.view.dropCanvas();
-    this.playback.offer('');
+    this.playback.showButton('');
     this.view.show('loading');
     this.updateBurning();
     this.code.setLight();
@@ -351,7 +351,7 @@ export class FireSession {
     ready: (message) => {
       this.state.take(message);
       this.code.sound(true);
-      this.code.adopt();
+      this.code.loadChildren();
       this.code.reportToChildren(message);
     },
     changed: (message) => this.#change(message),
@@ -360,7 +360,7 @@ export class FireSession {
       const error = this.reports.refused(this.code.named(errors, this.#requests.promise(request)));
       if (request !== undefined) this.#requests.settle(request, error);
     },
-    series: (message) => this.code.hear(message),
+    series: (message) => this.code.playSeries(message),
     stats: ({ stats }, { engineThread }) => {
       const { state } = this;
       state.stats = { ...stats, engine: engineThread };
@@ -442,7 +442,7 @@ export class FireSession {
     this.#end();
     this.#returns = false;
     this.view.show('failed', message, kind !== 'unsupported' && (() => this.#retry()));
-    this.playback.offer('');
+    this.playback.showButton('');
     this.updateBurning();
     this.#policies.end();
     this.#ready.reject(error);

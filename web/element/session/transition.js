@@ -170,7 +170,7 @@ class Transitions {
     // There are no intermediate values on a hidden page and with reduced motion.
     const jump = () => document.hidden && transition.end();
     document.addEventListener('visibilitychange', jump, ended);
-    if (document.hidden || !fire.isConnected || this.#session.playback.isCalm()) transition.end();
+    if (document.hidden || !fire.isConnected || this.#session.playback.prefersStill()) transition.end();
     try {
       while (transition.ids.size > 0) {
         step(clamped(effect.getComputedTiming().progress ?? 1));

@@ -107,20 +107,20 @@ export class FireView {
     this.#host = host;
     this.#shadow = host.attachShadow({ mode: 'open' });
     this.#shadow.append(this.root);
-    this.dress();
+    this.applyStyles();
   }
 
   /** Adds styles. @param {string} styles */
   style(styles) {
     this.#styles.push(styles);
-    this.dress();
+    this.applyStyles();
   }
 
   /**
    * Applies the styles, which an element loses when it moves to another document. They are constructed
    * style sheets where the browser has those: a content security policy may forbid `<style>`.
    */
-  dress() {
+  applyStyles() {
     const owner = this.#host.ownerDocument;
     const Sheet = owner.defaultView?.CSSStyleSheet;
     if (Sheet && 'replaceSync' in Sheet.prototype && 'adoptedStyleSheets' in this.#shadow) {
@@ -160,11 +160,11 @@ export class FireView {
   /** A new canvas, without the last frame of the fire before. */
   newCanvas() {
     this.dropCanvas();
-    return this.mend();
+    return this.replaceCanvas();
   }
 
   /** Another canvas, which is empty. */
-  mend() {
+  replaceCanvas() {
     this.canvas?.remove();
     this.#surface = undefined;
     // What waits for a frame waits for one of this canvas.

@@ -85,7 +85,7 @@ impl FireOptions {
     /// A fire of these settings before its first step, for pictures of that size.
     pub fn fire(&self, settings: &Settings, size: [u32; 2]) -> Fire {
         let mut fire = Fire::new(settings.clone(), self.quality, self.warm);
-        fire.see(size, self.camera());
+        fire.set_visible_area(size, self.camera());
         fire
     }
 }

@@ -43,7 +43,7 @@ fn a_refused_file_has_the_messages_of_the_element() {
     let object = |fields: &[(&str, Untrusted)]| {
         let fields = fields
             .iter()
-            .map(|(name, value)| Untrusted::named(name, value.clone()));
+            .map(|(name, value)| Untrusted::field_of(name, value.clone()));
         Untrusted::Object(fields.collect())
     };
     let values = [("viscosity", number(-1.0)), ("nonsense", number(1.0))];

@@ -83,7 +83,13 @@ impl Domain {
     }
 
     /// Sets which part of the world is seen.
-    pub fn see(&mut self, seen: Option<Seen>, gas: &Gas, scene: &Scene, solids: &Solids) {
+    pub fn set_visible_area(
+        &mut self,
+        seen: Option<Seen>,
+        gas: &Gas,
+        scene: &Scene,
+        solids: &Solids,
+    ) {
         self.seen = seen;
         self.fit_open_air(gas, scene, solids);
     }

@@ -29,7 +29,7 @@ use crate::scene::Scene;
 use crate::solids::Solids;
 use crate::solids::free::FreeBodies;
 use cells::Burning;
-use state::{BLOCKS, Beside, Block};
+use state::{AdjacentGas, BLOCKS, Block};
 
 pub(super) use command::reach;
 pub use command::{IgniteError, IgnitionTarget};
@@ -98,7 +98,7 @@ impl Fuels {
             burning.first_beside = cells;
             cells += burning.cells.len();
         }
-        self.beside.resize(cells, Beside::default());
+        self.beside.resize(cells, AdjacentGas::default());
         self.views.clear();
         self.views.resize(cells, 0.0);
     }

@@ -52,7 +52,7 @@ impl Scene {
 
     /// Changes an object or, without an id, adds one, without the fields that are refused. Appends an error for each,
     /// and returns the id of the object, if there is one.
-    pub fn lay(
+    pub fn apply_fields(
         &mut self,
         id: Option<u32>,
         fields: &Fields<'_>,

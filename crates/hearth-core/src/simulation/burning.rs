@@ -35,8 +35,8 @@ use crate::params::{Motion, Solid, Thermal};
 use crate::particle::Particle;
 use crate::random::Random;
 use format::{
-    BODY, Bytes, Columns, EACH, EMBERS, HEADER, Header, MAGIC, OUT_OF_RANGE, WRONG_LENGTH,
-    quantised, quantised_signed,
+    BODY, BYTES_PER_PARTICLE, Bytes, Columns, EMBERS, HEADER, Header, MAGIC, OUT_OF_RANGE,
+    WRONG_LENGTH, quantised, quantised_signed,
 };
 
 pub use digest::digest;
@@ -73,7 +73,8 @@ impl Simulation {
         ];
         let [velocity, excess, soot, ember_velocity, size, life] = scales;
 
-        let mut out = Vec::with_capacity(HEADER + EACH * (particles.len() + embers.len()));
+        let mut out =
+            Vec::with_capacity(HEADER + BYTES_PER_PARTICLE * (particles.len() + embers.len()));
         out.extend(MAGIC);
         out.extend(VERSION.to_le_bytes());
         out.extend((embers.len() as u16).to_le_bytes());

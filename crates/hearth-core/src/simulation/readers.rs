@@ -48,7 +48,7 @@ impl Simulation {
     }
 
     /// Lower left and upper right corner of the rectangle that the gas can reach \[m\]: the
-    /// domain or, with open edges, a larger one around that and [what is seen](Simulation::see).
+    /// domain or, with open edges, a larger one around that and [what is seen](Simulation::set_visible_area).
     pub fn extent(&self) -> [Vec2; 2] {
         let bounds = self.solver.bounds(self.parameters());
         let half = 0.5 * bounds.width;

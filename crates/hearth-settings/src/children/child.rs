@@ -77,7 +77,7 @@ impl Child {
         ];
         Untrusted::Object(
             fields
-                .map(|(name, value)| Untrusted::named(name, value))
+                .map(|(name, value)| Untrusted::field_of(name, value))
                 .into(),
         )
     }
@@ -141,7 +141,7 @@ pub fn put(fields: &mut Vec<Field>, name: &str, value: Option<Untrusted>) {
     let found = fields.iter_mut().find(|(known, _)| known == name);
     match (found, value) {
         (Some((_, known)), Some(value)) => *known = value,
-        (None, Some(value)) => fields.push(Untrusted::named(name, value)),
+        (None, Some(value)) => fields.push(Untrusted::field_of(name, value)),
         (_, None) => fields.retain(|(known, _)| known != name),
     }
 }

@@ -57,7 +57,7 @@ pub fn compose(
             ("kind", Input::Text(&child.kind)),
             ("id", Input::Number(child.number.into())),
         ];
-        if !has_base && known.is_none() && scene.lay(None, &head, &mut errors).is_none() {
+        if !has_base && known.is_none() && scene.apply_fields(None, &head, &mut errors).is_none() {
             refused.extend(errors.iter().map(|error| child.refusal(at, error)));
             continue;
         }
@@ -67,14 +67,14 @@ pub fn compose(
         let fields: Vec<_> = names
             .filter_map(|name| Some((name, input(value(name)?))))
             .collect();
-        scene.lay(Some(child.number), &fields, &mut errors);
+        scene.apply_fields(Some(child.number), &fields, &mut errors);
         for error in errors {
             let (at, name, error) = child.refusal(at, &error);
             match get(&child.stated, &name) {
                 // What a call has set is in the range of another model.
                 Some(stated) if get(&child.called, &name).is_some() => {
                     let stated = [(name.as_str(), input(stated))];
-                    scene.lay(Some(child.number), &stated, &mut Vec::new());
+                    scene.apply_fields(Some(child.number), &stated, &mut Vec::new());
                 }
                 Some(_) => refused.push((at, name, error)),
                 None => {}

@@ -66,7 +66,7 @@ pub fn divide(
         page.take(after, first);
         if !page.rename(first, id) {
             let source = ("kind", Input::Text(Kind::SOURCE.name));
-            page.lay(
+            page.apply_fields(
                 None,
                 &[source, ("id", Input::Number(id.into()))],
                 &mut Vec::new(),

@@ -41,8 +41,8 @@ pub enum Untrusted {
 }
 
 impl Untrusted {
-    /// A field with this name.
-    pub fn named(name: &str, value: Untrusted) -> (String, Untrusted) {
+    /// A field of an object: its name and its value.
+    pub fn field_of(name: &str, value: Untrusted) -> (String, Untrusted) {
         (name.to_owned(), value)
     }
 

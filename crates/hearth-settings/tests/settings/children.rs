@@ -24,7 +24,7 @@ fn list(settings: &Settings, children: &[Child]) -> Vec<Untrusted> {
             false => names.collect(),
         };
         let values = values.iter();
-        let values = values.map(|(name, value)| Untrusted::named(name, text(value)));
+        let values = values.map(|(name, value)| Untrusted::field_of(name, text(value)));
         object([
             ("id", number(f64::from(*id))),
             ("kind", text(kind)),

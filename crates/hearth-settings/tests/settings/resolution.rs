@@ -89,20 +89,16 @@ const LINKS: [(&str, Box); 26] = [
     ),
 ];
 
-fn named(id: &str, value: Untrusted) -> (String, Untrusted) {
-    (id.to_owned(), value)
-}
-
 /// The preset and the values of a link, with open edges.
 fn read(link: &str) -> (String, Vec<(String, Untrusted)>) {
     let mut preset = "default".to_owned();
-    let edges = named("edges", text("open"));
+    let edges = Untrusted::field_of("edges", text("open"));
     let is_classic = link.contains("model=classic");
     let mut values: Vec<_> = (!is_classic).then_some(edges).into_iter().collect();
     for (name, value) in link.split('&').filter_map(|pair| pair.split_once('=')) {
         match name {
             "scene" | "preset" => preset = value.to_owned(),
-            _ => values.push(named(&name.replace('-', "_"), text(value))),
+            _ => values.push(Untrusted::field_of(&name.replace('-', "_"), text(value))),
         }
     }
     (preset, values)
@@ -112,9 +108,9 @@ fn read(link: &str) -> (String, Vec<(String, Untrusted)>) {
 fn opened(link: &str) -> [Settings; 3] {
     let (preset, values) = read(link);
     let file = Untrusted::Object(vec![
-        named("hearth", Untrusted::Number(3.0)),
-        named("preset", text(&preset)),
-        named("values", Untrusted::Object(values.clone())),
+        Untrusted::field_of("hearth", Untrusted::Number(3.0)),
+        Untrusted::field_of("preset", text(&preset)),
+        Untrusted::field_of("values", Untrusted::Object(values.clone())),
     ]);
     let attributes = |values: &mut dyn Iterator<Item = &(String, Untrusted)>| {
         let first = after(&Settings::default(), Change::Preset(&preset));

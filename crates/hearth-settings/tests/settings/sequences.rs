@@ -83,7 +83,7 @@ fn children(random: &mut Random, of_any_order: bool) -> Vec<Untrusted> {
             .collect();
         let values = stated
             .into_iter()
-            .map(|(name, value)| Untrusted::named(name, value));
+            .map(|(name, value)| Untrusted::field_of(name, value));
         let values = match below(random, 5) {
             0 if of_any_order => Untrusted::Null,
             _ => Untrusted::Object(values.collect()),

@@ -13,7 +13,7 @@
 
 use super::cells::{Account, Cell};
 use super::material::{BOILING, CHAR_HEAT, Material, VAPORISATION, WATER_CAPACITY};
-use super::state::Beside;
+use super::state::AdjacentGas;
 use crate::combustion::reaction::chemistry::HEAT_CAPACITY;
 use crate::extremes::{fast_max, fast_min};
 
@@ -68,7 +68,7 @@ impl Cell {
     /// [kW/m], which heats the cell.
     pub(super) fn burn_film(
         &mut self,
-        beside: &mut Beside,
+        beside: &mut AdjacentGas,
         material: &Material,
         account: &mut Account,
         step: &Step,
@@ -104,7 +104,7 @@ impl Cell {
     /// Exchanges heat, and burns char. Returns its power [kW/m].
     pub(super) fn warm(
         &mut self,
-        beside: &mut Beside,
+        beside: &mut AdjacentGas,
         material: &Material,
         account: &mut Account,
         step: &Step,

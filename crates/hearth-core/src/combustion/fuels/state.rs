@@ -19,7 +19,7 @@ pub(super) struct Block {
 pub(crate) struct Fuels {
     pub(super) all: Vec<Burning>,
     /// The gas beside each cell of all of them, one after another.
-    pub(super) beside: Vec<Beside>,
+    pub(super) beside: Vec<AdjacentGas>,
     /// What each particle near a wall touches.
     pub(super) touches: Vec<Touch>,
     pub(super) blocks: Vec<Block>,
@@ -36,7 +36,7 @@ pub(crate) struct Fuels {
 
 /// The gas beside a cell in a step: what it offers and what it gets.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Beside {
+pub(super) struct AdjacentGas {
     /// Conductance [kW/(m·K)], and its products with temperature and oxygen.
     pub(super) conductance: f32,
     pub(super) heat: f32,

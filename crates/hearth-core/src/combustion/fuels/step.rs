@@ -6,7 +6,7 @@ use glam::Vec2;
 
 use super::cells::{Burning, NONE};
 use super::reaction::{PYROLYSIS, Step};
-use super::state::{Beside, Fuels, NOTHING, Touch};
+use super::state::{AdjacentGas, Fuels, NOTHING, Touch};
 use crate::combustion::gas::Gas;
 use crate::combustion::gas::walls::Near;
 use crate::combustion::reaction::chemistry::{HEAT_CAPACITY, heat_of_combustion};
@@ -83,7 +83,7 @@ impl Fuels {
     fn meet(&mut self, gas: &Gas, near: &[Near], solids: &Solids, values: &Physics) {
         let h = values.smoothing_length();
         let eddy = values.eddy_viscosity * values.eddy_viscosity * h;
-        self.beside.fill(Beside::default());
+        self.beside.fill(AdjacentGas::default());
         self.touches.clear();
         for near in near {
             let mut touch = Touch {
@@ -222,7 +222,7 @@ impl Burning {
     }
 
     /// Heats and burns each cell. Returns the power of the flames in the film [kW/m].
-    fn react(&mut self, beside: &mut [Beside], step: &Step) -> f32 {
+    fn react(&mut self, beside: &mut [AdjacentGas], step: &Step) -> f32 {
         let (mut power, mut gas_power, mut film) = (0.0, 0.0, 0.0);
         let (mut oxygen, mut conductance) = (0.0, 0.0);
         for index in 0..self.cells.len() {
@@ -260,7 +260,7 @@ impl Burning {
     }
 
     /// Accounts for the gas that the particles have taken.
-    fn settle(&mut self, beside: &[Beside], gas_heat: f32) {
+    fn settle(&mut self, beside: &[AdjacentGas], gas_heat: f32) {
         let mut taken = 0.0;
         for (cell, beside) in self.cells.iter_mut().zip(beside) {
             cell.waiting = fast_max(cell.waiting - beside.taken, 0.0);

@@ -39,7 +39,7 @@ pub const VERSION: u16 = 3;
 pub(super) const MAGIC: &[u8; 4] = b"Fire";
 pub(super) const HEADER: usize = 56;
 /// Bytes of a particle, and of an ember.
-pub(super) const EACH: usize = 10;
+pub(super) const BYTES_PER_PARTICLE: usize = 10;
 /// Most stored embers.
 pub(super) const EMBERS: usize = 1000;
 /// Bytes of a number of a solid: its temperature, or one of those of a free solid.
@@ -106,7 +106,7 @@ impl Header {
         if !allowed.contains(&self.particles) || self.embers > EMBERS {
             return Err("the burning fire has an invalid number of particles");
         }
-        let solids = rest.checked_sub(EACH * (self.particles + self.embers));
+        let solids = rest.checked_sub(BYTES_PER_PARTICLE * (self.particles + self.embers));
         let most = MAX_OBJECTS * (1 + BODY);
         if !solids.is_some_and(|rest| rest % NUMBER == 0 && rest / NUMBER <= most) {
             return Err(WRONG_LENGTH);

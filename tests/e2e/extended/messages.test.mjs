@@ -35,6 +35,7 @@ describe('messages from an allowed origin', () => {
     assert.equal(await inIframe(tab, (fire) => fire.paused), true);
     await value('reset');
     await value('step', 30);
+    await value('advance', 0.1);
     await tab.until('steps are made', () =>
       /** @type {any} */ (window).call('stats').then(({ value: stats }) => stats?.time > 0),
     );

@@ -114,7 +114,7 @@ describe('the panel', () => {
     const field = '[data-card="paste"] textarea';
     for (const [text, words] of [
       ['', /field is empty/],
-      ['{"hearth": 3, "values": {"viscosity": 99}}', /viscosity.*99.*0\.1/],
+      ['{"hearth": 3, "preset": "classic", "values": {"viscosity": 99}}', /viscosity.*99.*0\.1/],
       ['viscosity = 0.02', /JSON/],
     ]) {
       await pasteSettings(tab, panel, text);

@@ -1,6 +1,7 @@
 //! The command `hearth`: its arguments, and what runs for each of its commands.
 
 mod bench;
+mod film;
 mod info;
 mod options;
 mod progress;
@@ -32,6 +33,8 @@ Exit codes: 0 done, 1 failed while running, 2 wrong use or an invalid scene.";
 enum Command {
     /// Draws one picture of a fire as PNG.
     Render(render::Render),
+    /// Writes a film of a fire: PNG files, APNG, WebP, GIF, WebM, MP4, or bytes for another program.
+    Film(film::Film),
     /// Draws scenes × moments × backgrounds as one labelled picture.
     Sheet(sheet::Sheet),
     /// Lists the presets.
@@ -56,6 +59,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     output::end_between_files_on_interrupt();
     let done = match arguments.command {
         Command::Render(render) => render.run(),
+        Command::Film(film) => film.run(),
         Command::Sheet(sheet) => sheet.run(),
         Command::Scenes(scenes) => scenes.run(),
         Command::Info(info) => info.run(),

@@ -34,6 +34,7 @@
 mod command;
 mod egl;
 mod error;
+mod film;
 mod fire;
 mod font;
 mod json;

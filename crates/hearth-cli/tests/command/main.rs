@@ -4,6 +4,7 @@
 #![cfg(test)]
 
 mod bench;
+mod film;
 mod harness;
 mod render;
 mod scene_files;

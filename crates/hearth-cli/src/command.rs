@@ -8,6 +8,7 @@ mod progress;
 mod render;
 mod scenes;
 mod sheet;
+mod sprites;
 
 use std::ffi::OsString;
 use std::io::{Write, stderr};
@@ -37,6 +38,8 @@ enum Command {
     Film(film::Film),
     /// Draws scenes × moments × backgrounds as one labelled picture.
     Sheet(sheet::Sheet),
+    /// Draws a sprite sheet for game engines, with motion vectors and an atlas if asked for.
+    Sprites(sprites::Sprites),
     /// Lists the presets.
     Scenes(scenes::Scenes),
     /// Shows the graphics driver, its limits and its formats.
@@ -61,6 +64,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Render(render) => render.run(),
         Command::Film(film) => film.run(),
         Command::Sheet(sheet) => sheet.run(),
+        Command::Sprites(sprites) => sprites.run(),
         Command::Scenes(scenes) => scenes.run(),
         Command::Info(info) => info.run(),
         Command::Bench(bench) => bench.run(),

@@ -42,6 +42,7 @@ mod output;
 mod painter;
 mod picture;
 mod scene;
+mod sprites;
 
 pub use command::run;
 pub use egl::{Driver, Offscreen, OffscreenError, PACKAGES};

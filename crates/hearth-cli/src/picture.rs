@@ -165,6 +165,14 @@ pub fn png_of_rgb(width: u32, height: u32, rgb: &[u8]) -> Result<Vec<u8>, Error>
     png(width, height, png::ColorType::Rgb, rgb)
 }
 
+/// Bytes of red, green, blue and alpha as PNG.
+///
+/// # Errors
+/// The picture is too large for memory.
+pub fn png_of_rgba([width, height]: [u32; 2], rgba: &[u8]) -> Result<Vec<u8>, Error> {
+    png(width, height, png::ColorType::Rgba, rgba)
+}
+
 fn png(width: u32, height: u32, colours: png::ColorType, data: &[u8]) -> Result<Vec<u8>, Error> {
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, width, height);

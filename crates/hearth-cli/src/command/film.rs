@@ -170,7 +170,7 @@ impl Film {
 }
 
 /// A rate: a number with at most three decimals, or a fraction as `30000/1001`.
-fn rate(text: &str) -> Result<Rate, String> {
+pub fn rate(text: &str) -> Result<Rate, String> {
     let whole = |text: &str| text.parse().ok().filter(|&number: &u32| number > 0);
     let rate = match text.split_once('/') {
         Some((pictures, seconds)) => whole(pictures).zip(whole(seconds)),

@@ -9,5 +9,6 @@ mod harness;
 mod render;
 mod scene_files;
 mod sheet;
+mod sprites;
 mod streams;
 mod without_driver;

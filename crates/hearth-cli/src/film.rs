@@ -4,6 +4,7 @@ mod apng;
 mod archive;
 pub mod ffmpeg;
 mod gif;
+pub mod seam;
 mod webp;
 
 use crate::error::Error;

@@ -108,6 +108,22 @@ impl Picture {
         ))
     }
 
+    /// The mix of the light of two pictures of one size, with that share of the other one, weighted by alpha.
+    pub fn mixed(&self, other: &Picture, share: f32) -> Picture {
+        let linear = LinearTable::new();
+        let pixels = self.pixels().zip(other.pixels()).flat_map(|(a, b)| {
+            let (a, b) = (linear.light(a), linear.light(b));
+            encoded([0, 1, 2, 3].map(|at| a[at] + share * (b[at] - a[at])))
+        });
+        Picture::premultiplied(self.width, self.height, pixels.collect())
+    }
+
+    /// The sum of the differences of all channels from a picture of the same size.
+    pub fn distance(&self, other: &Picture) -> u64 {
+        let pairs = self.rgba.iter().zip(&other.rgba);
+        pairs.map(|(a, b)| u64::from(a.abs_diff(*b))).sum()
+    }
+
     /// The picture with one pixel for each square of `factor` by `factor`: the mean of their light,
     /// weighted by alpha, so that transparent edges stay as bright as what they belong to.
     pub fn downsampled(self, factor: u32) -> Picture {
@@ -291,6 +307,8 @@ mod tests {
         let mean = Picture::mean(&[picture([255; 4]), picture([0, 0, 0, 255])]);
         assert_eq!(mean, Some(picture([188, 188, 188, 255])));
         assert_eq!(Picture::mean(&[]), None);
+        let mixed = picture([0, 0, 0, 255]).mixed(&picture([255; 4]), 0.5);
+        assert_eq!(mixed, picture([188, 188, 188, 255]));
     }
 
     #[test]

@@ -1,13 +1,16 @@
 //! `hearth film`: pictures at exact moments, as a film.
 
-use std::ops::Range;
+use std::collections::VecDeque;
+use std::ops::{Range, RangeInclusive};
 
 use clap::Args;
 
 use super::options::{DriverOptions, FireOptions, age, named, size};
 use super::progress::{Counter, Progress};
+use crate::Fire;
 use crate::error::Error;
-use crate::film::{self, Format, Header, Plays, Rate};
+use crate::film::seam::{self, Loop};
+use crate::film::{self, Encoder, Format, Header, Plays, Rate};
 use crate::painter::Painter;
 use crate::picture::Picture;
 
@@ -20,6 +23,11 @@ const SHUTTER: f64 = 0.5;
 
 /// Time over which the fine structure of a picture is carried on from earlier ones, its longest period \[s\].
 const CARRIED_SECONDS: f64 = 1.5;
+
+/// Length of a loop \[s\].
+const LOOP_SECONDS: RangeInclusive<f64> = 1.0..=10.0;
+/// Width and height of the pictures in which the beginning of a loop is looked for \[pixels\].
+const SEEN_SIDE: u32 = 64;
 
 /// Arguments of `hearth film`.
 #[derive(Args)]
@@ -57,6 +65,9 @@ pub struct Film {
     /// Draws so many moments for a picture, half of the time between two, and takes the mean of their light.
     #[arg(long, value_name = "1..16", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=16))]
     motion_blur: u32,
+    /// The end goes over into the beginning: films of 1 to 10 seconds.
+    #[arg(long = "loop", conflicts_with_all = ["motion_blur", "once"])]
+    is_loop: bool,
     /// The film ends instead of playing again (APNG, WebP, GIF).
     #[arg(long)]
     once: bool,
@@ -106,7 +117,14 @@ impl Film {
         self.driver.warn(&shared);
         let options = self.fire.picture(self.size, self.supersample);
         let mut painter = Painter::new(&offscreen, &shared, options)?;
-        let mut fire = self.fire.fire(&settings, self.size);
+        let fire = || self.fire.fire(&settings, self.size);
+        if self.is_loop {
+            let options = self.fire.picture([SEEN_SIDE; 2], 1);
+            let mut small = Painter::new(&offscreen, &shared, options)?;
+            self.draw_loop(&fire, [&mut painter, &mut small], &part, &mut *encoder)?;
+            return encoder.finish();
+        }
+        let mut fire = fire();
         let progress = Progress::new(self.from + self.fps.time(part.end));
         progress.name(&self.scene);
         let mut counter = Counter::new(&progress);
@@ -133,6 +151,67 @@ impl Film {
         encoder.finish()
     }
 
+    /// Draws a part of a loop: once small, to find its beginning, and then what it shows.
+    fn draw_loop(
+        &self,
+        begin: &dyn Fn() -> Fire,
+        [painter, small]: [&mut Painter<'_>; 2],
+        part: &Range<u32>,
+        encoder: &mut dyn Encoder,
+    ) -> Result<(), Error> {
+        let film = Loop::new(self.count()?, self.fps);
+        let time = |number: u32| self.from + self.fps.time(number);
+        let mut fire = begin();
+        let life = f64::from(fire.simulation().parameters().ember_life_max);
+        let lived = film.searched() + (life / self.fps.time(1)).ceil() as u32;
+        let progress = Progress::new(time(lived) + time(film.searched()));
+        progress.name(&self.scene);
+        let mut counter = Counter::new(&progress);
+        let (mut seen, mut embers) = (Vec::new(), Vec::new());
+        for number in 0..lived {
+            fire.advance(time(number), &mut |age| counter.at(age));
+            if number < film.searched() {
+                seen.push(small.paint_with(&mut fire, &[])?);
+            }
+            fire.write();
+            embers.push(seam::embers(fire.simulation(), &fire.embers));
+        }
+        let start = film.start(&seen);
+        let born = [start, start + film.count].map(time);
+        let mut fire = begin();
+        let mut counter = Counter::new(&progress);
+        let mut earlier = VecDeque::new();
+        for number in 0..start + part.end {
+            fire.advance(time(number), &mut |age| counter.at(age));
+            // What is shown before the beginning is mixed into the end, with the embers of the end.
+            let at = (number + film.fade).checked_sub(start);
+            let at = at.map(|at| (at + film.count - film.fade) % film.count);
+            let Some(at) = at else {
+                if self.fps.time(start - number) <= CARRIED_SECONDS {
+                    painter.draw(&mut fire, &mut |_| {})?;
+                }
+                continue;
+            };
+            let shown = seam::embers_of(at, start, film.count, born, &embers);
+            let picture = painter.paint_with(&mut fire, &shown)?;
+            if number < start {
+                earlier.push_back(picture);
+                continue;
+            }
+            let picture = match film.share_of_earlier(at) {
+                0.0 => picture,
+                share => earlier
+                    .pop_front()
+                    .map_or(picture.clone(), |earlier| picture.mixed(&earlier, share)),
+            };
+            if part.contains(&at) {
+                encoder.add(&picture)?;
+            }
+        }
+        progress.finish();
+        Ok(())
+    }
+
     /// The format that is stated, or that of the name.
     fn format(&self) -> Result<Format, Error> {
         let of_name = (self.out != "-")
@@ -149,15 +228,27 @@ impl Film {
         })
     }
 
-    /// The numbers of the pictures that are drawn.
-    fn part(&self) -> Result<Range<u32>, Error> {
-        let count = (self.seconds / self.fps.time(1)).round().max(1.0);
-        if count > f64::from(MAX_PICTURES) {
+    /// The number of pictures of the whole film.
+    fn count(&self) -> Result<u32, Error> {
+        if self.is_loop && !LOOP_SECONDS.contains(&self.seconds) {
             return Err(Error::Use(format!(
-                "the film has {count} pictures; it may have {MAX_PICTURES}"
+                "a loop has --seconds from {} to {}",
+                LOOP_SECONDS.start(),
+                LOOP_SECONDS.end()
             )));
         }
-        let count = count as u32;
+        let count = (self.seconds / self.fps.time(1)).round().max(1.0);
+        match count <= f64::from(MAX_PICTURES) {
+            true => Ok(count as u32),
+            false => Err(Error::Use(format!(
+                "the film has {count} pictures; it may have {MAX_PICTURES}"
+            ))),
+        }
+    }
+
+    /// The numbers of the pictures that are drawn.
+    fn part(&self) -> Result<Range<u32>, Error> {
+        let count = self.count()?;
         let part = self.frames.clone().unwrap_or(0..count);
         match part.end <= count {
             true => Ok(part),

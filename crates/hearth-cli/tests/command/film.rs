@@ -159,6 +159,8 @@ fn a_film_that_cannot_be_is_refused_before_a_fire_burns() {
             &["3..7", "0..6"],
         ),
         ("a.gif", &["--frames", "3..3"], &["0..300"]),
+        ("a.gif", &["--loop", "--seconds", "0.5"], &["from 1 to 10"]),
+        ("a.gif", &["--loop", "--once"], &["--loop", "--once"]),
         ("a.gif", &["--fps", "0.5"], &["1 to 240"]),
         ("a.gif", &["--fps", "241"], &["1 to 240"]),
         ("a.mp4", &["--size", "47x32"], &["even", "47 x 32"]),
@@ -173,6 +175,58 @@ fn a_film_that_cannot_be_is_refused_before_a_fire_burns() {
         folder.run(&[&film[..], others].concat()).refuses(words);
     }
     assert_eq!(folder.names(), [""; 0]);
+}
+
+#[test]
+fn the_end_of_a_loop_goes_over_into_its_beginning_as_any_picture_into_the_next() {
+    let folder = Folder::new("film-loop");
+    let film = [
+        "film",
+        "default",
+        "--quality",
+        "low",
+        "--size",
+        "48x32",
+        "--from",
+        "0.5",
+        "--seconds",
+        "1",
+        "--loop",
+        "--as",
+        "rgba",
+        "--out",
+        "-",
+    ];
+    let run = |others: &[&str]| {
+        let run = folder.run(&[&film[..], others].concat());
+        assert_eq!((run.code, &*run.errors), (0, ""));
+        run.out
+    };
+    let all = run(&[]);
+    let pictures: Vec<_> = all.chunks(48 * 32 * 4).collect();
+    assert_eq!(pictures.len(), 30);
+    let light = |pixel: &[u8], at: usize| u32::from(pixel[at]) * u32::from(pixel[3]);
+    let distance = |a: &[u8], b: &[u8]| -> u32 {
+        let pairs = a.chunks(4).zip(b.chunks(4));
+        pairs
+            .map(|(a, b)| {
+                (0..3)
+                    .map(|at| light(a, at).abs_diff(light(b, at)) / 255)
+                    .sum::<u32>()
+            })
+            .sum()
+    };
+    let mut inside: Vec<_> = pictures
+        .windows(2)
+        .map(|pair| distance(pair[0], pair[1]))
+        .collect();
+    inside.sort_unstable();
+    let seam = distance(pictures[29], pictures[0]);
+    assert!(
+        seam <= inside[inside.len() * 95 / 100],
+        "{seam} of {inside:?}"
+    );
+    assert!(run(&["--frames", "20..22"]) == pictures[20..22].concat());
 }
 
 #[cfg(unix)]

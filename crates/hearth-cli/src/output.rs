@@ -101,6 +101,21 @@ impl Output {
         fs::rename(part, path).map_err(|error| Error::at(&name, error))
     }
 
+    /// The output of a picture: a name with another ending than `.png` is refused.
+    ///
+    /// # Errors
+    /// As of [`new`](Output::new).
+    pub fn of_png(name: &str, replace: bool) -> Result<Output, Error> {
+        let ending = Path::new(name).extension();
+        if ending.is_some_and(|ending| !ending.eq_ignore_ascii_case("png")) {
+            let words = format!(
+                "{name}: a picture is a PNG and ends with .png; `hearth film` writes other formats"
+            );
+            return Err(Error::Use(words));
+        }
+        Output::new(name, replace)
+    }
+
     /// Writes bytes: all of them, or nothing to the file.
     ///
     /// # Errors

@@ -1,12 +1,14 @@
 //! The command `hearth`: its arguments, and what runs for each of its commands.
 
 mod bench;
+mod film;
 mod info;
 mod options;
 mod progress;
 mod render;
 mod scenes;
 mod sheet;
+mod sprites;
 
 use std::ffi::OsString;
 use std::io::{Write, stderr};
@@ -32,8 +34,12 @@ Exit codes: 0 done, 1 failed while running, 2 wrong use or an invalid scene.";
 enum Command {
     /// Draws one picture of a fire as PNG.
     Render(render::Render),
+    /// Writes a film of a fire: PNG files, APNG, WebP, GIF, WebM, MP4, or bytes for another program.
+    Film(film::Film),
     /// Draws scenes × moments × backgrounds as one labelled picture.
     Sheet(sheet::Sheet),
+    /// Draws a sprite sheet for game engines, with motion vectors and an atlas if asked for.
+    Sprites(sprites::Sprites),
     /// Lists the presets.
     Scenes(scenes::Scenes),
     /// Shows the graphics driver, its limits and its formats.
@@ -56,7 +62,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     output::end_between_files_on_interrupt();
     let done = match arguments.command {
         Command::Render(render) => render.run(),
+        Command::Film(film) => film.run(),
         Command::Sheet(sheet) => sheet.run(),
+        Command::Sprites(sprites) => sprites.run(),
         Command::Scenes(scenes) => scenes.run(),
         Command::Info(info) => info.run(),
         Command::Bench(bench) => bench.run(),

@@ -69,13 +69,28 @@ impl Fire {
             .set_visible_area(Some(viewport.corners().map(Vec2::from)));
     }
 
-    /// Burns until an age \[s\]. Calls `on_step` with the age after each step.
+    /// Burns until an age \[s\], or until the first step that exceeds it. Calls `on_step` with the age after each step.
     pub fn burn(&mut self, until: f64, on_step: &mut dyn FnMut(f64)) {
+        self.burn_by(Simulation::step, until, on_step);
+    }
+
+    /// Burns until exactly an age \[s\], because the last two steps are shorter where that is needed.
+    pub fn advance(&mut self, until: f64, on_step: &mut dyn FnMut(f64)) {
+        let step = |fire: &mut Simulation| fire.step_towards(until, None, &mut |_| ());
+        self.burn_by(step, until, on_step);
+    }
+
+    fn burn_by(
+        &mut self,
+        step: impl Fn(&mut Simulation),
+        until: f64,
+        on_step: &mut dyn FnMut(f64),
+    ) {
         // The first moment is a sample too.
         self.history.follow(&self.simulation);
         while self.simulation.time() < until {
             let before = self.simulation.time();
-            self.simulation.step();
+            step(&mut self.simulation);
             self.history.follow(&self.simulation);
             let now = self.simulation.time();
             if self.warm_up.is_on() && self.warm_up.advance(now - before) {

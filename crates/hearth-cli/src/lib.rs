@@ -34,6 +34,7 @@
 mod command;
 mod egl;
 mod error;
+mod film;
 mod fire;
 mod font;
 mod json;
@@ -41,6 +42,7 @@ mod output;
 mod painter;
 mod picture;
 mod scene;
+mod sprites;
 
 pub use command::run;
 pub use egl::{Driver, Offscreen, OffscreenError, PACKAGES};

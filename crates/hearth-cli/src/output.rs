@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use crate::error::Error;
+use crate::film::ffmpeg;
 
 const EXISTS: &str = "the file exists; --force replaces it";
 
@@ -38,6 +39,7 @@ pub fn end_between_files_on_interrupt() {
     // Without a handler, an interrupt ends the process at once.
     let _ = ctrlc::set_handler(|| {
         let _no_file = writing();
+        ffmpeg::abandon();
         std::process::exit(INTERRUPTED);
     });
 }
@@ -52,7 +54,7 @@ impl Output {
         if name == "-" {
             return match io::stdout().is_terminal() && !replace {
                 true => Err(Error::Use(
-                    "standard output is a terminal, which shows no PNG; \
+                    "standard output is a terminal, which shows no picture; \
                      redirect it, name a file, or add --force"
                         .to_owned(),
                 )),
@@ -75,6 +77,45 @@ impl Output {
         Ok(Output::File { path, replace })
     }
 
+    /// The file beside its place in which another program may write it; `None` where there is no file.
+    pub fn part(&self) -> Option<PathBuf> {
+        match self {
+            Output::File { path, .. } => Some(part_of(path)),
+            _ => None,
+        }
+    }
+
+    /// Moves a [part](Output::part) that is whole to its place.
+    ///
+    /// # Errors
+    /// There is another file by now, or the disk fails.
+    pub fn take(&self, part: &Path) -> Result<(), Error> {
+        let Output::File { path, replace } = self else {
+            return Ok(());
+        };
+        let name = path.display().to_string();
+        let _writing = writing();
+        if path.exists() && !replace {
+            return Err(Error::at(&name, EXISTS));
+        }
+        fs::rename(part, path).map_err(|error| Error::at(&name, error))
+    }
+
+    /// The output of a picture: a name with another ending than `.png` is refused.
+    ///
+    /// # Errors
+    /// As of [`new`](Output::new).
+    pub fn of_png(name: &str, replace: bool) -> Result<Output, Error> {
+        let ending = Path::new(name).extension();
+        if ending.is_some_and(|ending| !ending.eq_ignore_ascii_case("png")) {
+            let words = format!(
+                "{name}: a picture is a PNG and ends with .png; `hearth film` writes other formats"
+            );
+            return Err(Error::Use(words));
+        }
+        Output::new(name, replace)
+    }
+
     /// Writes bytes: all of them, or nothing to the file.
     ///
     /// # Errors
@@ -94,7 +135,7 @@ impl Output {
         if path.exists() && !replace {
             return Err(Error::at(&name, EXISTS));
         }
-        let temporary = folder(path).join(format!(".hearth-{}.part", std::process::id()));
+        let temporary = part_of(path);
         let written = OpenOptions::new()
             .write(true)
             .create_new(true)
@@ -117,6 +158,10 @@ pub fn print(bytes: &[u8]) -> Result<(), Error> {
     let mut out = io::stdout().lock();
     let written = out.write_all(bytes).and_then(|()| out.flush());
     written.map_err(Error::of_output)
+}
+
+fn part_of(path: &Path) -> PathBuf {
+    folder(path).join(format!(".hearth-{}.part", std::process::id()))
 }
 
 fn folder(path: &Path) -> &Path {

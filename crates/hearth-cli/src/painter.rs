@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use hearth_core::Instance;
 use hearth_core::resolution::Level;
 use hearth_render::{Camera, Renderer, ResolutionLimits, SharedResources, TargetFormat, View};
 
@@ -56,9 +57,28 @@ impl<'a> Painter<'a> {
     /// The driver has no memory.
     pub fn paint(&mut self, fire: &mut Fire) -> Result<Picture, Error> {
         self.draw(fire, &mut |_| {})?;
+        Ok(self.read())
+    }
+
+    /// Draws a picture of a fire with other embers than its own.
+    ///
+    /// # Errors
+    /// The driver has no memory.
+    pub(crate) fn paint_with(
+        &mut self,
+        fire: &mut Fire,
+        embers: &[Instance],
+    ) -> Result<Picture, Error> {
+        fire.write();
+        fire.embers = embers.to_vec();
+        self.draw_written(fire, &mut |_| {})?;
+        Ok(self.read())
+    }
+
+    fn read(&self) -> Picture {
         let [width, height] = drawn(&self.options);
         let picture = Picture::premultiplied(width, height, self.offscreen.pixels());
-        Ok(picture.downsampled(self.options.supersampling))
+        picture.downsampled(self.options.supersampling)
     }
 
     /// Draws a picture without reading it; calls `on_pass` with the name of each submitted pass.
@@ -68,6 +88,15 @@ impl<'a> Painter<'a> {
     pub fn draw(
         &mut self,
         fire: &mut Fire,
+        on_pass: &mut dyn FnMut(&'static str),
+    ) -> Result<(), Error> {
+        fire.write();
+        self.draw_written(fire, on_pass)
+    }
+
+    fn draw_written(
+        &mut self,
+        fire: &Fire,
         on_pass: &mut dyn FnMut(&'static str),
     ) -> Result<(), Error> {
         // Another painter of the context may have replaced the target.
@@ -81,8 +110,7 @@ impl<'a> Painter<'a> {
         Ok(())
     }
 
-    fn upload(&mut self, fire: &mut Fire) -> View {
-        fire.write();
+    fn upload(&mut self, fire: &Fire) -> View {
         let (gl, simulation) = (self.offscreen.gl(), &fire.simulation);
         if let Some(renderer) = &mut self.renderer {
             let mode = simulation.parameters().display_mode;

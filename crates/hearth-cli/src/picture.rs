@@ -2,6 +2,9 @@
 
 use crate::error::Error;
 
+/// Distance to which the colour of the fire continues where nothing is seen \[pixels\].
+const BLED_PIXELS: u32 = 8;
+
 /// A picture: premultiplied sRGB and alpha, from its upper left.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
@@ -27,6 +30,98 @@ impl Picture {
     pub fn pixels(&self) -> impl Iterator<Item = [u8; 4]> {
         let (pixels, _) = self.rgba.as_chunks::<4>();
         pixels.iter().copied()
+    }
+
+    /// Its pixels with straight alpha.
+    pub fn straight_pixels(&self) -> impl Iterator<Item = [u8; 4]> {
+        self.pixels().map(straight)
+    }
+
+    /// The bytes of its pixels with straight alpha.
+    pub fn straight(&self) -> Vec<u8> {
+        self.straight_pixels().flatten().collect()
+    }
+
+    /// As [`straight`](Picture::straight), with the colour of near pixels where nothing is seen. An encoder with loss
+    /// or a texture filter mixes that colour into the edge of the fire.
+    pub fn bled(&self) -> Vec<u8> {
+        let mut pixels: Vec<_> = self.straight_pixels().collect();
+        let width = self.width as usize;
+        let mut known: Vec<_> = pixels.iter().map(|pixel| pixel[3] > 0).collect();
+        for _ in 0..BLED_PIXELS {
+            let mut found = Vec::new();
+            for (at, _) in known.iter().enumerate().filter(|(_, known)| !**known) {
+                let (mut sum, mut count) = ([0; 3], 0);
+                let column = at % width;
+                let sides = [
+                    (column > 0).then(|| at - 1),
+                    (column + 1 < width).then_some(at + 1),
+                    at.checked_sub(width),
+                    Some(at + width),
+                ];
+                for near in sides.into_iter().flatten() {
+                    if let (Some(true), Some([r, g, b, _])) = (known.get(near), pixels.get(near)) {
+                        sum.iter_mut()
+                            .zip([r, g, b])
+                            .for_each(|(sum, part)| *sum += u32::from(*part));
+                        count += 1;
+                    }
+                }
+                if count > 0 {
+                    found.push((at, sum.map(|sum| (sum / count) as u8)));
+                }
+            }
+            if found.is_empty() {
+                break;
+            }
+            for (at, [r, g, b]) in found {
+                pixels[at] = [r, g, b, 0];
+                known[at] = true;
+            }
+        }
+        pixels.concat()
+    }
+
+    /// The mean of the light of pictures of one size, weighted by alpha.
+    pub fn mean(pictures: &[Picture]) -> Option<Picture> {
+        let (first, count) = (pictures.first()?, pictures.len());
+        if count == 1 {
+            return Some(first.clone());
+        }
+        let linear = LinearTable::new();
+        let mut sums = vec![[0.0; 4]; first.rgba.len() / 4];
+        for picture in pictures {
+            for (sum, pixel) in sums.iter_mut().zip(picture.pixels()) {
+                let light = linear.light(pixel);
+                sum.iter_mut()
+                    .zip(light)
+                    .for_each(|(sum, part)| *sum += part);
+            }
+        }
+        let mean = sums
+            .iter()
+            .flat_map(|sum| encoded(sum.map(|sum| sum / count as f32)));
+        Some(Picture::premultiplied(
+            first.width,
+            first.height,
+            mean.collect(),
+        ))
+    }
+
+    /// The mix of the light of two pictures of one size, with that share of the other one, weighted by alpha.
+    pub fn mixed(&self, other: &Picture, share: f32) -> Picture {
+        let linear = LinearTable::new();
+        let pixels = self.pixels().zip(other.pixels()).flat_map(|(a, b)| {
+            let (a, b) = (linear.light(a), linear.light(b));
+            encoded([0, 1, 2, 3].map(|at| a[at] + share * (b[at] - a[at])))
+        });
+        Picture::premultiplied(self.width, self.height, pixels.collect())
+    }
+
+    /// The sum of the differences of all channels from a picture of the same size.
+    pub fn distance(&self, other: &Picture) -> u64 {
+        let pairs = self.rgba.iter().zip(&other.rgba);
+        pairs.map(|(a, b)| u64::from(a.abs_diff(*b))).sum()
     }
 
     /// The picture with one pixel for each square of `factor` by `factor`: the mean of their light,
@@ -69,8 +164,12 @@ impl Picture {
             let rgb: Vec<u8> = self.pixels().flat_map(|[r, g, b, _]| [r, g, b]).collect();
             return png(self.width, self.height, png::ColorType::Rgb, &rgb);
         }
-        let straight: Vec<u8> = self.pixels().flat_map(straight).collect();
-        png(self.width, self.height, png::ColorType::Rgba, &straight)
+        png(
+            self.width,
+            self.height,
+            png::ColorType::Rgba,
+            &self.straight(),
+        )
     }
 }
 
@@ -80,6 +179,14 @@ impl Picture {
 /// The picture is too large for memory.
 pub fn png_of_rgb(width: u32, height: u32, rgb: &[u8]) -> Result<Vec<u8>, Error> {
     png(width, height, png::ColorType::Rgb, rgb)
+}
+
+/// Bytes of red, green, blue and alpha as PNG.
+///
+/// # Errors
+/// The picture is too large for memory.
+pub fn png_of_rgba([width, height]: [u32; 2], rgba: &[u8]) -> Result<Vec<u8>, Error> {
+    png(width, height, png::ColorType::Rgba, rgba)
 }
 
 fn png(width: u32, height: u32, colours: png::ColorType, data: &[u8]) -> Result<Vec<u8>, Error> {
@@ -192,6 +299,28 @@ mod tests {
         let grey = picture.downsampled(2).pixels().next();
         // Half of the light is the value 188.
         assert_eq!(grey, Some([188, 188, 188, 255]));
+    }
+
+    #[test]
+    fn the_mean_of_pictures_is_that_of_their_light() {
+        let picture = |pixel: [u8; 4]| Picture::premultiplied(1, 1, pixel.to_vec());
+        let mean = Picture::mean(&[picture([255; 4]), picture([0, 0, 0, 255])]);
+        assert_eq!(mean, Some(picture([188, 188, 188, 255])));
+        assert_eq!(Picture::mean(&[]), None);
+        let mixed = picture([0, 0, 0, 255]).mixed(&picture([255; 4]), 0.5);
+        assert_eq!(mixed, picture([188, 188, 188, 255]));
+    }
+
+    #[test]
+    fn the_colour_of_an_edge_goes_on_where_nothing_is_seen_and_alpha_stays() {
+        let row = [[0; 4], [0; 4], [90, 60, 30, 255], [0; 4]].concat();
+        let bled = Picture::premultiplied(4, 1, row).bled();
+        let (pixels, _) = bled.as_chunks::<4>();
+        let [r, g, b] = [90, 60, 30];
+        assert_eq!(
+            pixels,
+            [[r, g, b, 0], [r, g, b, 0], [r, g, b, 255], [r, g, b, 0]]
+        );
     }
 
     #[test]

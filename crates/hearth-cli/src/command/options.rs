@@ -169,7 +169,7 @@ fn setting(text: &str) -> Result<Setting, String> {
 }
 
 /// A parser of one of these names.
-fn named<T: Clone + Send + Sync + 'static>(
+pub fn named<T: Clone + Send + Sync + 'static>(
     values: Vec<(&'static str, T)>,
 ) -> impl TypedValueParser<Value = T> {
     let names = values.iter().map(|(name, _)| *name);

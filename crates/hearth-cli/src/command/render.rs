@@ -48,7 +48,7 @@ impl Render {
             .map(|colour| ("background".to_owned(), colour.clone()))
             .collect();
         let settings = self.fire.settings(&self.scene, &background)?;
-        let output = Output::new(&self.out, self.force)?;
+        let output = Output::of_png(&self.out, self.force)?;
         let (offscreen, shared) = self.driver.open()?;
         self.driver.warn(&shared);
         let options = self.fire.picture(self.size, self.supersample);

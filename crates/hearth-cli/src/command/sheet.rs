@@ -88,7 +88,7 @@ impl Sheet {
         let moments = self.moments();
         let of_scene = moments.len() as u64 * self.background.len() as u64;
         let layout = Layout::new(self, of_scene, scenes.len() as u64 * of_scene)?;
-        let output = Output::new(&self.out, self.force)?;
+        let output = Output::of_png(&self.out, self.force)?;
         // Every scene is checked before the first burns.
         let checked = scenes.iter().map(|scene| self.fire.settings(scene, &[]));
         let settings = checked.collect::<Result<Vec<_>, _>>()?;

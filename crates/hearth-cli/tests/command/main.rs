@@ -4,9 +4,11 @@
 #![cfg(test)]
 
 mod bench;
+mod film;
 mod harness;
 mod render;
 mod scene_files;
 mod sheet;
+mod sprites;
 mod streams;
 mod without_driver;

@@ -1,0 +1,156 @@
+//! WebM and MP4, by the program `ffmpeg`. It reads pictures from its standard input and writes one file.
+
+use std::fs;
+use std::io::{Read, Write};
+use std::path::PathBuf;
+use std::process::{Child, ChildStderr, ChildStdin, Command, Stdio};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use super::{Encoder, Format, Header};
+use crate::error::Error;
+use crate::output::Output;
+use crate::picture::Picture;
+
+const PROGRAM: &str = "ffmpeg";
+/// Longest end of what the program has said, in an error \[bytes\].
+const LAST_WORDS: usize = 300;
+
+/// The program that runs, and the file that it writes.
+static RUNNING: Mutex<Option<(Child, PathBuf)>> = Mutex::new(None);
+
+fn running() -> MutexGuard<'static, Option<(Child, PathBuf)>> {
+    RUNNING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Ends the program, and removes what it has written.
+pub fn abandon() {
+    if let Some((mut child, part)) = running().take() {
+        // Both have happened already after a film that is whole.
+        let _ = child.kill();
+        let _ = child.wait();
+        let _ = fs::remove_file(part);
+    }
+}
+
+/// Sends the pictures of a film to `ffmpeg`.
+pub struct Ffmpeg {
+    output: Output,
+    input: Option<ChildStdin>,
+    errors: Option<ChildStderr>,
+    is_opaque: bool,
+}
+
+/// The arguments: a list, which no shell reads.
+fn arguments(format: Format, header: Header, part: &str) -> Vec<String> {
+    let [width, height] = header.size;
+    let rate = format!("{}/{}", header.rate.pictures, header.rate.seconds);
+    let size = format!("{width}x{height}");
+    let input = format!(
+        "-hide_banner -loglevel error -nostdin -y -f rawvideo -pix_fmt rgba -s {size} -r {rate} -i pipe:0 \
+         -vf scale=out_color_matrix=bt709:out_range=tv"
+    );
+    let codec = match (format, header.is_lossless) {
+        (Format::Mp4, false) => "-f mp4 -c:v libx264 -crf 14 -pix_fmt yuv420p -movflags +faststart",
+        (Format::Mp4, true) => "-f mp4 -c:v libx264 -qp 0 -pix_fmt yuv444p -movflags +faststart",
+        (_, false) => "-f webm -c:v libvpx-vp9 -crf 10 -b:v 0 -pix_fmt yuva420p -auto-alt-ref 0",
+        (_, true) => "-f webm -c:v libvpx-vp9 -lossless 1 -pix_fmt yuva420p -auto-alt-ref 0",
+    };
+    // The same pictures give the same bytes, and the file contains no version and no time.
+    let exact = "-colorspace bt709 -color_primaries bt709 -color_trc bt709 -threads 1 -fflags +bitexact \
+                 -flags:v +bitexact -map_metadata -1";
+    let file = format!("file:{part}");
+    let all = [&*input, codec, exact]
+        .into_iter()
+        .flat_map(str::split_whitespace);
+    all.map(str::to_owned).chain([file]).collect()
+}
+
+impl Ffmpeg {
+    pub fn new(format: Format, output: Output, header: Header) -> Result<Ffmpeg, Error> {
+        let part = output.part().ok_or_else(|| {
+            Error::Use(
+                "ffmpeg writes WebM and MP4 into a file: name one that is no device".to_owned(),
+            )
+        })?;
+        let is_opaque = format == Format::Mp4;
+        let [width, height] = header.size;
+        if is_opaque && (width % 2 != 0 || height % 2 != 0) {
+            return Err(Error::Use(format!(
+                "MP4 has an even width and height, and the film has {width} x {height}"
+            )));
+        }
+        let mut child = Command::new(PROGRAM)
+            .args(arguments(format, header, &part.to_string_lossy()))
+            .stdin(Stdio::piped())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .map_err(|error| {
+                Error::Failed(format!(
+                    "{PROGRAM}, which writes WebM and MP4, does not start: {error}; \
+                     apng, webp, gif and zip need no other program"
+                ))
+            })?;
+        let (input, errors) = (child.stdin.take(), child.stderr.take());
+        *running() = Some((child, part));
+        Ok(Ffmpeg {
+            output,
+            input,
+            errors,
+            is_opaque,
+        })
+    }
+
+    /// The error of a program that has ended: what it said last.
+    fn last_words(&mut self) -> Error {
+        let mut said = String::new();
+        if let Some(errors) = &mut self.errors {
+            // It has closed its input, so it ends.
+            let _ = errors.read_to_string(&mut said);
+        }
+        let said = said.trim();
+        let start = said.len().saturating_sub(LAST_WORDS);
+        let start = (start..said.len()).find(|&at| said.is_char_boundary(at));
+        let end = said.get(start.unwrap_or(0)..).unwrap_or_default();
+        Error::Failed(format!("{PROGRAM} failed: {end}"))
+    }
+}
+
+impl Encoder for Ffmpeg {
+    fn add(&mut self, picture: &Picture) -> Result<(), Error> {
+        if self.is_opaque && picture.pixels().any(|pixel| pixel[3] != 255) {
+            return Err(Error::Use(
+                "MP4 has no alpha, and the fire is transparent: name a --background, or one of webm, webp and apng"
+                    .to_owned(),
+            ));
+        }
+        let bytes = match self.is_opaque {
+            true => picture.straight(),
+            false => picture.bled(),
+        };
+        let written = self.input.as_mut().map(|input| input.write_all(&bytes));
+        match written {
+            Some(Err(_)) => Err(self.last_words()),
+            _ => Ok(()),
+        }
+    }
+
+    fn finish(mut self: Box<Self>) -> Result<(), Error> {
+        // The end of its input is the end of the film.
+        drop(self.input.take());
+        let ended = running().as_mut().map(|(child, _)| child.wait());
+        if !ended.is_some_and(|ended| ended.is_ok_and(|status| status.success())) {
+            return Err(self.last_words());
+        }
+        match running().take() {
+            Some((_, part)) => self.output.take(&part),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Drop for Ffmpeg {
+    fn drop(&mut self) {
+        abandon();
+    }
+}

@@ -1,0 +1,178 @@
+use serde_json::Value;
+
+use crate::harness::{Folder, Png, Run};
+
+const CHEAP: [&str; 14] = [
+    "sprites",
+    "default",
+    "--quality",
+    "low",
+    "--tile",
+    "48x32",
+    "--from",
+    "0.5",
+    "--count",
+    "6",
+    "--columns",
+    "4",
+    "--supersample",
+    "1",
+];
+
+fn sprites(folder: &Folder, others: &[&str]) -> Run {
+    folder.run(&[&CHEAP[..], others].concat())
+}
+
+fn json(folder: &Folder, name: &str) -> Value {
+    serde_json::from_slice(&folder.read(name)).expect("JSON")
+}
+
+#[test]
+fn a_tile_is_the_picture_of_a_film_where_the_atlas_says() {
+    let folder = Folder::new("sprites");
+    let run = sprites(
+        &folder,
+        &[
+            "--out",
+            "flame.png",
+            "--premultiplied",
+            "--trim",
+            "--power-of-two",
+            "--gutter",
+            "3",
+            "--atlas",
+            "json",
+        ],
+    );
+    assert_eq!((run.code, &*run.errors), (0, ""));
+    let film = [
+        "film",
+        "default",
+        "--quality",
+        "low",
+        "--size",
+        "48x32",
+        "--from",
+        "0.5",
+        "--seconds",
+        "0.2",
+        "--out",
+        "film",
+    ];
+    assert_eq!(folder.run(&film).code, 0);
+    let (sheet, atlas) = (
+        Png::decode(&folder.read("flame.png")),
+        json(&folder, "flame.json"),
+    );
+    assert!(
+        sheet.size.iter().all(|side| side.is_power_of_two()),
+        "{:?}",
+        sheet.size
+    );
+    assert_eq!(
+        atlas["meta"]["size"],
+        serde_json::json!({ "w": sheet.size[0], "h": sheet.size[1] })
+    );
+    assert_eq!(atlas["meta"]["image"], "flame.png");
+    let names = atlas["animations"]["flame"]
+        .as_array()
+        .expect("an animation");
+    assert_eq!(names.len(), 6);
+    for (number, name) in names.iter().enumerate() {
+        let entry = &atlas["frames"][name.as_str().expect("a name")];
+        let side = |of: &str, name: &str| entry[of][name].as_u64().expect(name) as u32;
+        let picture = Png::decode(&folder.read(&format!("film/{number:05}.png")));
+        for y in 0..side("frame", "h") {
+            for x in 0..side("frame", "w") {
+                let seen = sheet.pixel([side("frame", "x") + x, side("frame", "y") + y]);
+                let at = [
+                    side("spriteSourceSize", "x") + x,
+                    side("spriteSourceSize", "y") + y,
+                ];
+                let wanted = picture.pixel(at);
+                assert_eq!(seen[3], wanted[3], "alpha of {number} at {at:?}");
+                let premultiplied = |at: usize| u32::from(wanted[at]) * u32::from(wanted[3]) / 255;
+                assert!((0..3).all(|at| u32::from(seen[at]).abs_diff(premultiplied(at)) <= 1));
+            }
+        }
+        assert_eq!((side("sourceSize", "w"), side("sourceSize", "h")), (48, 32));
+    }
+}
+
+#[test]
+fn each_sheet_has_a_file_and_the_motion_of_rising_gas_is_upwards() {
+    let folder = Folder::new("sprites-sheets");
+    let run = sprites(
+        &folder,
+        &[
+            "--out",
+            "a.png",
+            "--sheets",
+            "colour,emission,smoke,motion",
+            "--grid-in-name",
+            "--atlas",
+            "tres",
+        ],
+    );
+    assert_eq!((run.code, &*run.errors), (0, ""));
+    let names = [
+        "a-emission_4x2.png",
+        "a-motion_4x2.png",
+        "a-smoke_4x2.png",
+        "a_4x2.png",
+        "a_4x2.tres",
+    ];
+    assert_eq!(folder.names(), names);
+    let sheets = names[..4]
+        .iter()
+        .map(|name| Png::decode(&folder.read(name)));
+    let sheets: Vec<_> = sheets.collect();
+    assert!(sheets.iter().all(|sheet| sheet.size == sheets[0].size));
+    // Gas rises above the source, which is in the middle: green is less than 128.
+    let [x, y] = [1 + 24, 1 + 24];
+    let motion = sheets[1].pixel([x, y]);
+    assert!(motion[1] < 120 && motion[3] == 255, "{motion:?}");
+    let light = |at: usize| {
+        let pixels: &Png = &sheets[at];
+        let light = pixels
+            .pixels()
+            .map(|pixel| u32::from(pixel[0]) * u32::from(pixel[3]));
+        light.sum::<u32>()
+    };
+    let (emission, smoke) = (light(0), light(2));
+    assert!(emission > 3 * smoke, "{emission} {smoke}");
+    let text = String::from_utf8(folder.read("a_4x2.tres")).expect("text");
+    assert_eq!(text.matches("type=\"AtlasTexture\"").count(), 6);
+    assert!(
+        text.contains("res://a_4x2.png") && text.contains("load_steps=8"),
+        "{text}"
+    );
+    assert!(run.text().starts_with("motion: "), "{}", run.text());
+}
+
+#[test]
+fn a_sheet_that_cannot_be_is_refused_before_a_fire_burns() {
+    let folder = Folder::new("sprites-refused");
+    for (others, words) in [
+        (&["--out", "a.jpg"][..], &["a.jpg", ".png"][..]),
+        (
+            &["--out", "a.png", "--sheets", "depth"],
+            &["depth", "motion"],
+        ),
+        (&["--out", "a.png", "--gutter", "65"], &["64"]),
+    ] {
+        sprites(&folder, others).refuses(words);
+    }
+    let large = [
+        "sprites",
+        "default",
+        "--tile",
+        "4096x4096",
+        "--count",
+        "64",
+        "--out",
+        "a.png",
+    ];
+    folder.run(&large).refuses(&["pixels"]);
+    assert_eq!(folder.names(), [""; 0]);
+}

@@ -87,7 +87,7 @@ test('a file that arrives late is applied, and the values of the page still over
 
 for (const [how, act] of /** @type {[string, (fire: any) => unknown][]} */ ([
   ['settings', (fire) => fire.importConfig({ hearth: 3, values: { bloom: 0.4 } })],
-  ['another file', (fire) => (fire.src = 'data:application/json,{"hearth":2,"values":{"bloom":0.4}}')],
+  ['another file', (fire) => (fire.src = 'data:application/json,{"hearth":3,"values":{"bloom":0.4}}')],
 ])) {
   test(`of a late file and ${how} that the page names meanwhile, the last applies`, async () => {
     const tab = await browser.open(recording(`<hearth-fire ${SMALL} src="late.json"></hearth-fire>`), {

@@ -1,12 +1,14 @@
 /**
  * Measures the latency of tools: the time from an interaction to the next paint while 10,000 particles burn, the
- * time from the end of a brush stroke until its solid is in the fire and until the page gets the event, and the time
- * from a move of a slider of the panel to the end of the engine's next frame with its value.
+ * time from the end of a brush stroke until its solid is in the fire and until the page gets the event, the time
+ * from a move of a slider of the panel to the end of the engine's next frame with its value, and the time of a drag's
+ * value without any frame, from the call to its answer and events, with and without 40 masks of lines of letters.
  *
  * `node benches/browser/latency.mjs` measures the built site.
  */
 import { setTimeout as sleep } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
+import { onPageThread } from '../../tests/e2e/clock.mjs';
 import { Browser } from '../../tests/e2e/driver.mjs';
 import { Panel, along } from '../../tests/e2e/panel.mjs';
 import { openTools } from '../../tests/e2e/tools.mjs';
@@ -23,6 +25,10 @@ const STROKES = 30;
 const MOVES = 30;
 const BURN_UP = 6000;
 const PAUSE = 400;
+
+/** Letters, of each of which a line is a mask, and values of a drag with them. */
+const LETTERS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmn';
+const VALUES = 400;
 
 /** Tools that are chosen in turn. */
 const TOOLS = ['box', 'circle', 'line', 'brush', 'source', 'select', 'erase', 'ignite'];
@@ -99,7 +105,8 @@ function summary(times) {
   const [median, p98, most] = [0.5, 0.98, 1].map(
     (share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))],
   );
-  return { count: sorted.length, median, p98, most };
+  const mean = sorted.reduce((sum, time) => sum + time, 0) / sorted.length;
+  return { count: sorted.length, median, mean, p98, most };
 }
 
 /**
@@ -181,6 +188,37 @@ export async function slides(browser) {
   return summary(framed.slice(0, MOVES).map((time, turn) => time - moved[turn]));
 }
 
+/**
+ * Sets values as a drag does, of a fire out of sight whose engine runs on the page's thread: the time of each, of which
+ * nothing waits for another task, with these letters as solids.
+ * @param {Browser} browser
+ * @param {string} letters
+ */
+export async function values(browser, letters) {
+  const tab = await browser.open(onPageThread('<hearth-fire paused></hearth-fire>'));
+  await tab.ready();
+  const times = await tab.fire(
+    async (fire, { letters, count }) => {
+      const { maskOfText } = await import(new URL('/web/mask.js', location.origin).href);
+      for (const [at, letter] of [...letters].entries()) {
+        const place = { x: 0.1 * (at % 10) - 0.45, y: 0.4 + 0.15 * Math.floor(at / 10) };
+        await fire.addObject({ kind: 'solid', ...maskOfText(letter.repeat(24), '700 1em serif', 0.08), ...place });
+      }
+      await fire.step(1);
+      fire.style.display = 'none';
+      const times = [];
+      for (let turn = 0; turn < count; turn += 1) {
+        const start = performance.now();
+        await fire.history.step(() => fire.set('fuel_power', 100 + turn / 10), 'drag');
+        times.push(performance.now() - start);
+      }
+      return times;
+    },
+    { letters, count: VALUES },
+  );
+  return summary(times);
+}
+
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const browser = await Browser.launch();
   const text = (/** @type {ReturnType<typeof summary>} */ { median, p98, most }) =>
@@ -193,6 +231,11 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
     console.log(`release of the brush to the event on the page (${onPage.count}): ${text(onPage)}`);
     const slid = await slides(browser);
     console.log(`move of a slider to the end of a frame with its value (${slid.count}): ${text(slid)}`);
+    for (const letters of ['', LETTERS, '', LETTERS]) {
+      const { count, median, p98 } = await values(browser, letters);
+      const times = `median ${median.toFixed(2)} ms, 98th percentile ${p98.toFixed(2)} ms`;
+      console.log(`value of a drag beside ${letters.length} masks (${count}): ${times}`);
+    }
   } finally {
     await browser.close();
   }

@@ -155,7 +155,7 @@ fn a_fire_that_warms_up_anew_or_has_another_number_of_particles_stays_recorded()
     assert!(warm_up.begin(&mut fire, scene("candle")).is_none());
     assert_eq!(records(&mut fire, 3).len(), 3);
     warm_up.begin(&mut fire, scene("forge"));
-    hearth_settings::adapt(&mut fire, scene("campfire"));
+    fire.adapt(scene("campfire"));
     let steps = records(&mut fire, 3);
     assert_eq!(steps.len(), 3);
     // It gives what it gives itself alone.

@@ -49,25 +49,25 @@ function loop(/** @type {string} */ part, /** @type {(name: string, start: any) 
     }
   };
   const canvas = { getContext: () => null, addEventListener: () => {}, removeEventListener: () => {} };
-  const run = runEngine(/** @type {any} */ (Engine), /** @type {any} */ (canvas), {
+  const { receive } = runEngine(/** @type {any} */ (Engine), /** @type {any} */ (canvas), {
     post: (message) => posted.push(message),
     show: () => true,
     module: new WebAssembly.Module(base(1)),
     extend: () => {},
     fail: assert.fail,
   });
-  return { run, ran, posted };
+  return { run: (/** @type {any} */ data) => receive({ data }), ran, posted };
 }
 
 test('a fire burns without its children if their code does not arrive, and the list of children is refused', () => {
   const { run, ran, posted } = loop('children', (name, start) => name === 'children' || start?.children);
-  run.call([1, 0, 'add', { children: true }]);
-  run.call([1, 1, 'set', {}]);
-  run.call([1, 2, 'children', []]);
+  run([1, 0, 'add', { children: true }]);
+  run([1, 1, 'set', {}]);
+  run([1, 2, 'children', []]);
   assert.deepEqual(posted, [{ type: 'part', part: 'children' }]);
-  run.add({ part: 'children', why: 'it gave 404' });
+  run({ part: 'children', why: 'it gave 404' });
   assert.deepEqual(ran, ['add', 'set']);
-  run.add({ part: 'children', why: 'it gave 404' });
+  run({ part: 'children', why: 'it gave 404' });
   const [{ id, message }] = posted.at(-1).errors;
   assert.deepEqual(
     [posted.at(-1).request, id, message],
@@ -77,31 +77,31 @@ test('a fire burns without its children if their code does not arrive, and the l
 
 test('a fire plays, pauses, hides and is resized while a call waits for a part, and the others keep their order', () => {
   const { run, ran } = loop('bodies', (name) => name === 'preset');
-  run.call([1, 0, 'add', {}]);
-  run.call([1, 1, 'preset', 'house-of-cards']);
-  for (const name of ['set', 'pause', 'visible', 'step', 'resize', 'play']) run.call([1, 2, name]);
+  run([1, 0, 'add', {}]);
+  run([1, 1, 'preset', 'house-of-cards']);
+  for (const name of ['set', 'pause', 'visible', 'step', 'resize', 'play']) run([1, 2, name]);
   // Other fires do not wait.
-  run.call([2, 0, 'add', {}]);
+  run([2, 0, 'add', {}]);
   assert.deepEqual(ran.splice(0), ['add', 'pause', 'visible', 'resize', 'play', 'add']);
-  run.add({ part: 'bodies', module: new WebAssembly.Module(base(1)) });
+  run({ part: 'bodies', module: new WebAssembly.Module(base(1)) });
   assert.deepEqual(ran, ['preset', 'set', 'step']);
 });
 
 test('a removal drops what waits for a part, and another fire asks for it again', () => {
   const { run, ran, posted } = loop('bodies', (name, start) => name === 'preset' || start?.bodies);
-  run.call([1, 0, 'add', {}]);
-  run.call([1, 1, 'preset', 'house-of-cards']);
-  run.call([1, 2, 'set', {}]);
-  run.call([1, 3, 'remove']);
+  run([1, 0, 'add', {}]);
+  run([1, 1, 'preset', 'house-of-cards']);
+  run([1, 2, 'set', {}]);
+  run([1, 3, 'remove']);
   assert.deepEqual(ran.splice(0), ['add', 'remove']);
-  run.call([2, 0, 'add', { bodies: true }]);
+  run([2, 0, 'add', { bodies: true }]);
   // Before its `add` there is nothing to pause.
-  run.call([2, 1, 'pause']);
-  run.call([2, 2, 'remove']);
-  run.call([3, 0, 'add', { bodies: true }]);
-  run.call([3, 1, 'pause']);
+  run([2, 1, 'pause']);
+  run([2, 2, 'remove']);
+  run([3, 0, 'add', { bodies: true }]);
+  run([3, 1, 'pause']);
   assert.deepEqual(ran.splice(0), ['remove']);
   assert.equal(posted.length, 3);
-  run.add({ part: 'bodies', module: new WebAssembly.Module(base(1)) });
+  run({ part: 'bodies', module: new WebAssembly.Module(base(1)) });
   assert.deepEqual(ran, ['add', 'pause']);
 });

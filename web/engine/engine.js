@@ -332,7 +332,7 @@ function inWorker(compiled) {
         return;
       }
       started();
-      port.send = (message) => thread.postMessage(message);
+      port.send = thread.postMessage.bind(thread);
       port.end = () => thread.terminate();
       thread.onerror = (event) => {
         event.preventDefault();

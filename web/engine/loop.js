@@ -8,6 +8,7 @@ import { AT_ONCE, loadedParts } from '../parts.js';
 /**
  * @typedef {[fire: number, request: number, ...call: import('./engine.js').Call]} Sent
  * @typedef {{part: string, calls: Sent[]}} Waiting
+ * @typedef {import('./engine.js').Part} Arrived  A part that was asked for.
  * @typedef {WebGL2RenderingContext | null} Context
  * @typedef {new (post: Function, canvas: any, context: Context, show: Function, onPage: boolean) => any} EngineClass
  */
@@ -106,43 +107,48 @@ export function runEngine(Engine, canvas, { post, show, module, extend, fail }, 
     waiting.set(sent[0], { part, calls: [sent] });
   };
 
+  /** Adds a part that a call waits for, or refuses the call. @param {Arrived} arrived */
+  const add = ({ part, module, why }) => {
+    try {
+      if (module && !loaded.has(part)) {
+        extend(module);
+        loaded.add(part);
+      }
+    } catch (error) {
+      why = `${error}`;
+    }
+    for (const [fire, { part: needed, calls }] of waiting) {
+      if (needed === part) {
+        waiting.delete(fire);
+        const [first] = calls;
+        // A fire burns without its children.
+        if (why && part === 'children' && first[2] === 'add') {
+          first[3].children = false;
+        } else if (why) {
+          post(refusal(part, why, first));
+          calls.shift();
+        }
+        calls.forEach(call);
+      }
+    }
+  };
+  /** Counts a picture of a fire as shown. @param {number} fire */
+  const shown = (fire) => {
+    try {
+      if (engine) requestFrame(engine.shown(fire));
+    } catch (error) {
+      failed(error);
+    }
+  };
+
   return {
-    call,
-    /**
-     * Adds a part that a call waits for, or refuses the call.
-     * @param {{part: string, module?: WebAssembly.Module, why?: string}} arrived
-     */
-    add({ part, module, why }) {
-      try {
-        if (module && !loaded.has(part)) {
-          extend(module);
-          loaded.add(part);
-        }
-      } catch (error) {
-        why = `${error}`;
-      }
-      for (const [fire, { part: needed, calls }] of waiting) {
-        if (needed === part) {
-          waiting.delete(fire);
-          const [first] = calls;
-          // A fire burns without its children.
-          if (why && part === 'children' && first[2] === 'add') {
-            first[3].children = false;
-          } else if (why) {
-            post(refusal(part, why, first));
-            calls.shift();
-          }
-          calls.forEach(call);
-        }
-      }
-    },
-    /** Counts a picture of a fire as shown. @param {number} fire */
-    shown(fire) {
-      try {
-        if (engine) requestFrame(engine.shown(fire));
-      } catch (error) {
-        failed(error);
-      }
+    /** Takes what a page sends. @param {{data: Sent | Arrived | number}} message */
+    receive({ data }) {
+      if (Array.isArray(data)) call(data);
+      // The number of a fire whose picture is shown. Zero is a ping.
+      else if (data === 0) post({ type: 'answer' });
+      else if (typeof data === 'number') shown(data);
+      else add(data);
     },
     /** Frees the engine and its context. */
     end() {

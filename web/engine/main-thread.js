@@ -34,12 +34,7 @@ export function start(Engine, port, module, extend) {
   const offscreen = pictureCanvas();
   // Some ports of WebKit have an `OffscreenCanvas` but cannot draw on it.
   const engine = (offscreen && attempt(() => run(offscreen))) ?? run(document.createElement('canvas'));
-  port.send = (sent) =>
-    queueMicrotask(() => {
-      if (typeof sent === 'number') engine.shown(sent);
-      else if (Array.isArray(sent)) engine.call(sent);
-      else engine.add(sent);
-    });
+  port.send = (data) => queueMicrotask(() => engine.receive({ data }));
   port.end = () => engine.end();
 }
 

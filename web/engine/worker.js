@@ -8,9 +8,6 @@ import { VERSION } from '../generated/version.js';
 import { contextOf, pictureCanvas, runEngine } from './loop.js';
 import init, { Engine } from '../wasm/hearth-engine.js';
 
-/** @type {ReturnType<typeof runEngine> | undefined} */
-let engine;
-
 const canvas = pictureCanvas();
 // Creating the first context of a page takes long, so it starts while the wasm loads.
 if (canvas) contextOf(canvas);
@@ -32,24 +29,22 @@ async function start(module) {
   // The page then runs the engine itself, and needs no reason.
   if (!canvas || !globalThis.requestAnimationFrame || !globalThis.performance) throw new Error();
   await init({ module_or_path: module });
-  engine = runEngine(Engine, canvas, {
+  const { receive } = runEngine(Engine, canvas, {
     post: (message) => postMessage(message),
     show: postPicture,
     module,
     extend: (part) => init(/** @type {any} */ ({ part })),
     fail: (reason) => postMessage({ type: 'stopped', ...reason }),
   });
+  addEventListener('message', receive);
 }
 
-addEventListener('message', ({ data }) => {
-  if (Array.isArray(data)) engine?.call(/** @type {any} */ (data));
-  // A number: the picture of that fire is shown. Zero is a ping.
-  else if (data === 0) postMessage({ type: 'answer' });
-  else if (typeof data === 'number') engine?.shown(data);
-  else if (data.part) engine?.add(data);
-  else
+addEventListener(
+  'message',
+  ({ data }) =>
     start(data.module).then(
       () => postMessage({ type: 'started', version: VERSION }),
       () => postMessage({ type: 'stopped' }),
-    );
-});
+    ),
+  { once: true },
+);

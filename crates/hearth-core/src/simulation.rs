@@ -188,6 +188,16 @@ impl Simulation {
         self.solver.adapt(&self.scene, &mut self.random, self.time);
     }
 
+    /// Sets the world and all objects, also the number of particles, to which a burning fire is resampled. A fire without a
+    /// step is created again, so that an earlier number does not influence it.
+    pub fn adapt(&mut self, scene: Scene) {
+        if self.time > 0.0 {
+            self.set_scene(scene);
+        } else {
+            self.begin(scene);
+        }
+    }
+
     /// Where the solids that are on are now, in the order of the objects.
     pub fn poses(&self) -> Vec<Pose> {
         let mut poses = self.scene.poses(self.time);

@@ -8,7 +8,7 @@ use hearth_bindings::memory;
 use hearth_core::resolution::{Level, ParticleCount};
 use hearth_core::{Parameters, Scene, Simulation, burning};
 use hearth_render::{Camera, Fit};
-use hearth_settings::{Settings, adapt};
+use hearth_settings::Settings;
 
 use crate::commands::Start;
 use crate::events::Events;
@@ -73,13 +73,14 @@ impl Fire {
             self.pacing.restart();
         }
         let time = self.simulation.time();
+        let warms = self.playback.warm_up.is_enabled();
         // The fire of another scene starts without gas of the previous one.
-        let differs = burning::digest(settings.scene()) != burning::digest(old.scene());
+        let starts = warms
+            && (replaced || !self.presentation.drawn)
+            && burning::digest(settings.scene()) != burning::digest(old.scene());
         self.settings = settings;
         self.adapt();
-        let restarted = replaced && differs || self.simulation.time() < time;
-        if self.playback.warm_up.is_enabled() && (restarted || differs && !self.presentation.drawn)
-        {
+        if starts || warms && self.simulation.time() < time {
             self.start(events);
         }
     }
@@ -188,11 +189,10 @@ impl Fire {
         self.settings.at(self.particle_count().number)
     }
 
-    /// Applies the settings and the number of particles to the simulation, which
-    /// resamples a burning fire.
+    /// Applies the settings and the number of particles to the simulation.
     fn adapt(&mut self) {
         let scene = self.scene();
-        adapt(&mut self.simulation, scene);
+        self.simulation.adapt(scene);
         self.set_visible_area();
         self.presentation.current = false;
     }
@@ -232,8 +232,7 @@ impl Fire {
             events.warn(self.id, &error.to_string());
         }
         if self.playback.warm_up.is_on() {
-            let scene = self.scene();
-            adapt(&mut self.simulation, scene);
+            self.adapt();
         }
         self.set_visible_area();
         self.presentation.current = false;

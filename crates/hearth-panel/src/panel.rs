@@ -14,7 +14,6 @@ use egui::{Align, CentralPanel, Frame, Margin, Rect, ScrollArea, Ui, UiBuilder, 
 
 use crate::state::{Command, State};
 use crate::theme::{self, Measures};
-use crate::update;
 use crate::view::layout::SPACE_BELOW;
 use crate::view::output::Output;
 use crate::view::{header, rows};
@@ -30,7 +29,7 @@ pub struct Panel {
     /// Whether the panel can scroll up and down at the pointer.
     pub scrolls: (bool, bool),
     output: Output,
-    commands: Vec<Command>,
+    pub(crate) commands: Vec<Command>,
 }
 
 impl Panel {
@@ -129,7 +128,7 @@ impl Panel {
         self.state.anchor.tops = std::mem::take(&mut self.output.tops);
         self.state.anchor.chosen = None;
         for action in std::mem::take(&mut self.output.actions) {
-            update::apply(&mut self.state, &mut self.commands, action);
+            self.apply(action);
         }
     }
 

@@ -1,21 +1,12 @@
 //! Applies the actions of the views to the state.
 
+use crate::panel::Panel;
 use crate::state::fire::Entry;
-use crate::state::{Action, Command, State, Subject};
+use crate::state::{Action, Command, Subject};
 
-/// Applies `action` to `state`, and adds the commands for the host to `commands`.
-pub fn apply(state: &mut State, commands: &mut Vec<Command>, action: Action) {
-    let mut update = Update { state, commands };
-    update.apply(action);
-}
-
-struct Update<'a> {
-    state: &'a mut State,
-    commands: &'a mut Vec<Command>,
-}
-
-impl Update<'_> {
-    fn apply(&mut self, action: Action) {
+impl Panel {
+    /// Applies an action, and adds the commands for the host.
+    pub(crate) fn apply(&mut self, action: Action) {
         let open = &mut self.state.open;
         match action {
             Action::Send(command) => self.send(command),

@@ -190,18 +190,18 @@ impl Settings {
     fn apply_objects(&mut self, delta: &Untrusted, errors: &mut Vec<ValidationError>) {
         let order = delta.field("order").list().iter();
         let order: Vec<_> = order.map(|id| id.number() as u32).collect();
-        let mut objects: Vec<_> = delta.field(OBJECTS).fields().iter().collect();
-        // New objects come in their order.
-        objects.sort_by_key(|(id, _)| order.iter().position(|known| known.to_string() == *id));
-        for (id, object) in objects {
+        let objects = delta.field(OBJECTS).fields();
+        let is_gone = |(_, object): &&(String, Untrusted)| object.fields().is_empty();
+        // They leave room for new ones.
+        for (id, _) in objects.iter().filter(is_gone) {
             let known = self.page.ids().find(|known| known.to_string() == *id);
-            if object.fields().is_empty() {
-                if let Some(id) = known {
-                    let removed = self.page.remove(id);
-                    debug_assert_eq!(removed, Ok(()));
-                }
-                continue;
+            if let Some(id) = known {
+                let removed = self.page.remove(id);
+                debug_assert_eq!(removed, Ok(()));
             }
+        }
+        for (id, object) in objects.iter().filter(|object| !is_gone(object)) {
+            let known = self.page.ids().find(|known| known.to_string() == *id);
             let is_whole = object.fields().iter().any(|(name, _)| name == "kind");
             if known.is_none() && !is_whole {
                 // It has been removed since.

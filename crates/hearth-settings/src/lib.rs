@@ -29,4 +29,4 @@ pub use change::Change;
 pub use delta::{delta, objects_delta};
 pub use export::{children, export, whole};
 pub use resolution::StatedResolution;
-pub use settings::{Settings, adapt};
+pub use settings::Settings;

@@ -11,7 +11,7 @@ use crate::untrusted::{Argument, Untrusted, ValidationError, Values};
 use hearth_core::params::Input;
 use hearth_core::preset::Preset;
 use hearth_core::scene::MAX_ID;
-use hearth_core::{Parameters, Scene, Simulation};
+use hearth_core::{Parameters, Scene};
 
 /// Settings: the preset that they started from, the scene, which parameter states the resolution, and the children of
 /// the element.
@@ -289,16 +289,5 @@ pub(crate) fn free_id(scene: &Scene, from: u32) -> u32 {
     match next <= MAX_ID {
         true => next,
         false => (1..MAX_ID).find(is_free).unwrap_or(MAX_ID),
-    }
-}
-
-/// Applies a scene to a simulation. A burning fire is resampled if the number of particles
-/// changes. A fire without a step is created again, so that the guess for the machine does not
-/// influence it.
-pub fn adapt(simulation: &mut Simulation, scene: Scene) {
-    if simulation.time() > 0.0 {
-        simulation.set_scene(scene);
-    } else {
-        simulation.begin(scene);
     }
 }

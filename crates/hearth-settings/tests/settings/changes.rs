@@ -6,7 +6,7 @@ use hearth_core::params::{Model, PARAMETERS};
 use hearth_core::preset::Preset;
 use hearth_core::resolution::Level;
 use hearth_settings::untrusted::Untrusted;
-use hearth_settings::{Change, Settings, adapt};
+use hearth_settings::{Change, Settings};
 
 fn number(particles: u32) -> (&'static str, Untrusted) {
     ("particles", Untrusted::Number(particles.into()))
@@ -188,7 +188,7 @@ fn the_start_does_not_depend_on_the_guess_for_the_machine() {
     for (changed, level) in cases {
         let burnt = |guess: Level| {
             let mut fire = Simulation::new(at_level(&settings, guess));
-            adapt(&mut fire, at_level(&changed, level));
+            fire.adapt(at_level(&changed, level));
             for _ in 0..20 {
                 fire.step();
             }
@@ -199,7 +199,7 @@ fn the_start_does_not_depend_on_the_guess_for_the_machine() {
         // A reset fire is the same.
         let mut again = Simulation::new(at_level(&settings, Level::High));
         again.step();
-        adapt(&mut again, at_level(&changed, level));
+        again.adapt(at_level(&changed, level));
         again.reset();
         for _ in 0..20 {
             again.step();
@@ -217,7 +217,7 @@ fn a_burning_fire_is_resampled() {
         fire.step();
     }
     let time = fire.time();
-    adapt(&mut fire, at_level(&settings, Level::Low));
+    fire.adapt(at_level(&settings, Level::Low));
     assert_eq!(fire.time(), time);
     assert!(fire.count() < 1500);
 }

@@ -1,6 +1,7 @@
 //! Undo and redo of single steps, beside what a page has changed since.
 
 use crate::harness::{after, number, object, sent, set, text};
+use hearth_core::scene::MAX_OBJECTS;
 use hearth_settings::untrusted::Untrusted;
 use hearth_settings::{Change, Settings, delta, whole};
 
@@ -150,4 +151,16 @@ fn the_list_after_the_one_with_the_largest_number_is_another_list() {
     let (now, step) = step(&settings, Change::Set(&sent([("objects", objects)])));
     assert_eq!(step.undo.field("replaces"), &Untrusted::Flag(true));
     assert_eq!(moved(&now, &step.undo), settings);
+}
+
+#[test]
+fn an_object_that_goes_leaves_its_room_to_one_that_comes() {
+    let solid = sent([("kind", text("solid"))]);
+    let add = |settings: &Settings| after(settings, Change::AddObject(&solid));
+    let full = (0..MAX_OBJECTS).fold(Settings::default(), |settings, _| add(&settings));
+    let last = full.scene().ids().last().unwrap_or_default();
+    let other = add(&after(&full, Change::RemoveObject(last)));
+    for (from, to) in [(&full, &other), (&other, &full)] {
+        assert_eq!(moved(from, &delta(from, to)).scene(), to.scene());
+    }
 }

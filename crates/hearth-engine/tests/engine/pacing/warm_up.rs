@@ -7,7 +7,6 @@ use hearth_core::resolution::SizeLimit;
 use hearth_core::resolution::{CountInputs, ParticleCount, Resolution};
 use hearth_core::warm_up::WarmUp;
 use hearth_core::{Burner, Simulation};
-use hearth_settings::adapt;
 
 fn with(values: &[(&str, f64)]) -> Parameters {
     let mut parameters = Parameters::new(Model::Combustion);
@@ -46,7 +45,7 @@ fn warmed(warm: &mut WarmUp, values: &Parameters) -> (Simulation, Vec<usize>) {
     let mut fire = Simulation::new(values.clone());
     assert_eq!(warm.begin(&mut fire, values.clone().into()), None);
     if warm.is_on() {
-        adapt(&mut fire, at(warm, values).into());
+        fire.adapt(at(warm, values).into());
     }
     let mut counts = Vec::new();
     while warm.is_on() {

@@ -1,9 +1,15 @@
 //! Where a picture goes: a new file, complete or not at all, or standard output.
 
+use std::ffi::OsStr;
 use std::fs::{self, OpenOptions};
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
+
+use signal_hook::consts::signal::*;
+use signal_hook::iterator::Signals;
+use signal_hook::low_level;
 
 use crate::error::Error;
 
@@ -32,14 +38,43 @@ fn writing() -> MutexGuard<'static, ()> {
     WRITING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// From now on, an interrupt ends the process between two files, with the shell's code for it.
-pub fn end_between_files_on_interrupt() {
+/// From now on, a signal ends the process between two files, with the shell's code for an interrupt. The limit of a file's
+/// size is an error of writing.
+pub fn end_between_files_on_signals() {
     const INTERRUPTED: i32 = 130;
-    // Without a handler, an interrupt ends the process at once.
-    let _ = ctrlc::set_handler(|| {
-        let _no_file = writing();
-        std::process::exit(INTERRUPTED);
+    let ending = [
+        SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU,
+    ];
+    let Ok(mut signals) = Signals::new(ending.iter().chain(&[SIGXFSZ])) else {
+        // Without a handler, a signal ends the process at once.
+        return;
+    };
+    thread::spawn(move || {
+        if signals.forever().any(|signal| signal != SIGXFSZ) {
+            let _no_file = writing();
+            // The driver's destructors would run under the thread that draws.
+            low_level::exit(INTERRUPTED);
+        }
     });
+}
+
+/// The file that a path names, and whether there is something: a symbolic link is written through.
+///
+/// # Errors
+/// The links have no end.
+fn target(path: &Path) -> Result<(PathBuf, bool), Error> {
+    const MOST_LINKS: usize = 40;
+    let mut end = path.to_owned();
+    for links in 0..MOST_LINKS {
+        match fs::read_link(&end) {
+            Ok(next) => end = folder(&end).join(next),
+            Err(_) => {
+                let exists = links > 0 || end.exists();
+                return Ok((end, exists));
+            }
+        }
+    }
+    Err(Error::at(path, "its symbolic links have no end"))
 }
 
 impl Output {
@@ -48,7 +83,7 @@ impl Output {
     /// # Errors
     /// There is such a file and `replace` is not set, its folder is missing, or standard output is
     /// a terminal.
-    pub fn new(name: &str, replace: bool) -> Result<Output, Error> {
+    pub fn new(name: &OsStr, replace: bool) -> Result<Output, Error> {
         if name == "-" {
             return match io::stdout().is_terminal() && !replace {
                 true => Err(Error::Use(
@@ -66,7 +101,8 @@ impl Output {
         if path.exists() && !path.is_file() {
             return Ok(Output::Device(path));
         }
-        if path.exists() && !replace {
+        let (path, exists) = target(&path)?;
+        if exists && !replace {
             return Err(Error::at(name, EXISTS));
         }
         if !folder(&path).is_dir() {
@@ -85,14 +121,13 @@ impl Output {
             Output::Device(path) => {
                 let written = OpenOptions::new().write(true).open(path);
                 let written = written.and_then(|mut device| device.write_all(bytes));
-                return written.map_err(|error| Error::at(&path.display().to_string(), error));
+                return written.map_err(|error| Error::at(path, error));
             }
             Output::File { path, replace } => (path, *replace),
         };
-        let name = path.display().to_string();
         let _writing = writing();
         if path.exists() && !replace {
-            return Err(Error::at(&name, EXISTS));
+            return Err(Error::at(path, EXISTS));
         }
         let temporary = folder(path).join(format!(".hearth-{}.part", std::process::id()));
         let written = OpenOptions::new()
@@ -104,7 +139,7 @@ impl Output {
         written.map_err(|error| {
             // The error of writing is the one that counts.
             let _ = fs::remove_file(&temporary);
-            Error::at(&name, error)
+            Error::at(path, error)
         })
     }
 }

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use hearth_core::resolution::Level;
 use hearth_render::{Camera, Renderer, ResolutionLimits, SharedResources, TargetFormat, View};
 
-use crate::error::Error;
+use crate::error::{Error, need_memory};
 use crate::{Fire, Offscreen, Picture};
 
 /// Pictures of one fire: their size, quality and camera.
@@ -57,6 +57,8 @@ impl<'a> Painter<'a> {
     pub fn paint(&mut self, fire: &mut Fire) -> Result<Picture, Error> {
         self.draw(fire, &mut |_| {})?;
         let [width, height] = drawn(&self.options);
+        // The pixels, half of them again without alpha, and the file.
+        need_memory(3 * 4 * width as usize * height as usize)?;
         let picture = Picture::premultiplied(width, height, self.offscreen.pixels());
         Ok(picture.downsampled(self.options.supersampling))
     }

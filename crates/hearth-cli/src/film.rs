@@ -7,6 +7,9 @@ mod gif;
 pub mod seam;
 mod webp;
 
+use std::ffi::OsStr;
+use std::path::Path;
+
 use crate::error::Error;
 use crate::output::{self, Output};
 use crate::picture::Picture;
@@ -49,19 +52,18 @@ impl Format {
     ];
 
     /// The format of a file of that name. A name without an ending is a folder.
-    pub fn of_name(name: &str) -> Option<Format> {
-        let file = name.rsplit(['/', '\\']).next().unwrap_or_default();
-        match file.rsplit_once('.') {
-            None => Some(Format::Png),
-            Some((_, ending)) => {
-                let ending = ending.to_ascii_lowercase();
-                // A picture that moves has the ending of one that does not.
-                let name = if ending == "png" { "apng" } else { &ending };
-                let mut all = Format::ALL.iter();
-                all.find(|(known, _)| *known == name)
-                    .map(|(_, format)| *format)
-            }
-        }
+    pub fn of_name(name: &OsStr) -> Option<Format> {
+        let Some(ending) = Path::new(name).extension() else {
+            return Some(Format::Png);
+        };
+        // A picture that moves has the ending of one that does not.
+        let ending = match ending.to_str()?.to_ascii_lowercase() {
+            ending if ending == "png" => "apng".to_owned(),
+            ending => ending,
+        };
+        let mut all = Format::ALL.iter();
+        all.find(|(known, _)| *known == ending)
+            .map(|(_, format)| *format)
     }
 }
 
@@ -133,7 +135,7 @@ pub trait Encoder {
 /// The output is not free, or the film needs more memory than it may have.
 pub fn encoder(
     format: Format,
-    name: &str,
+    name: &OsStr,
     replace: bool,
     header: Header,
 ) -> Result<Box<dyn Encoder>, Error> {

@@ -1,6 +1,7 @@
 //! `hearth film`: pictures at exact moments, as a film.
 
 use std::collections::VecDeque;
+use std::ffi::OsString;
 use std::ops::{Range, RangeInclusive};
 
 use clap::Args;
@@ -8,11 +9,12 @@ use clap::Args;
 use super::options::{DriverOptions, FireOptions, age, named, size};
 use super::progress::{Counter, Progress};
 use crate::Fire;
-use crate::error::Error;
+use crate::error::{Error, shown};
 use crate::film::seam::{self, Loop};
 use crate::film::{self, Encoder, Format, Header, Plays, Rate};
 use crate::painter::Painter;
 use crate::picture::Picture;
+use crate::scene;
 
 /// Most pictures of a film.
 const MAX_PICTURES: u32 = 100_000;
@@ -34,10 +36,10 @@ const SEEN_SIDE: u32 = 64;
 #[command(after_help = FORMATS)]
 pub struct Film {
     /// A preset (`hearth scenes` lists them), a settings file, or - for one on standard input.
-    scene: String,
+    scene: OsString,
     /// The new file, whose ending is the format; a folder for PNG files; or - for standard output.
     #[arg(long, short, value_name = "FILE")]
-    out: String,
+    out: OsString,
     /// The format, where the name has no such ending.
     #[arg(long = "as", value_name = "FORMAT", value_parser = named(Format::ALL.to_vec()))]
     film_format: Option<Format>,
@@ -126,7 +128,7 @@ impl Film {
         }
         let mut fire = fire();
         let progress = Progress::new(self.from + self.fps.time(part.end));
-        progress.name(&self.scene);
+        progress.name(&scene::label(&self.scene));
         let mut counter = Counter::new(&progress);
         for number in 0..part.end {
             let is_kept = number >= part.start;
@@ -165,7 +167,7 @@ impl Film {
         let life = f64::from(fire.simulation().parameters().ember_life_max);
         let lived = film.searched() + (life / self.fps.time(1)).ceil() as u32;
         let progress = Progress::new(time(lived) + time(film.searched()));
-        progress.name(&self.scene);
+        progress.name(&scene::label(&self.scene));
         let mut counter = Counter::new(&progress);
         let (mut seen, mut embers) = (Vec::new(), Vec::new());
         for number in 0..lived {
@@ -218,10 +220,11 @@ impl Film {
             .then(|| Format::of_name(&self.out))
             .flatten();
         self.film_format.or(of_name).ok_or_else(|| {
-            let words = match self.out.as_str() {
-                "-" => "standard output needs a format, as --as rgba".to_owned(),
-                name => format!(
-                    "{name}: a film ends with .zip, .png, .apng, .webp, .gif, .webm, .mp4 or .rgba, or it is a folder; --as states another format"
+            let words = match self.out == "-" {
+                true => "standard output needs a format, as --as rgba".to_owned(),
+                false => format!(
+                    "{}: a film ends with .zip, .png, .apng, .webp, .gif, .webm, .mp4 or .rgba, or it is a folder; --as states another format",
+                    shown(&self.out)
                 ),
             };
             Error::Use(words)

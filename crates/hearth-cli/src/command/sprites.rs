@@ -1,5 +1,6 @@
 //! `hearth sprites`: a sheet of pictures for game engines.
 
+use std::ffi::{OsStr, OsString};
 use std::path::Path;
 
 use clap::Args;
@@ -7,7 +8,7 @@ use clap::Args;
 use super::film::rate;
 use super::options::{DriverOptions, FireOptions, age, named, size};
 use super::progress::{Counter, Progress};
-use crate::error::Error;
+use crate::error::{Error, shown};
 use crate::film::Rate;
 use crate::output::Output;
 use crate::painter::Painter;
@@ -26,10 +27,10 @@ const MAX_TILES: i64 = 1024;
 #[command(after_help = SHEETS)]
 pub struct Sprites {
     /// A preset (`hearth scenes` lists them), a settings file, or - for one on standard input.
-    scene: String,
+    scene: OsString,
     /// The new PNG file; further sheets and the atlas stand beside it.
     #[arg(long, short, value_name = "FILE.png")]
-    out: String,
+    out: OsString,
     /// Replaces existing files.
     #[arg(long)]
     force: bool,
@@ -140,13 +141,12 @@ impl Sprites {
     /// # Errors
     /// A value is refused, or the driver or the disk fails.
     pub fn run(&self) -> Result<(), Error> {
-        let Some(stem) = self
-            .out
-            .strip_suffix(".png")
-            .filter(|stem| !stem.is_empty())
-        else {
-            return Err(Error::Use(format!("{}: a sheet ends with .png", self.out)));
-        };
+        let path = Path::new(&self.out);
+        if path.extension() != Some(OsStr::new("png")) {
+            let name = shown(&self.out);
+            return Err(Error::Use(format!("{name}: a sheet ends with .png")));
+        }
+        let stem = path.with_extension("");
         let mut grid = Grid {
             count: self.count,
             columns: self.columns.min(self.count),
@@ -166,7 +166,7 @@ impl Sprites {
             .iter()
             .enumerate()
             .map(|(at, layer)| {
-                let name = self.file(stem, (at > 0).then_some(layer.name()), &grid, "png");
+                let name = self.file(&stem, (at > 0).then_some(layer.name()), &grid, "png");
                 Output::new(&name, self.force).map(|output| (*layer, output))
             })
             .collect::<Result<_, _>>()?;
@@ -175,7 +175,7 @@ impl Sprites {
                 Atlas::Json => "json",
                 Atlas::Tres => "tres",
             };
-            let name = self.file(stem, None, &grid, ending);
+            let name = self.file(&stem, None, &grid, ending);
             Output::new(&name, self.force).map(|output| (atlas, output))
         });
         let atlas = atlas.transpose()?;
@@ -210,14 +210,14 @@ impl Sprites {
             output.write(&png_of_rgba(size, &sheet(&grid, &tiles)?)?)?;
         }
         if let Some((atlas, output)) = atlas {
-            let image = self.file(stem, None, &grid, "png");
-            let name = |path: &str| {
-                let file = Path::new(path).file_name();
+            let image = self.file(&stem, None, &grid, "png");
+            let name = |path: &Path| {
+                let file = path.file_name();
                 file.map_or(String::new(), |file| file.to_string_lossy().into_owned())
             };
             let description = Description {
-                image: &name(&image),
-                name: &name(stem),
+                image: &name(Path::new(&image)),
+                name: &name(&stem),
                 grid,
                 size,
                 rate: self.fps,
@@ -241,13 +241,16 @@ impl Sprites {
     }
 
     /// The name of a file beside that of `--out`.
-    fn file(&self, stem: &str, layer: Option<&str>, grid: &Grid, ending: &str) -> String {
-        let layer = layer.map(|layer| format!("-{layer}")).unwrap_or_default();
-        let tiles = match self.grid_in_name {
-            true => format!("_{}x{}", grid.columns, grid.rows()),
-            false => String::new(),
-        };
-        format!("{stem}{layer}{tiles}.{ending}")
+    fn file(&self, stem: &Path, layer: Option<&str>, grid: &Grid, ending: &str) -> OsString {
+        let mut name = stem.as_os_str().to_owned();
+        if let Some(layer) = layer {
+            name.push(format!("-{layer}"));
+        }
+        if self.grid_in_name {
+            name.push(format!("_{}x{}", grid.columns, grid.rows()));
+        }
+        name.push(format!(".{ending}"));
+        name
     }
 
     /// The bytes of a tile.

@@ -1,8 +1,9 @@
 //! WebM and MP4, by the program `ffmpeg`. It reads pictures from its standard input and writes one file.
 
+use std::ffi::OsString;
 use std::fs;
 use std::io::{Read, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStderr, ChildStdin, Command, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -41,7 +42,7 @@ pub struct Ffmpeg {
 }
 
 /// The arguments: a list, which no shell reads.
-fn arguments(format: Format, header: Header, part: &str) -> Vec<String> {
+fn arguments(format: Format, header: Header, part: &Path) -> Vec<OsString> {
     let [width, height] = header.size;
     let rate = format!("{}/{}", header.rate.pictures, header.rate.seconds);
     let size = format!("{width}x{height}");
@@ -58,11 +59,12 @@ fn arguments(format: Format, header: Header, part: &str) -> Vec<String> {
     // The same pictures give the same bytes, and the file contains no version and no time.
     let exact = "-colorspace bt709 -color_primaries bt709 -color_trc bt709 -threads 1 -fflags +bitexact \
                  -flags:v +bitexact -map_metadata -1";
-    let file = format!("file:{part}");
+    let mut file = OsString::from("file:");
+    file.push(part);
     let all = [&*input, codec, exact]
         .into_iter()
         .flat_map(str::split_whitespace);
-    all.map(str::to_owned).chain([file]).collect()
+    all.map(OsString::from).chain([file]).collect()
 }
 
 impl Ffmpeg {
@@ -80,7 +82,7 @@ impl Ffmpeg {
             )));
         }
         let mut child = Command::new(PROGRAM)
-            .args(arguments(format, header, &part.to_string_lossy()))
+            .args(arguments(format, header, &part))
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
             .stderr(Stdio::piped())

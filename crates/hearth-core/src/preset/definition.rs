@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::{LazyLock, OnceLock};
 
-use crate::params::{IN_DOMAIN, Input, Parameters, abbreviated, nearest};
+use crate::params::{IN_DOMAIN, Input, Parameters, nearest, quoted};
 use crate::scene::{KIND, Scene};
 
 /// The table of presets. `cargo xtask codegen` writes it from the files of `scenes/`.
@@ -44,6 +44,7 @@ impl Preset {
     /// # Errors
     /// There is none. The error names a similar one or, if no name is similar, all.
     pub fn find(name: &str) -> Result<&'static Preset, UnknownPreset> {
+        let name = name.trim_ascii();
         let found = Preset::all().iter().find(|preset| preset.name == name);
         found.ok_or_else(|| UnknownPreset::new(name))
     }
@@ -124,9 +125,8 @@ pub struct UnknownPreset {
 impl UnknownPreset {
     #[cold]
     fn new(name: &str) -> UnknownPreset {
-        let (start, dots) = abbreviated(name);
         UnknownPreset {
-            name: format!("{start}{dots}"),
+            name: quoted(name),
             nearest: nearest(name, &mut Preset::all().iter().map(|preset| preset.name)),
         }
     }

@@ -177,7 +177,7 @@ test('colours of a file and of an address are those of CSS too', async () => {
   assert.equal(await tab.fire((fire) => fire.background), '#0000ff');
   const seed = await tab.fire((fire) => fire.seed);
   assert.ok(seed > 1, `${seed}`);
-  const file = `data:application/json,${encodeURIComponent('{"hearth":2,"values":{"background":"gold"}}')}`;
+  const file = `data:application/json,${encodeURIComponent('{"hearth":3,"values":{"background":"gold"}}')}`;
   const other = await browser.show(`<hearth-fire ${SMALL} src='${file}'></hearth-fire>`);
   await other.ready();
   assert.equal(await other.fire((fire) => fire.background), '#ffd700');

@@ -493,16 +493,17 @@ class FireElement extends FireAttributes {
   }
 
   /**
-   * Lights a solid that has fuel: all of its surface, by its id, or what is within 0.1 m of a point.
-   * Dries the sources there too, so that those that water has put out burn again. Rejects if there is neither.
+   * Lights a solid that has fuel: all of its surface, by its id, or what is within a radius of a point.
+   * Dries the sources there and at a solid there too, so that those that water has put out burn again. Rejects if there is neither.
    * @param {number} place the id, or metres from the middle of the floor
    * @param {number} [y] metres above the floor
+   * @param {number} [radius] in metres, 0.1 without it
    * @returns {Promise<void>}
    * @posted
    * @example <caption>A log that burns</caption> fire.addObject({ kind: 'solid', x: 0.3, fuel: 'wood', material: 'wood' }).then((id) => fire.ignite(id))
    */
-  ignite(place, y) {
-    return this.#session.call('light', true, y === undefined ? -1 : 0, ...postable([place, y ?? 0], 1));
+  ignite(place, y, radius = 0.1) {
+    return this.#session.call('light', true, ...postable([y === undefined ? -1 : radius, place, y ?? 0], 1));
   }
 
   /**

@@ -208,12 +208,12 @@ export interface Simulation {
    */
   series(): Float32Array;
   /**
-   * Lights a solid with fuel: all of its surface, by its id, or what is within 0.1 m of a point [m].
-   * Dries the sources there too, so that those that water has put out burn again. Throws a `RangeError` if there is
+   * Lights a solid with fuel: all of its surface, by its id, or what is within a radius of a point [m], 0.1 by
+   * default. Dries the sources there and at a solid there too, so that those that water has put out burn again. Throws a `RangeError` if there is
    * neither.
    */
   ignite(id: number): void;
-  ignite(x: number, y: number): void;
+  ignite(x: number, y: number, radius?: number): void;
   /** Puts out a solid with fuel, by its id, or all that is within a radius of a point [m], 0.2 by default. */
   extinguish(id: number): void;
   extinguish(x: number, y: number, radius?: number): void;

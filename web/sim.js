@@ -291,13 +291,14 @@ class Simulation {
   }
 
   /**
-   * Lights a solid with fuel: all of its surface, by its id, or what is within 0.1 m of a point.
-   * Dries the sources there too, so that those that water has put out burn again.
+   * Lights a solid with fuel: all of its surface, by its id, or what is within a radius of a point.
+   * Dries the sources there and at a solid there too, so that those that water has put out burn again.
    * @param {number} place the id, or metres from the middle of the floor
    * @param {number} [y] metres above the floor
+   * @param {number} [radius] in metres
    */
-  ignite(place, y) {
-    this.#light(true, 0, place, y);
+  ignite(place, y, radius = 0.1) {
+    this.#light(true, radius, place, y);
   }
 
   /**

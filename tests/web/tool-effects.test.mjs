@@ -61,26 +61,30 @@ test('a drag throws sparks along its way', async () => {
 test('a press lights a solid of wood, which gets fuel in one step', async () => {
   const tools = await toolsOf([wood]);
   await tools.drag('ignite', [[0.3, 0.6]]);
-  assert.deepEqual(calls(tools, 'ignite'), [[0.3, 0.6]]);
+  assert.deepEqual(calls(tools, 'ignite'), [[0.3, 0.6, 0.1]]);
   assert.equal(tools.fire.objects[1].fuel, 'wood');
   assert.equal((await tools.undo())[1].fuel, 'none');
   assert.equal(tools.history.canUndo, false);
 });
 
-test('a press lights a wet source, and a drag what it crosses', async () => {
+test('a press lights the nearest source within the width of a finger, and a drag what it crosses', async () => {
   const tools = await toolsOf();
   const [{ x, y }] = tools.fire.objects;
   await tools.drag('ignite', [
     [x + 0.05, y + 0.02],
     [x + 0.12, y + 0.02],
     [x + 0.13, y + 0.02],
+    [x, y + 0.3],
     [x + 0.9, y + 0.5],
   ]);
-  // The second place is too near to the first one, and the last one has no fuel.
+  // The third place is too near to the second one, and the last ones are far.
   assert.deepEqual(calls(tools, 'ignite'), [
-    [x + 0.05, y + 0.02],
-    [x + 0.12, y + 0.02],
+    [x + 0.05, y + 0.02, 0.1],
+    [x + 0.12, y + 0.02, 0.1],
   ]);
+  await tools.drag('ignite', [[x, y + 0.3]], { perPixel: 0.0065 });
+  const [, , [, , radius]] = calls(tools, 'ignite');
+  assert.ok(radius > 0.3 && radius < 0.4, `${radius}`);
   assert.deepEqual(tools.shown.messages, []);
 });
 
@@ -97,7 +101,7 @@ test('what cannot burn is reported', async () => {
     await tools.drag(tool, [place]);
     return tools.shown.messages.at(-1);
   };
-  assert.match(await message('ignite', [0.4, 1]), /^Nothing there has fuel/);
+  assert.match(await message('ignite', [0.4, 1]), /^Nothing to light there: touch wood/);
   assert.match(await message('extinguish', [0.4, 1]), /^Nothing there has fuel/);
   assert.match(await message('ignite', [0.3, 0.6]), /^A solid of stone has no fuel/);
   assert.equal(tools.fire.objects[1].fuel, 'none');

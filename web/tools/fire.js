@@ -14,6 +14,9 @@ import { distance, isBody } from '../editing/objects.js';
 const REACH = 0.1;
 const APART = 0.05;
 
+/** The width of a finger [px]: a press finds what is that near. */
+const FINGER_PX = 48;
+
 /** The radius in which a press puts out [m]. */
 const RADIUS = 0.2;
 
@@ -37,18 +40,27 @@ function repeatAlong(context, from, apart, act) {
 }
 
 /**
- * Lights what is under the pointer, a wet source too. A solid without fuel gets that of its material.
- * @type {(context: ToolContext, from: Point, pressed: import('./gestures.js').Owned | undefined) => Gesture}
+ * Lights the nearest fuel or source within a finger's width. A solid without fuel that is pressed gets that of its
+ * material.
+ * @type {(context: ToolContext, from: Point, pressed: import('./gestures.js').Owned | undefined, perPixel: number) => Gesture}
  */
-export function ignite(context, from, pressed) {
+export function ignite(context, from, pressed, perPixel) {
   const { fire, editing } = context;
+  const finger = Math.max(REACH, FINGER_PX * perPixel);
   return repeatAlong(context, from, APART, async (at) => {
     needCombustion(fire, 'fuels');
-    if (at === from && pressed && isBody(pressed)) await giveFuel(editing, pressed);
-    // A source there may be wet.
-    if (!context.objects().some((source) => source.kind === 'source' && distance(source, at.x, at.y) <= REACH))
-      needFuel(context, at, REACH);
-    await fire.ignite(at.x, at.y);
+    let refusal = new Error('Nothing to light there: touch wood, another solid that burns, or a source.');
+    if (at === from && pressed && isBody(pressed))
+      await giveFuel(editing, pressed).catch((error) => {
+        refusal = error;
+      });
+    const all = context.objects();
+    const burns = all.filter((one) => (one.kind === 'source' ? one.power > 0 : isBody(one) && one.fuel !== 'none'));
+    // A source may be the surface of a solid.
+    const bodies = burns.map((one) => (one.shape === 'solid' && all.find(({ id }) => id === one.solid)) || one);
+    const nearest = Math.min(...bodies.map((one) => distance(one, at.x, at.y)));
+    if (!(nearest <= finger)) throw refusal;
+    await fire.ignite(at.x, at.y, Math.max(REACH, nearest + REACH / 2));
   });
 }
 

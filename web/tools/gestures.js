@@ -290,7 +290,7 @@ export function begin(tool, context, from, how) {
     case 'sparks':
       return throwSparks(context, from);
     case 'ignite':
-      return ignite(context, from, objectAt(context, from, NEAR_PX * how.perPixel));
+      return ignite(context, from, objectAt(context, from, NEAR_PX * how.perPixel), how.perPixel);
     case 'extinguish':
       return extinguish(context, from);
     case 'water':

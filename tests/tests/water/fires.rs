@@ -1,5 +1,6 @@
 //! Fires that are sprayed, and solids that are wet.
 
+use hearth_core::params::Input;
 use hearth_core::{BurningState, IgniteError, IgnitionTarget, Scene, Simulation, Vec2};
 use hearth_tests::fires::{burn_on, combustion, in_the_open, on_floor};
 
@@ -123,7 +124,7 @@ fn a_source_that_water_has_put_out_burns_again_once_it_is_lit() {
     let mut fire = bed();
     burn_on(&mut fire, 1.5);
     let before = power(&mut fire);
-    assert_eq!(fire.ignite(beside), Err(IgniteError), "nothing is wet");
+    assert_eq!(fire.ignite(beside), Ok(()), "it burns already");
     spray(&mut fire, jet, (0.15, 2.0), assert_balanced);
     burn_on(&mut fire, 4.0);
     assert_eq!(fire.ignite(far), Err(IgniteError));
@@ -133,6 +134,55 @@ fn a_source_that_water_has_put_out_burns_again_once_it_is_lit() {
     burn_on(&mut fire, 8.0);
     let after = power(&mut fire);
     assert!(after > 0.8 * before, "{before} kW/m, then {after}");
+}
+
+#[test]
+fn a_log_that_is_lit_in_a_wet_source_lights_the_source() {
+    let jet = [Vec2::new(0.0, 0.5), Vec2::new(0.0, -3.0)];
+    for (fuel, target) in [("wood", false), ("none", false), ("wood", true)] {
+        let texts = [("shape", "box"), ("fuel", fuel)];
+        let numbers = [("y", 0.2), ("width", 0.2), ("height", 0.1), ("load", 8.0)];
+        let mut fire = Simulation::new(with_solid(bed().scene().clone(), &texts, &numbers));
+        burn_on(&mut fire, 0.2);
+        // Beside the log, through which no water comes.
+        for x in [-0.13, 0.13] {
+            let beside = jet.map(|at| Vec2::new(x, at.y));
+            spray(&mut fire, beside, (0.3, 0.5), assert_balanced);
+        }
+        burn_on(&mut fire, 0.5);
+        assert!(sprayed(&fire).held > 0.0, "{fuel}: {:?}", sprayed(&fire));
+        // On the log, more than 0.1 m above the source.
+        let at = match target {
+            true => IgnitionTarget::Object(ID),
+            false => IgnitionTarget::Place(Vec2::new(0.05, 0.26), 0.0),
+        };
+        assert_eq!(fire.ignite(at), Ok(()), "{fuel}");
+        assert!(sprayed(&fire).held == 0.0, "{fuel}: {:?}", sprayed(&fire));
+        assert_balanced(&fire);
+    }
+}
+
+#[test]
+fn the_flame_of_another_dries_a_source_that_is_wet_throughout() {
+    let held = |power: f64| {
+        let mut scene = bed().scene().clone();
+        assert_eq!(scene.set("fuel_power", 150.0), Ok(()));
+        let numbers = [("power", power), ("y", 0.1), ("width", 0.3)];
+        let mut fields = vec![("kind", Input::Text("source"))];
+        fields.extend(numbers.map(|(name, x)| (name, Input::Number(x))));
+        assert_eq!(scene.add(&fields), Ok(ID));
+        let mut fire = Simulation::new(scene);
+        // The first source takes all that it can hold, and the rest runs off.
+        let jet = [Vec2::new(0.0, 0.3), Vec2::new(0.0, -3.0)];
+        spray(&mut fire, jet, (1.0, 0.5), assert_balanced);
+        burn_on(&mut fire, 0.3);
+        let wet = sprayed(&fire).held;
+        burn_on(&mut fire, 3.0);
+        assert_balanced(&fire);
+        sprayed(&fire).held / wet
+    };
+    let [alone, beside] = [0.0, 150.0].map(held);
+    assert!(alone > 0.999 && beside < 0.98, "{alone} and {beside}");
 }
 
 #[test]

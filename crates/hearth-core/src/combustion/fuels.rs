@@ -34,6 +34,7 @@ use state::{AdjacentGas, BLOCKS, Block};
 pub(super) use command::reach;
 pub use command::{IgniteError, IgnitionTarget};
 pub(super) use material::{BOILING, VAPORISATION, WATER_CAPACITY};
+pub(super) use radiation::MAX_RECEIVED_SHARE;
 pub use report::{BurningSolid, BurningState, FuelTotal};
 pub(crate) use state::Fuels;
 

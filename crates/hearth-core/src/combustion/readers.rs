@@ -5,11 +5,12 @@ use glam::Vec2;
 use super::reaction::chemistry;
 use super::{
     BurningSolid, Charred, Combustion, Droplets, Ember, FuelTotal, Gas, IgniteError,
-    IgnitionTarget, RemovedGas, SprayTotals,
+    IgnitionTarget, RemovedGas, SprayTotals, Water,
 };
 use crate::instance::Instance;
 use crate::params::Physics;
 use crate::random::Random;
+use crate::scene::Scene;
 
 impl Combustion {
     /// All particles, in no particular order.
@@ -58,20 +59,25 @@ impl Combustion {
         self.obstacles.solids.set_temperatures(all);
     }
 
-    /// Lights solids that have fuel, and sources that are wet.
+    /// Lights solids that have fuel, and dries sources.
     pub fn ignite(
         &mut self,
         at: IgnitionTarget,
-        values: &Physics,
+        scene: &Scene,
         random: &mut Random,
     ) -> Result<(), IgniteError> {
+        let solids = &self.obstacles.solids;
         let fuel = match self.fuels.as_mut() {
-            Some(fuels) => fuels.ignite(at, &mut self.gas, &self.obstacles.solids, values),
+            Some(fuels) => fuels.ignite(at, &mut self.gas, solids, scene.world()),
             None => Err(IgniteError),
         };
-        let water = self.water.as_mut();
-        let dried = water.is_some_and(|water| water.light(at, &self.obstacles.solids, random));
-        if dried { Ok(()) } else { fuel }
+        let mut none = Water::default();
+        let water = self.water.as_deref_mut().unwrap_or(&mut none);
+        if water.light(at, scene, solids, random) {
+            Ok(())
+        } else {
+            fuel
+        }
     }
 
     /// Puts out solids that have fuel, and gas.

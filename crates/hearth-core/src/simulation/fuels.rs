@@ -5,15 +5,15 @@ use crate::combustion::{BurningSolid, Charred, FuelTotal, IgniteError, IgnitionT
 
 impl Simulation {
     /// Lights a solid that has fuel: heats all of its surface, or what is within 0.1 m of a place
-    /// or within the radius, to above its pyrolysis temperature, and dries it. Dries the sources on that
-    /// solid or near that place too, so that those that [water](Simulation::spray) has put out burn again.
+    /// or within the radius, to above its pyrolysis temperature, and dries it. Dries the sources near that
+    /// place too, and those at a solid there, so that those that [water](Simulation::spray) has put out burn
+    /// again.
     ///
     /// # Errors
-    /// There is no fuel and no source that is wet; the classic model has neither.
+    /// There is no fuel and no source that is on; the classic model lights neither.
     pub fn ignite(&mut self, at: IgnitionTarget) -> Result<(), IgniteError> {
-        let values = self.scene.world();
         match self.solver.combustion_mut() {
-            Some(combustion) => combustion.ignite(at, values, &mut self.random),
+            Some(combustion) => combustion.ignite(at, &self.scene, &mut self.random),
             None => Err(IgniteError),
         }
     }

@@ -42,7 +42,7 @@ pub struct IgniteError;
 impl IgniteError {
     /// What it must be instead.
     pub const ALLOWED: &'static str =
-        "a solid with fuel, or a place within 0.1 m of one or of a source that is wet";
+        "a solid with fuel, or a place near one or near a source that is on";
 }
 
 impl fmt::Display for IgniteError {

@@ -23,7 +23,7 @@ const MIN_BLOCK_SIDE: f32 = 0.05;
 /// Gas hotter than this counts \[K\].
 const MIN_TEMPERATURE: f32 = 600.0;
 /// Largest share of its radiation that a block gives to solids.
-const MAX_RECEIVED_SHARE: f32 = 0.5;
+pub(in crate::combustion) const MAX_RECEIVED_SHARE: f32 = 0.5;
 
 impl Fuels {
     /// Finds what each cell receives.

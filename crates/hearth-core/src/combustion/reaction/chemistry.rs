@@ -30,6 +30,16 @@ pub(crate) fn heat_of_combustion(values: &Physics) -> f32 {
     HEAT_CAPACITY * values.flame_rise * (1.0 + values.air_demand)
 }
 
+/// Rate at which gas of a temperature cools by radiation [K/s].
+pub(crate) fn radiative_loss(kelvin: f32, values: &Physics) -> f32 {
+    let radiated = |t: f32| {
+        let relative = t * (1.0 / 1500.0);
+        let square = relative * relative;
+        square * square
+    };
+    values.radiative_cooling * (radiated(kelvin) - radiated(values.ambient_temperature))
+}
+
 /// Integrates diffusion, combustion and radiation over `dt`; `source` is the temperature of the
 /// hottest source \[K\]. Returns the power of the combustion [kW/m].
 pub(crate) fn react(gas: &mut Gas, values: &Physics, source: f32, dt: f32) -> f32 {

@@ -15,7 +15,7 @@ impl Water {
         self.height = around.values.domain_height;
         let dt = around.dt;
         for (bed, source) in self.beds.iter_mut().zip(scene.sources()) {
-            let steam = bed.dry(&source, around.values, dt);
+            let steam = bed.dry(&source, &around);
             self.account.boiled += f64::from(steam);
             self.steam
                 .rise(bed.somewhere(random), bed.relative(steam), random);

@@ -24,18 +24,28 @@ impl Water {
     }
 
     /// Boils the water in the beds there, as the flame does that lights a source again. Returns whether
-    /// there was any.
+    /// there is a source.
     // An entry of the part `bodies` of the wasm.
     #[inline(never)]
-    pub fn light(&mut self, at: IgnitionTarget, solids: &Solids, random: &mut Random) -> bool {
+    pub fn light(
+        &mut self,
+        at: IgnitionTarget,
+        scene: &Scene,
+        solids: &Solids,
+        random: &mut Random,
+    ) -> bool {
+        self.set_beds(scene, solids);
         let mut found = false;
         for bed in &mut self.beds {
-            if bed.water > 0.0 && bed.is_there(at, solids) {
-                let steam = std::mem::take(&mut bed.water);
+            if !bed.is_there(at, solids) {
+                continue;
+            }
+            found = true;
+            let steam = std::mem::take(&mut bed.water);
+            if steam > 0.0 {
                 self.account.boiled += f64::from(steam);
                 self.steam
                     .rise(bed.somewhere(random), bed.relative(steam), random);
-                found = true;
             }
         }
         found

@@ -30,6 +30,9 @@ const PRESET = ['scene', 'preset'];
 /** The element's attributes that are neither parameters nor the preset. */
 const OWN = OWN_ATTRIBUTES.filter((name) => !PRESET.includes(name));
 
+/** What the fragment of settings begins with, also encoded. */
+const SETTINGS = /^#fire(=|%(25)*3d)/i;
+
 /** The most characters of URL parameters that are written; longer settings become a fragment. */
 export const MAX_QUERY = 2000;
 
@@ -63,7 +66,9 @@ export function fromQuery(search, names = []) {
   /** @type {[string, string][]} */
   const values = [];
   let preset;
-  for (const [name, value] of new URLSearchParams(search)) {
+  for (const [written, value] of new URLSearchParams(search)) {
+    // An ampersand that a program has written as HTML.
+    const name = written.replace(/^(amp;)+/, '');
     if (reserved.has(name)) others.append(name, value);
     else if (PRESET.includes(name)) preset = value;
     else values.push([name.replaceAll('-', '_'), value]);
@@ -81,7 +86,7 @@ export function fromQuery(search, names = []) {
  */
 export async function fromFragment(hash) {
   if (typeof hash !== 'string') throw new TypeError(`hash must be a text, not ${kindOf(hash)}`);
-  if (!hash.startsWith('#fire=')) return undefined;
+  if (!SETTINGS.test(hash)) return undefined;
   const { settingsOf } = await import('./share/fragment.js');
   return settingsOf(hash);
 }

@@ -87,7 +87,7 @@ test('a page with a long address shows its fire, also when the address changes',
 });
 
 test('addresses of others change nothing', async () => {
-  for (const hash of ['', '#about', '#Fire=x']) {
+  for (const hash of ['', '#about', '#Fire=x', '#fireplace', '#fires=1']) {
     assert.deepEqual(await open(`${PAGE}${hash}`), { shown: [], refused: [] });
     assert.equal(hasFragment(), false);
   }
@@ -119,7 +119,7 @@ for (const [about, limits, lose] of /** @type {[string, number[], () => void][]}
 test('another tab says where such a fire is, and a shorter fire is kept no longer', async () => {
   keep(new URL(KEPT, PAGE), /** @type {any} */ (CONFIG));
   keep(new URL('?scene=candle', PAGE));
-  const { shown, refused } = await open(`${PAGE}${KEPT}`);
+  const { shown, refused } = await open(`${PAGE}${KEPT}).`);
   assert.deepEqual(shown, []);
   assert.match(refused.join(), /only the tab/);
   tab.stored.set('hearth-fire', '{"hearth":');

@@ -5,6 +5,7 @@
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { PARAMETERS, PRESETS } from '../../web/parameters.js';
+import { readUrlParameters } from '../../web/pages/url-parameters.js';
 import { MAX_QUERY, elementCode, fromFragment, fromQuery, iframeCode, pageLink, toQuery } from '../../web/share.js';
 
 const SCRIPT = 'https://fire.example/web/hearth-fire.js';
@@ -270,4 +271,50 @@ test('a damaged fragment is refused with a reason, and those of others are none 
   }
   for (const other of ['', '#', '#about', '#fires', '#fire-of-this-tab'])
     assert.equal(await fromFragment(other), undefined);
+});
+
+test('an address that other programs have changed shows its fire', async () => {
+  const objects = Array.from({ length: 60 }, (_, at) => ({ kind: 'solid', x: at / 100, name: `${(at * 7919) % 997}` }));
+  const config = /** @type {any} */ ({ hearth: 3, preset: 'candle', objects });
+  const { hash } = new URL(await pageLink(config, 'https://fire.example/'));
+  const encoded = hash.replaceAll('-', '%2D').replaceAll('_', '%5F').replace('=', '%3D');
+  const [start, end] = [hash.slice(0, 76), hash.slice(76)];
+  for (const changed of [
+    ...[hash.replace('=', '%3D'), encoded, encoded.replaceAll('%', '%25'), hash.replace('#fire=', '#fire%3d')],
+    ...[
+      ')',
+      '.',
+      '>',
+      '>,',
+      '%29.',
+      ' ',
+      '%20',
+      '%E2%80%8B',
+      '\u200b',
+      '&fbclid=x1',
+      '?utm_source=x',
+      '==',
+      ' (a fire)',
+    ].map((after) => hash + after),
+    ...['\n', '%0A', '%0D%0A%20', '\u200b', '\ufeff', '\u00ad', ' '].map((between) => start + between + end),
+  ])
+    assert.deepEqual(await fromFragment(changed), config, changed.replace(end, '…'));
+  for (const search of [
+    ...[
+      '?scene=candle&amp;wind=1',
+      '?scene=candle&amp;amp;wind=1',
+      '?scene=can%E2%80%8Bdle&wind=1',
+      '?scene=can%0Adle&wind=1',
+    ],
+    ...[')', '.', '%29.', '%3E', '>', '%20', '%E2%80%8B', '%0A', '"', '”', '),'].map(
+      (after) => `?scene=candle&wind=1${after}`,
+    ),
+  ]) {
+    const { scene, values, refused } = readUrlParameters(search);
+    assert.deepEqual([scene, values, refused], ['candle', [['wind', '1']], []], search);
+  }
+  assert.deepEqual(fromQuery('?scene=candle&amp;wind=1').config.values, { wind: '1' });
+  const [text, drawn] = ['A fire (at night).', '[{"kind":"solid"}]'];
+  assert.deepEqual(readUrlParameters(`?alt=${text}`).options, [['alt', text]]);
+  assert.deepEqual(readUrlParameters(`?objects=${drawn}`).options, [['objects', drawn]]);
 });

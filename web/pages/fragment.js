@@ -15,8 +15,11 @@ const KEY = 'hearth-fire';
 /** The key of the last settings, which the URL does not have. */
 const LAST = 'hearth-fire-last';
 
+/** Whether the URL names a fire of this tab; other programs may have added to it. */
+const isOfTab = () => location.hash.startsWith(KEPT);
+
 /** Whether the URL names a fire by its fragment. */
-export const hasFragment = () => location.hash.startsWith('#fire');
+export const hasFragment = () => isOfTab() || /^#fire[=%]/.test(location.hash);
 
 /**
  * Applies the fragment of the URL to a fire, now and whenever it changes. Returns whether
@@ -28,10 +31,11 @@ export function applyFragment(fire, refuse) {
   const apply = async () => {
     if (!hasFragment()) return;
     try {
-      const config = location.hash === KEPT ? kept() : await fromFragment(location.hash);
+      const config = isOfTab() ? kept() : await fromFragment(location.hash);
       // The fire reports what it refuses.
       if (config) fire.importConfig(/** @type {HearthConfig} */ (config)).catch(() => {});
-      else refuse('The fire of this address was too long for it: only the tab in which it was made has it.');
+      else if (isOfTab())
+        refuse('The fire of this address was too long for it: only the tab in which it was made has it.');
     } catch (error) {
       refuse(/** @type {Error} */ (error).message);
     }

@@ -16,6 +16,7 @@
 import { DEFAULTS, OWN_ATTRIBUTES } from '../generated/defaults.js';
 import { alike } from '../element/attributes/spelling.js';
 import { fromQuery } from '../share.js';
+import { parametersOf } from '../share/strangers.js';
 
 /** The maximum length of the query in characters; some servers have the same limit. */
 const MAX_LENGTH = 8192;
@@ -57,7 +58,7 @@ const KNOWN = ['scene', ...OWN_ATTRIBUTES, ...Object.keys(DEFAULTS).map((id) => 
  * @returns {UrlParameters}
  */
 export function readUrlParameters(search, names = []) {
-  const query = new URLSearchParams(search.length > MAX_LENGTH ? '' : search);
+  const query = parametersOf(search.length > MAX_LENGTH ? '' : search);
   const refused = [];
   if (search.length > MAX_LENGTH) {
     refused.push(`The URL parameters are ignored: they are longer than ${MAX_LENGTH} characters.`);

@@ -5,6 +5,8 @@
  * @typedef {object} Config  Settings, as `share.js` has them.
  */
 
+import { BLANKS } from './strangers.js';
+
 /** What the fragment of settings begins with. */
 const NAME = '#fire=';
 
@@ -42,18 +44,37 @@ export async function fragmentOf(config) {
 }
 
 /**
- * The settings of a fragment, which nobody has validated; undefined if it has none.
+ * The settings of a fragment, which nobody has validated; undefined if it has none. What other programs do to an
+ * address does not count: they encode it, break it, and add characters and parameters.
  * @param {string} hash
  * @returns {Promise<Config | undefined>}
  * @throws {RangeError} it is damaged or too long
  */
 export async function settingsOf(hash) {
-  if (!hash.startsWith(NAME)) return undefined;
+  const text = decoded(decoded(hash)).trim();
+  if (!text.startsWith(NAME)) return undefined;
+  const joined = text.replace(BLANKS, '');
+  // After a blank, the address goes on or words of others follow.
+  return read(joined).catch((error) => (joined === text ? Promise.reject(error) : read(text)));
+}
+
+/** A text without percent-encoding. @param {string} text */
+function decoded(text) {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
+/** @param {string} text @returns {Promise<Config>} */
+async function read(text) {
   if (!globalThis.DecompressionStream) throw new RangeError('This browser cannot read the settings of the address.');
   let bytes;
   let config;
   try {
-    const base64 = hash.slice(NAME.length).replaceAll('-', '+').replaceAll('_', '/');
+    const [letters] = /^[\w-]*/.exec(text.slice(NAME.length)) ?? [''];
+    const base64 = letters.replaceAll('-', '+').replaceAll('_', '/');
     bytes = await through(
       new DecompressionStream('deflate'),
       Uint8Array.from(atob(base64), (character) => character.charCodeAt(0)),

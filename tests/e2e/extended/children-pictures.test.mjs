@@ -174,6 +174,17 @@ test('glyphs lie where the page shows them', async () => {
     ['font: italic 400 38px/1 sans-serif; text-align: justify; text-transform: uppercase', 'jagged embers fly'],
     ['font: 700 40px/1.4 monospace; direction: rtl; overflow-wrap: anywhere', 'extraordinarily'],
     ['font: 600 30px/1.3 serif; transform: scale(1.3) translate(12px, 30px)', 'of-text<br><small>quite</small> close'],
+    ['font: 700 40px/1.1 serif; width: 110px', 'Feuer&shy;wehr&shy;auto'],
+    ['font: 700 40px/1.1 serif; width: 130px; hyphens: auto', '<span lang="en">extraordinary</span>'],
+    ['font: 700 36px serif; font-variant-caps: all-small-caps; width: 280px', 'Winter Menu'],
+    ['font: 700 36px serif; font-variant: unicase; width: 280px', 'Winter Menu'],
+    ['font: 700 40px serif; text-transform: uppercase', '<span lang="tr">istiridye</span>'],
+    ['font: 700 40px serif; text-transform: capitalize', 'half-way'],
+    ['font: 700 40px serif; direction: rtl', 'Fire (1)!'],
+    ['font: 700 40px serif; direction: rtl', 'אש (אחת) [2]'],
+    ['font: 700 60px serif; -webkit-text-stroke: 4px black; color: transparent', 'HOT'],
+    ['font: 700 40px serif; font-variant-ligatures: none', 'Office fig'],
+    ['font: 700 40px serif; font-feature-settings: "liga" 0', 'fine flat'],
   ]) {
     await tab.page.$eval(
       '#it',
@@ -330,6 +341,19 @@ test('where pixels may not be read the box counts, with one warning', async () =
   assert.deepEqual(warnings.sort(), wanted);
   await tab.burnt(0.05);
   await other.close();
+});
+
+test('what the page draws of a text and its mask lacks is named once', async () => {
+  const list = '<ul id="it"><li>Logs</li></ul><style>#it::after { content: "!" }</style>';
+  const tab = await opened(list, '<hearth-solid of="#it" of-text></hearth-solid>', { style: 'left: 40px; top: 30px' });
+  const { mask } = await masked(tab);
+  await restyle(tab, { textDecoration: 'underline', fontStyle: 'italic', fontVariantNumeric: 'ordinal' });
+  await another(tab, 'another style', mask);
+  const what = ['marks of its lists', 'content of its style', 'lines at its letters', 'features of its font'];
+  assert.deepEqual(
+    tab.problems.splice(0),
+    what.map((what) => `console.warn: <hearth-fire>: <hearth-solid>: of = #it counts without the ${what}.`),
+  );
 });
 
 test('an image that never loads, and a text whose font does not, are not waited for', async () => {

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { Browser } from '../driver.mjs';
+import { Browser, eventually } from '../driver.mjs';
 import { decoded } from '../masks.mjs';
 
 /** @typedef {ReturnType<typeof decoded>} Pixels */
@@ -192,6 +192,75 @@ for (const [about, style, elsewhere, drawing, plain] of DRAWINGS) {
     }
     assert.deepEqual(tab.problems, []);
     assert.ok(differ <= EDGES, `${differ} of the pixels differ`);
+  });
+}
+
+/** A drawing, what changes it without a mutation of its own, and what it looks like then. @type {[string, string, string, () => void, string][]} */
+const CHANGES = [
+  [
+    'a class of the page that hides a part',
+    'body:has(.dark) #it circle { fill: none }',
+    `${LEFT}<circle cx="75" cy="50" r="25"/>`,
+    () => document.querySelector('#plain')?.classList.add('dark'),
+    LEFT,
+  ],
+  [
+    'an animation of the style until it ends',
+    '@keyframes grow { from { stroke-dashoffset: 1 } } body:has(.dark) #it path { animation: grow 0.4s }',
+    '<path pathLength="1" d="M10 50H90" fill="none" stroke="red" stroke-width="40" stroke-dasharray="1"/><rect width="9" height="9"/>',
+    () => document.querySelector('#plain')?.classList.add('dark'),
+    '<path d="M10 50H90" fill="none" stroke="red" stroke-width="40"/><rect width="9" height="9"/>',
+  ],
+  [
+    'a transition of the style until it ends',
+    '#it g { transition: opacity 0.4s } body:has(.dark) #it g { opacity: 0 }',
+    `${LEFT}<g><circle cx="75" cy="50" r="25"/></g>`,
+    () => document.querySelector('#plain')?.classList.add('dark'),
+    LEFT,
+  ],
+  [
+    'its own animations',
+    '',
+    `<rect width="50" height="20"><animate attributeName="height" to="100" dur="0.4s" begin="indefinite" fill="freeze"/></rect>
+     <polygon points="60,0 90,0 90,9"><animate attributeName="points" to="60,0 100,0 100,90" dur="0.4s" begin="indefinite" fill="freeze"/></polygon>
+     <g transform="translate(0 4)"><rect width="9" height="9" transform="translate(60 50)"><animateTransform attributeName="transform" type="translate" to="60 80" dur="0.4s" begin="indefinite" fill="freeze"/></rect></g>`,
+    () => {
+      /** @type {any} */ for (const animation of document.querySelectorAll('#it animate, #it animateTransform'))
+        animation.beginElement();
+    },
+    `${LEFT}<polygon points="60,0 100,0 100,90"/><rect x="60" y="84" width="9" height="9"/>`,
+  ],
+];
+
+for (const [what, style, drawing, change, plain] of CHANGES) {
+  test(`an SVG follows ${what}, and is looked at while something changes`, async () => {
+    const tab = await opened(style, '', drawing, plain);
+    const [before] = await masks(tab);
+    await tab.evaluate(() => {
+      const page = /** @type {any} */ (window);
+      const { serializeToString } = XMLSerializer.prototype;
+      page.looks = 0;
+      XMLSerializer.prototype.serializeToString = function counted(node) {
+        page.looks += 1;
+        return serializeToString.call(this, node);
+      };
+    });
+    await tab.evaluate(change);
+    await eventually(
+      'the mask is that of the last picture',
+      () => masks(tab),
+      ([it, last]) => it.mask !== before.mask && difference(decoded(it.mask), decoded(last.mask)) <= EDGES,
+      () => tab.frames(5),
+    );
+    const looks = () => tab.evaluate(() => /** @type {any} */ (window).looks);
+    let [last, now] = [-1, await looks()];
+    // The last look may still be due.
+    for (let tries = 0; now !== last && tries < 3; tries += 1) {
+      await tab.frames(90);
+      [last, now] = [now, await looks()];
+    }
+    assert.equal(now, last);
+    assert.deepEqual(tab.problems, []);
   });
 }
 

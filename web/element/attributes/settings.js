@@ -27,7 +27,7 @@ export function settings(config, id = 'config') {
       );
     }
     try {
-      config = JSON.parse(config);
+      config = JSON.parse(config.replace(/^\ufeff/, ''));
     } catch (error) {
       throw new RangeError(`${id} is refused: it is not JSON: ${/** @type {Error} */ (error).message}`);
     }

@@ -23,7 +23,7 @@ export class Look {
   #name;
   /** The pixels of the target, once their code is loaded. @type {Picture | undefined} */
   picture;
-  /** The warnings so far: reasons why its box replaces its pixels. */
+  /** The warnings so far: why its box replaces its pixels, and what these lack. */
   #warned = new Set();
 
   /**
@@ -62,15 +62,15 @@ export class Look {
     let picture = this.picture;
     if (picture?.target !== target || picture.glyphs !== glyphs) {
       picture?.close();
-      picture = this.picture = new Reader(target, glyphs, (why) => this.#warn(why));
+      picture = this.picture = new Reader(target, glyphs, (how) => this.#warn(how));
     }
     return picture.look(box);
   }
 
-  /** @param {string} why */
-  #warn(why) {
-    if (!this.#warned.has(why)) console.warn(`<hearth-fire>: ${this.#name()} counts as a box: ${why}.`);
-    this.#warned.add(why);
+  /** @param {string} how */
+  #warn(how) {
+    if (!this.#warned.has(how)) console.warn(`<hearth-fire>: ${this.#name()} counts ${how}.`);
+    this.#warned.add(how);
   }
 
   /** Forgets the pixels and stops following them. */

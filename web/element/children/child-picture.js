@@ -7,12 +7,17 @@
  *
  * @typedef {import('./child-box.js').Box} Box
  * @typedef {{left: number, top: number, width: number, height: number}} Rect in pixels of the window
- * @typedef {{outer: Rect, box: Rect, draw: (context: import('../../mask/opacity.js').Context) => void}} Drawing
- *   the border box of an element, the part of it that is drawn, and what draws that in pixels of the window
+ * @typedef {object} Drawing
+ * @property {Rect} outer  The border box of an element.
+ * @property {Rect} box  The part of it that is drawn.
+ * @property {(context: import('../../mask/opacity.js').Context) => void} draw  Draws that in pixels of the window.
+ * @property {string} [key]  Differs where that looks different; undefined where only pixels tell.
+ * @property {string[]} [lacks]  What the page draws there besides.
  */
 
 import { contextOf, opacityOf } from '../../mask/opacity.js';
 import { imageIn, isComplete } from './picture-of-image.js';
+import { isAnimated } from './picture-of-svg.js';
 import { glyphsIn, extentOf } from './picture-of-text.js';
 
 /** The most pixels of the longer side of a mask, and those of a CSS pixel. */
@@ -28,8 +33,9 @@ const OPAQUE = /^\d+x\d+:[Po-z\d_-]+$/;
 /** How long an image or a font may load before its box or another font replaces it [ms]. */
 const LOAD_WAIT_MS = 3000;
 
-/** The least time between two masks of an element [ms]. */
+/** The least time between two masks of an element, and between two looks that find the same picture again [ms]. */
 const PAUSE = 100;
+const MAX_PAUSE = 1000;
 
 /**
  * Lengths are compared in quarters of a pixel. Layouts have 64ths, and none of them lies where rounding may go both
@@ -41,8 +47,18 @@ const OFF_GRID = 0.123;
 /** The largest sine of the angle of an element that is not turned. */
 const LEVEL = 1e-3;
 
-/** Attributes that pages change to move an element; what else they change is seen in its style. */
-const MOVE_ATTRIBUTES = /^(style|class)$/;
+/** What changes the looks of elements without a mutation. */
+const STIRRING = [
+  'animationend',
+  'change',
+  'focusin',
+  'focusout',
+  'load',
+  'pointerout',
+  'pointerover',
+  'transitionend',
+];
+const SCHEMES = matchMedia('(prefers-color-scheme: dark)');
 
 /** A picture or a text that is followed. */
 export class Picture {
@@ -57,33 +73,45 @@ export class Picture {
   #stale = true;
   /** The style and the lengths of the last look. */
   #style = '';
+  /** What the mask was made of, whether that moved by itself at the last look, and how long to wait for the next one. */
+  #key = '';
+  #moved = false;
+  #pause = PAUSE;
   #since = performance.now();
   /** When a mask was made last, and how often one was begun. */
   #last = -Infinity;
   #begun = 0;
   #following = new AbortController();
-  #observer = new MutationObserver((records) => {
-    this.#stale ||= records.some(
-      ({ attributeName, target }) => target !== this.target || !MOVE_ATTRIBUTES.test(attributeName ?? ''),
-    );
+  #observer = new MutationObserver(() => {
+    this.#stale = true;
   });
 
   /**
    * @param {Element} target
    * @param {boolean} glyphs whether it is a text
-   * @param {(why: string) => void} warn reports why its box replaces its pixels
+   * @param {(how: string) => void} warn reports how it counts
    */
   constructor(target, glyphs, warn) {
     this.target = target;
     this.glyphs = glyphs;
     this.#warn = warn;
-    this.#observer.observe(target, { attributes: true, characterData: true, childList: true, subtree: true });
-    const change = () => {
+    const { signal } = this.#following;
+    // Styles of the page reach from any element to the parts of any other. A picture of pixels has no parts.
+    const hasParts = glyphs || target.localName === 'svg';
+    for (const root of hasParts ? new Set([document, target.getRootNode()]) : [target])
+      this.#observer.observe(root, { attributes: true, characterData: true, childList: true, subtree: true });
+    const stir = () => {
       this.#stale = true;
     };
-    const { signal } = this.#following;
+    const change = () => {
+      this.#key = '';
+      stir();
+    };
     for (const type of ['load', 'error']) target.addEventListener(type, change, { signal });
     document.fonts?.addEventListener('loadingdone', change, { signal });
+    if (!hasParts) return;
+    for (const type of STIRRING) document.addEventListener(type, stir, { signal, capture: true, passive: true });
+    SCHEMES.addEventListener('change', stir, { signal });
   }
 
   close() {
@@ -95,8 +123,9 @@ export class Picture {
   /** See `Look.of`. @param {Box} box @returns {Box & {mask?: string} | null | undefined} */
   look(box) {
     const now = performance.now();
-    if (this.#changes(box)) this.#stale = true;
-    if (this.#stale && now - this.#last >= PAUSE) {
+    if (this.#changes(box)) [this.#stale, this.#key] = [true, ''];
+    if (now - this.#last >= this.#pause && this.#moves()) this.#stale = true;
+    if (this.#stale && now - this.#last >= (this.#key ? this.#pause : PAUSE)) {
       const waits = now - this.#since < LOAD_WAIT_MS;
       const loads = this.glyphs ? document.fonts?.status === 'loading' && waits : !isComplete(this.target);
       if (!loads) {
@@ -144,17 +173,37 @@ export class Picture {
     return changes;
   }
 
+  /** Whether an animation has moved it since the last look. */
+  #moves() {
+    const { target, glyphs } = this;
+    const moves =
+      target.getAnimations?.({ subtree: true }).some(({ playState }) => playState === 'running') ||
+      (!glyphs && isAnimated(target));
+    const moved = this.#moved;
+    this.#moved = moves;
+    return moves || moved;
+  }
+
   /** Makes the mask, unless there is a newer one to be made. */
   async #make() {
     const begun = ++this.#begun;
     const { target } = this;
-    /** @type {Drawing | string | null} */
+    /** @type {Drawing | string | null | undefined} */
     let drawing;
     let mask = '';
     try {
       if (isTurned(target)) drawing = 'it is turned or mirrored';
-      else drawing = this.glyphs ? glyphsIn(target) : await imageIn(target);
-      if (drawing instanceof Object) mask = maskOf(drawing);
+      else drawing = this.glyphs ? glyphsIn(target) : await imageIn(target, this.#key);
+      const key = drawing instanceof Object ? drawing.key : '';
+      if (drawing === undefined || (key && key === this.#key)) {
+        this.#pause = Math.min(2 * this.#pause, MAX_PAUSE);
+        return;
+      }
+      [this.#pause, this.#key] = [PAUSE, key ?? ''];
+      if (drawing instanceof Object) {
+        mask = maskOf(drawing);
+        for (const what of drawing.lacks ?? []) this.#warn(`without the ${what}`);
+      }
     } catch {
       drawing = 'the page may not read its pixels';
     }
@@ -181,7 +230,7 @@ export class Picture {
   /** Its box replaces its pixels for a reason. @param {string} why */
   #resort(why) {
     this.opacity = 'box';
-    this.#warn(why);
+    this.#warn(`as a box: ${why}`);
   }
 }
 

@@ -13,17 +13,18 @@ const MAX_PIXELS = 2 ** 26;
 export const isComplete = (element) => !('complete' in element) || Boolean(element.complete);
 
 /**
- * How to draw a picture; as a string, the reason why it cannot be drawn.
+ * How to draw a picture; as a string, the reason why it cannot be drawn. Undefined if its key is known.
  * @param {Element} element
- * @returns {Promise<Drawing | string>}
+ * @param {string} known the key of the last drawing
+ * @returns {Promise<Drawing | string | undefined>}
  */
-export async function imageIn(element) {
+export async function imageIn(element, known) {
   const isSvg = element.localName === 'svg';
   const copied = isSvg
-    ? await imageOfSvg(/** @type {SVGSVGElement} */ (element), contentOf(element).inner)
-    : { image: /** @type {HTMLImageElement | HTMLCanvasElement} */ (element), drawTexts: undefined };
-  if (typeof copied === 'string') return copied;
-  const { image, drawTexts } = copied;
+    ? await imageOfSvg(/** @type {SVGSVGElement} */ (element), contentOf(element).inner, known)
+    : { image: /** @type {HTMLImageElement | HTMLCanvasElement} */ (element), drawTexts: undefined, key: undefined };
+  if (!(copied instanceof Object)) return copied;
+  const { image, drawTexts, key } = copied;
   const [across, up] =
     'naturalWidth' in image ? [image.naturalWidth, image.naturalHeight] : [image.width, image.height];
   if (!(across > 0 && up > 0)) return isSvg ? 'the policy of the page forbids data: images' : 'it has no pixels';
@@ -38,6 +39,7 @@ export async function imageIn(element) {
   return {
     outer,
     box: inner,
+    key,
     draw: (context) => {
       context.drawImage(image, left, top, width, height);
       drawTexts?.(context);

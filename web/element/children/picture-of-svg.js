@@ -37,6 +37,45 @@ const LARGE = `it has more than ${MAX_ELEMENTS} elements, or draws more than ${M
 
 /** @typedef {import('../../mask/opacity.js').Context} Context */
 
+/** The elements that animate others. */
+const ANIMATIONS = 'animate,animateMotion,animateTransform,set';
+
+/** Whether an animation of its own elements runs in an SVG. @param {Element} element */
+export function isAnimated(element) {
+  return [...element.querySelectorAll(ANIMATIONS)].some((animation) => {
+    const { ownerSVGElement } = /** @type {SVGElement} */ (animation);
+    const repeats = animation.getAttribute('repeatCount') ?? (animation.hasAttribute('repeatDur') ? 'indefinite' : '1');
+    try {
+      const { getStartTime, getSimpleDuration } = SVGAnimationElement.prototype;
+      const since = (ownerSVGElement?.getCurrentTime() ?? 0) - getStartTime.call(animation);
+      return (
+        since >= 0 && (repeats === 'indefinite' || since < getSimpleDuration.call(animation) * parseFloat(repeats))
+      );
+    } catch {
+      // It has not begun, or it sets a value without end.
+      return false;
+    }
+  });
+}
+
+/** Gives the copy of what an animation changes the present value. @type {(animation: Element, clone: SVGElement) => void} */
+function freeze(animation, clone) {
+  const target = /** @type {any} */ (animation).targetElement;
+  const name = animation.getAttribute('attributeName') ?? '';
+  if (/Motion|Transform/.test(animation.localName)) {
+    const { a, b, c, d, e, f } = target.parentElement.getScreenCTM().inverse().multiply(target.getScreenCTM());
+    const none = { translate: 'none', rotate: 'none', scale: 'none', offset: 'none' };
+    Object.assign(clone.style, none, { transform: `matrix(${[a, b, c, d, e, f]})`, transformOrigin: '0 0' });
+  } else if (name === 'points') {
+    const points = Array.from(target.animatedPoints, ({ x, y }) => [x, y]);
+    clone.setAttribute(name, `${points}`);
+  } else {
+    const now = target[name]?.animVal;
+    const value = now?.[0]?.value ?? now?.value ?? now;
+    if (/number|string/.test(typeof value)) clone.setAttribute(name, value);
+  }
+}
+
 /** Names that begin so. @param {...string} parts */
 function beginning(...parts) {
   return RegExp(`^(${parts.join('|')})`);
@@ -44,11 +83,13 @@ function beginning(...parts) {
 
 /**
  * An image of an SVG element, and what draws the texts that it lacks; as a string, the reason why there is no image.
+ * Undefined if its key is known.
  * @param {SVGSVGElement} svg
  * @param {{width: number, height: number}} size of its content box
- * @returns {Promise<{image: HTMLImageElement, drawTexts: (context: Context) => void} | string>}
+ * @param {string} known
+ * @returns {Promise<{image: HTMLImageElement, drawTexts: (context: Context) => void, key: string} | string | undefined>}
  */
-export async function imageOfSvg(svg, size) {
+export async function imageOfSvg(svg, size, known) {
   try {
     const { copy, texts } = copyOf(svg);
     const css = getComputedStyle(svg);
@@ -58,13 +99,15 @@ export async function imageOfSvg(svg, size) {
     copy.setAttribute('height', `${size.height}`);
     const text = new XMLSerializer().serializeToString(copy);
     if (elementsDrawn(text) > MAX_DRAWN) return LARGE;
+    const key = text + texts.map((element) => [getComputedStyle(element).fill, getComputedStyle(element).stroke]);
+    if (key === known) return undefined;
     const image = new Image();
     image.src = `data:image/svg+xml,${encodeURIComponent(text)}`;
     await image.decode().catch(() => {});
     const drawTexts = (/** @type {Context} */ context) => {
       for (const element of texts) drawText(context, element);
     };
-    return { image, drawTexts };
+    return { image, drawTexts, key };
   } catch (error) {
     if (error instanceof Difference) return error.message;
     throw error;
@@ -116,7 +159,11 @@ function copyOf(svg) {
       clone.style.setProperty('fill', 'none');
       clone.style.setProperty('stroke', 'none');
     });
-    for (const sheet of copy.querySelectorAll('style')) sheet.remove();
+    for (const animation of source.querySelectorAll(ANIMATIONS)) {
+      const clone = clones[elements.indexOf(/** @type {any} */ (animation).targetElement)];
+      if (clone) freeze(animation, clone);
+    }
+    for (const unneeded of copy.querySelectorAll(`style,${ANIMATIONS}`)) unneeded.remove();
     copies.push(copy);
   }
   const [copy, ...others] = /** @type {SVGSVGElement[]} */ (copies);

@@ -1,15 +1,51 @@
 /**
- * The glyphs of a text as they are laid out: each word is drawn where the page shows it.
+ * The glyphs of a text as they are laid out: each word is drawn where the page shows it, in runs where the page breaks
+ * it, mixes directions or takes letters one by one.
  *
  * @typedef {import('./child-picture.js').Drawing} Drawing
  * @typedef {import('../../mask/opacity.js').Context} Context
- * @typedef {{text: string, css: CSSStyleDeclaration, rect: DOMRect}} Piece a word or a part of it on one line
+ * @typedef {{text: string, css: CSSStyleDeclaration, rect: DOMRect, more: {lang: string, direction: string}}} Piece
+ *   a word or a part of it on one line
  */
 
 import { contextOf } from '../../mask/opacity.js';
 
 /** The most letters; more are illegible in a mask. */
 const MAX_LETTERS = 1000;
+
+/** A place where a word may break, which shows a hyphen there alone, and that hyphen. */
+const BREAK = '\u00ad';
+const HYPHEN = '\u2010';
+
+/** Letters that run from right to left, and brackets, whose direction is that of the run around them. */
+const LEFTWARD = /[\u0590-\u08ff\ufb1d-\ufefc]/;
+const RUNS = /[\p{L}\p{M}\p{N}]+|./gsu;
+
+/** The languages whose upper case is their own. */
+const CASES = /^(az|el|lt|tr)\b/i;
+
+/** Steps of a place along a side of a text that make it another one. */
+const SHARES = 2000;
+
+const CLEAR = /^rgba.*, 0\)$/;
+const NOTHING = /^(|none|normal)$/;
+
+/** What the page draws of a text that its mask lacks, and whether an element has it. @type {{[what: string]: (element: Element) => boolean}} */
+const LACKED = {
+  'lines at its letters': (element) => !NOTHING.test(getComputedStyle(element).textDecorationLine),
+  'spaces of its ruby': (element) => element.localName === 'ruby',
+  'marks of its lists': (element) => {
+    const { display, listStyleType } = getComputedStyle(element);
+    return /list-item/.test(display) && listStyleType !== 'none';
+  },
+  'content of its style': (element) =>
+    ['::before', '::after'].some((part) => !NOTHING.test(getComputedStyle(element, part).content)),
+  'features of its font': (element) => {
+    const css = /** @type {any} */ (getComputedStyle(element));
+    const features = ['FeatureSettings', 'VariantAlternates', 'VariantEastAsian', 'VariantNumeric', 'VariantPosition'];
+    return features.some((name) => !NOTHING.test(css[`font${name}`] ?? '') && !withoutLigatures(css));
+  },
+};
 
 /**
  * The box around the lines of a text; undefined if it is too long to be measured in each frame.
@@ -35,16 +71,25 @@ export function glyphsIn(element) {
   );
   if (!(right > left && bottom > top)) return null;
   const draw = (/** @type {Context} */ context) => {
-    for (const { text, css, x, y, wide, high } of glyphs) {
+    for (const { text, style, fills, x, y, wide, high } of glyphs) {
       context.save();
       context.translate(x, y);
       context.scale(wide, high);
-      setFont(context, css);
-      context.fillText(text, 0, 0);
+      Object.assign(context, style);
+      if (fills) context.fillText(text, 0, 0);
+      if (style.lineWidth) context.strokeText(text, 0, 0);
       context.restore();
     }
   };
-  return { outer, box: { left, top, width: right - left, height: bottom - top }, draw };
+  // In shares, which a transform of the whole leaves.
+  const key = glyphs.map(({ text, style, fills, x, y }) => [
+    ...[text, style, fills],
+    ...[(x - outer.left) / outer.width, (y - outer.top) / outer.height].map((share) => Math.round(share * SHARES)),
+  ]);
+  const parts = [element, ...element.querySelectorAll('*')];
+  const lacks = Object.keys(LACKED).filter((what) => parts.some(LACKED[what]));
+  const box = { left, top, width: right - left, height: bottom - top };
+  return { outer, box, draw, key: JSON.stringify(key), lacks };
 }
 
 /** @param {Element} element */
@@ -58,7 +103,7 @@ function rangeOf(node, from, to) {
   return range;
 }
 
-/** The words of an element, or their letters where a word continues on another line. @param {Element} element */
+/** The words of an element, or parts of them. @param {Element} element */
 function piecesOf(element) {
   /** @type {Piece[]} */
   const pieces = [];
@@ -68,26 +113,69 @@ function piecesOf(element) {
     const css = getComputedStyle(parent);
     // Text for screen readers is in a box of a pixel.
     if (css.visibility !== 'visible' || (parent !== element && parent.offsetWidth <= 1)) continue;
-    for (const { 0: word, index } of (node.nodeValue ?? '').matchAll(/\S+/g)) {
+    const lang = parent.closest('[lang]')?.getAttribute('lang') ?? '';
+    const text = node.nodeValue ?? '';
+    for (const { 0: word, index } of text.matchAll(/\S+/g)) {
       let at = index;
-      for (const text of rectOf(node, index, word) ? [word] : lettersOf(word)) {
-        const rect = rectOf(node, at, text);
-        if (rect) pieces.push({ text: transformed(text, css, at > index), css, rect });
-        at += text.length;
-      }
+      const parts = partsOf(node, index, word, css).flatMap((part) => {
+        const before = text[at - 1] ?? '';
+        const shown = part === BREAK ? hyphenOf(css) : transformed(part, css, lang, before);
+        const rects = rectsOf(node, at, part);
+        const one = rectOf(node, at, part);
+        at += part.length;
+        const more = { lang, direction: css.direction };
+        const piece = { text: shown, css, rect: one ?? rects.at(-1), more };
+        // The first letter of a line has the box of the hyphen of the line before, too.
+        const hyphen = { text: hyphenOf(css), css, rect: rects[0], more };
+        return one || rects.length === 0 || before === BREAK ? [piece] : [hyphen, piece];
+      });
+      // A bracket alone has the direction of the run that it is in.
+      parts.forEach(({ rect, more }, place) => {
+        const before = parts[place - 1]?.rect;
+        const [first, second] = before ? [before, rect] : [rect, parts[place + 1]?.rect];
+        if (first && second) more.direction = first.left > second.left ? 'rtl' : 'ltr';
+      });
+      pieces.push(...parts.filter(/** @returns {part is Piece} */ (part) => part.rect !== undefined));
     }
   }
   return pieces;
 }
 
 /**
+ * The parts of a word that are drawn as they are: its runs where text of both directions is mixed, its letters where it
+ * continues on another line or has no ligatures.
+ * @type {(node: Node, from: number, word: string, css: CSSStyleDeclaration) => string[]}
+ */
+function partsOf(node, from, word, css) {
+  const isMixed = css.direction === 'rtl' || LEFTWARD.test(node.nodeValue ?? '');
+  const runs = isMixed && rectsOf(node, from, word).length > 0 ? (word.match(RUNS) ?? []) : [word];
+  let at = from;
+  return runs.flatMap((run) => {
+    const isOne = rectOf(node, at, run) && !(withoutLigatures(css) && !LEFTWARD.test(run));
+    at += run.length;
+    return isOne ? [run] : lettersOf(run);
+  });
+}
+
+/** Whether letters stay apart. @param {CSSStyleDeclaration} css */
+function withoutLigatures({ fontVariantLigatures, fontFeatureSettings }) {
+  return /none|no-common/.test(fontVariantLigatures) || /"liga" 0/.test(fontFeatureSettings);
+}
+
+/** The boxes of a text. @type {(node: Node, from: number, text: string) => DOMRect[]} */
+function rectsOf(node, from, { length }) {
+  const rects = [...rangeOf(node, from, from + length).getClientRects()];
+  return rects.filter(({ width, height }) => width > 0 && height > 0);
+}
+
+/**
  * The box of a text on one line; undefined if it takes several.
  * @type {(node: Node, from: number, text: string) => DOMRect | undefined}
  */
-function rectOf(node, from, { length }) {
-  const range = rangeOf(node, from, from + length);
-  const [first, ...more] = [...range.getClientRects()].filter(({ width, height }) => width > 0 && height > 0);
-  return first && more.every(({ top }) => Math.abs(top - first.top) < 1) ? range.getBoundingClientRect() : undefined;
+function rectOf(node, from, text) {
+  const [first, ...more] = rectsOf(node, from, text);
+  const isOne = first && more.every(({ top }) => Math.abs(top - first.top) < 1);
+  return isOne ? rangeOf(node, from, from + text.length).getBoundingClientRect() : undefined;
 }
 
 /** The letters of a word with their accents. @param {string} word */
@@ -95,31 +183,44 @@ function lettersOf(word) {
   return 'Segmenter' in Intl ? [...new Intl.Segmenter().segment(word)].map(({ segment }) => segment) : [...word];
 }
 
-/** @type {(text: string, css: CSSStyleDeclaration, inWord?: boolean) => string} */
-function transformed(text, { textTransform }, inWord = false) {
-  if (textTransform === 'uppercase') return text.toUpperCase();
-  if (textTransform === 'lowercase') return text.toLowerCase();
-  return textTransform === 'capitalize' && !inWord ? text.replace(/\p{L}/u, (letter) => letter.toUpperCase()) : text;
+/** The hyphen where a word breaks. @param {CSSStyleDeclaration} css */
+function hyphenOf({ hyphenateCharacter = 'auto' }) {
+  return hyphenateCharacter === 'auto' ? HYPHEN : hyphenateCharacter.slice(1, -1);
 }
 
-/** Sets the font of a style for later drawing. @param {Context} context @param {CSSStyleDeclaration} css */
-function setFont(context, css) {
+/** @type {(text: string, css: CSSStyleDeclaration, lang: string, before: string) => string} */
+function transformed(text, { textTransform }, lang, before) {
+  const locale = CASES.exec(lang)?.[0] ?? 'und';
+  if (textTransform === 'uppercase') return text.toLocaleUpperCase(locale);
+  if (textTransform === 'lowercase') return text.toLocaleLowerCase(locale);
+  if (textTransform !== 'capitalize') return text;
+  // A word ends at a hyphen too, but not at an apostrophe.
+  const first = /(?<![\p{L}\p{M}\p{N}'’])\p{L}/gu;
+  return (before + text).replace(first, (letter) => letter.toLocaleUpperCase(locale)).slice(before.length);
+}
+
+/** What a canvas draws letters with. @type {(css: CSSStyleDeclaration, more: object) => {[name: string]: any}} */
+function styleOf(css, more) {
   const caps = css.fontVariantCaps === 'small-caps' ? 'small-caps' : '';
-  context.font = `${css.fontStyle} ${caps} ${css.fontWeight} ${css.fontSize} ${css.fontFamily}`;
-  Object.assign(context, {
-    direction: css.direction,
+  return {
+    font: `${css.fontStyle} ${caps} ${css.fontWeight} ${css.fontSize} ${css.fontFamily}`,
     fontKerning: css.fontKerning,
     letterSpacing: css.letterSpacing === 'normal' ? '0px' : css.letterSpacing,
+    lineWidth: CLEAR.test(css.webkitTextStrokeColor) ? 0 : parseFloat(css.webkitTextStrokeWidth) || 0,
     textAlign: 'left',
-  });
+    ...more,
+    // A canvas forgets it with a change of the others.
+    fontVariantCaps: css.fontVariantCaps,
+  };
 }
 
 /**
  * Where a piece is drawn, and its ink, in pixels of the window.
  * @param {Piece} piece @param {Context} measure
  */
-function laidOut({ text, css, rect }, measure) {
-  setFont(measure, css);
+function laidOut({ text, css, rect, more }, measure) {
+  const style = styleOf(css, more);
+  Object.assign(measure, style);
   const {
     width,
     fontBoundingBoxAscent: ascent,
@@ -134,5 +235,14 @@ function laidOut({ text, css, rect }, measure) {
   const high = rect.height / (ascent + descent);
   const wide = width > 0 ? rect.width / width : high;
   const [x, y] = [rect.left, rect.top + ascent * high];
-  return { text, css, x, y, wide, high, ink: [x - left * wide, y - above * high, x + right * wide, y + below * high] };
+  const edge = style.lineWidth / 2;
+  // Clear letters with an edge are drawn by that alone.
+  const fills = !(edge && CLEAR.test(css.webkitTextFillColor));
+  const ink = [
+    x - (left + edge) * wide,
+    y - (above + edge) * high,
+    x + (right + edge) * wide,
+    y + (below + edge) * high,
+  ];
+  return { text, style, fills, x, y, wide, high, ink };
 }

@@ -188,10 +188,13 @@ impl<'a> Input<'a> {
     pub(super) fn flag(&self) -> Option<bool> {
         match *self {
             Input::Flag(on) => Some(on),
-            // An attribute without a value is on, like HTML's boolean attributes.
-            Input::Text("" | "true" | "1" | "on") => Some(true),
-            Input::Text("false" | "0" | "off") => Some(false),
-            Input::Text(_) | Input::Number(_) | Input::Default => None,
+            Input::Text(text) => match text.trim_ascii() {
+                // An attribute without a value is on, like HTML's boolean attributes.
+                "" | "true" | "1" | "on" => Some(true),
+                "false" | "0" | "off" => Some(false),
+                _ => None,
+            },
+            Input::Number(_) | Input::Default => None,
         }
     }
 }

@@ -44,6 +44,7 @@ impl Preset {
     /// # Errors
     /// There is none. The error names a similar one or, if no name is similar, all.
     pub fn find(name: &str) -> Result<&'static Preset, UnknownPreset> {
+        let name = name.trim_ascii();
         let found = Preset::all().iter().find(|preset| preset.name == name);
         found.ok_or_else(|| UnknownPreset::new(name))
     }

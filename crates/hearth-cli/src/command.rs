@@ -11,10 +11,11 @@ mod sheet;
 mod sprites;
 
 use std::ffi::OsString;
-use std::io::{Write, stderr};
+use std::io::{self, Write, stderr};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use hearth_core::params::printable;
 
 use crate::error::Error;
 use crate::output;
@@ -28,7 +29,7 @@ struct Arguments {
 }
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 done, 1 failed while running, 2 wrong use or an invalid scene.";
+Exit codes: 0 done, 1 failed while running, 2 wrong use or an invalid scene, 130 ended by a signal.";
 
 #[derive(Subcommand)]
 enum Command {
@@ -55,11 +56,14 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         // Help and version are such errors, too.
         Err(error) => {
             // Nothing is left to do where nobody reads the help.
-            let _ = error.print();
+            let _ = match error.use_stderr() {
+                true => tell(&error.render().to_string()),
+                false => error.print(),
+            };
             return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
         }
     };
-    output::end_between_files_on_interrupt();
+    output::end_between_files_on_signals();
     let done = match arguments.command {
         Command::Render(render) => render.run(),
         Command::Film(film) => film.run(),
@@ -73,8 +77,14 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(()) | Err(Error::Closed) => ExitCode::SUCCESS,
         Err(error) => {
             // Nothing is left to do where nobody reads the error.
-            let _ = writeln!(stderr(), "error: {error}");
+            let _ = tell(&format!("error: {error}\n"));
             ExitCode::from(error.code())
         }
     }
+}
+
+/// Writes a message to standard error. What it quotes does not act on the terminal.
+fn tell(message: &str) -> io::Result<()> {
+    let lines: Vec<_> = message.split('\n').map(printable).collect();
+    stderr().write_all(lines.join("\n").as_bytes())
 }

@@ -1,7 +1,9 @@
 //! Why a command failed.
 
+use std::path::Path;
 use std::{fmt, io};
 
+use hearth_core::params::printable;
 use hearth_settings::untrusted::ValidationError;
 
 /// An error of the command, and with it the exit code.
@@ -15,6 +17,28 @@ pub enum Error {
     Closed,
 }
 
+/// Most refusals of a scene that are shown, and most letters of a place.
+const MAX_REFUSALS: usize = 20;
+const MAX_PLACE: usize = 100;
+
+/// A place as messages show it: a path may have any bytes. Of a long one, its end counts.
+pub fn shown(place: impl AsRef<Path>) -> String {
+    let text = printable(&place.as_ref().to_string_lossy());
+    match text.char_indices().rev().nth(MAX_PLACE) {
+        Some((start, _)) => format!("…{}", text.get(start..).unwrap_or_default()),
+        None => text,
+    }
+}
+
+/// That so many bytes are free: an allocation that fails ends the process without a word.
+///
+/// # Errors
+/// They are not.
+pub fn need_memory(bytes: usize) -> Result<(), Error> {
+    let free = Vec::<u8>::new().try_reserve_exact(bytes);
+    free.map_err(|_| Error::Failed(format!("there are no {} MB of memory", bytes >> 20)))
+}
+
 impl Error {
     /// The exit code of the command.
     pub fn code(&self) -> u8 {
@@ -26,14 +50,18 @@ impl Error {
     }
 
     /// An error at a named place, such as a file.
-    pub fn at(place: &str, error: impl fmt::Display) -> Error {
-        Error::Failed(format!("{place}: {error}"))
+    pub fn at(place: impl AsRef<Path>, error: impl fmt::Display) -> Error {
+        Error::Failed(format!("{}: {error}", shown(place)))
     }
 
-    /// The refusal of a scene: the place, then a line for each invalid value.
-    pub fn refused(place: &str, errors: &[ValidationError]) -> Error {
-        let messages: Vec<_> = errors.iter().map(|error| &*error.message).collect();
-        Error::Use(format!("{place}: {}", messages.join("\n  ")))
+    /// The refusal of a scene: the place, then a line for each invalid value, of which only some are shown.
+    pub fn refused(place: impl AsRef<Path>, errors: &[ValidationError]) -> Error {
+        let first = errors.iter().take(MAX_REFUSALS);
+        let mut messages: Vec<_> = first.map(|error| error.message.clone()).collect();
+        if let Some(more @ 1..) = errors.len().checked_sub(MAX_REFUSALS) {
+            messages.push(format!("… and {more} more"));
+        }
+        Error::Use(format!("{}: {}", shown(place), messages.join("\n  ")))
     }
 
     /// An error of standard output.

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::io::Read;
 
+use hearth_core::params::quoted;
 use hearth_settings::untrusted::{MAX_DEPTH, MAX_LENGTH, MAX_TEXT_BYTES, Untrusted};
 use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
@@ -25,6 +26,8 @@ pub fn read(mut source: impl Read) -> Result<Untrusted, String> {
     }
     let text = str::from_utf8(&bytes)
         .map_err(|error| format!("byte {} is not UTF-8", error.valid_up_to() + 1))?;
+    // Some editors write a byte order mark.
+    let text = text.trim_start_matches('\u{feff}');
     let mut json = serde_json::Deserializer::from_str(text);
     let value = Value { depth: 0 }.deserialize(&mut json);
     let value = value.and_then(|value| json.end().map(|()| value));
@@ -116,10 +119,8 @@ impl<'de> Visitor<'de> for Value {
                 ));
             }
             if read.iter().any(|(known, _)| *known == name) {
-                let start: String = name.chars().take(40).collect();
-                return Err(A::Error::custom(format!(
-                    "the field {start} is there twice"
-                )));
+                let name = quoted(&name);
+                return Err(A::Error::custom(format!("the field {name} is there twice")));
             }
             read.push((name, fields.next_value_seed(inner)?));
         }

@@ -1,11 +1,17 @@
 //! Where a picture goes: a new file, complete or not at all, or standard output.
 
+use std::ffi::OsStr;
 use std::fs::{self, OpenOptions};
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
 
-use crate::error::Error;
+use signal_hook::consts::signal::*;
+use signal_hook::iterator::Signals;
+use signal_hook::low_level;
+
+use crate::error::{Error, shown};
 use crate::film::ffmpeg;
 
 const EXISTS: &str = "the file exists; --force replaces it";
@@ -33,15 +39,44 @@ fn writing() -> MutexGuard<'static, ()> {
     WRITING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// From now on, an interrupt ends the process between two files, with the shell's code for it.
-pub fn end_between_files_on_interrupt() {
+/// From now on, a signal ends the process between two files, with the shell's code for an interrupt. The limit of a file's
+/// size is an error of writing.
+pub fn end_between_files_on_signals() {
     const INTERRUPTED: i32 = 130;
-    // Without a handler, an interrupt ends the process at once.
-    let _ = ctrlc::set_handler(|| {
-        let _no_file = writing();
-        ffmpeg::abandon();
-        std::process::exit(INTERRUPTED);
+    let ending = [
+        SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU,
+    ];
+    let Ok(mut signals) = Signals::new(ending.iter().chain(&[SIGXFSZ])) else {
+        // Without a handler, a signal ends the process at once.
+        return;
+    };
+    thread::spawn(move || {
+        if signals.forever().any(|signal| signal != SIGXFSZ) {
+            let _no_file = writing();
+            ffmpeg::abandon();
+            // The driver's destructors would run under the thread that draws.
+            low_level::exit(INTERRUPTED);
+        }
     });
+}
+
+/// The file that a path names, and whether there is something: a symbolic link is written through.
+///
+/// # Errors
+/// The links have no end.
+fn target(path: &Path) -> Result<(PathBuf, bool), Error> {
+    const MOST_LINKS: usize = 40;
+    let mut end = path.to_owned();
+    for links in 0..MOST_LINKS {
+        match fs::read_link(&end) {
+            Ok(next) => end = folder(&end).join(next),
+            Err(_) => {
+                let exists = links > 0 || end.exists();
+                return Ok((end, exists));
+            }
+        }
+    }
+    Err(Error::at(path, "its symbolic links have no end"))
 }
 
 impl Output {
@@ -50,7 +85,8 @@ impl Output {
     /// # Errors
     /// There is such a file and `replace` is not set, its folder is missing, or standard output is
     /// a terminal.
-    pub fn new(name: &str, replace: bool) -> Result<Output, Error> {
+    pub fn new(name: impl AsRef<OsStr>, replace: bool) -> Result<Output, Error> {
+        let name = name.as_ref();
         if name == "-" {
             return match io::stdout().is_terminal() && !replace {
                 true => Err(Error::Use(
@@ -68,7 +104,8 @@ impl Output {
         if path.exists() && !path.is_file() {
             return Ok(Output::Device(path));
         }
-        if path.exists() && !replace {
+        let (path, exists) = target(&path)?;
+        if exists && !replace {
             return Err(Error::at(name, EXISTS));
         }
         if !folder(&path).is_dir() {
@@ -93,21 +130,21 @@ impl Output {
         let Output::File { path, replace } = self else {
             return Ok(());
         };
-        let name = path.display().to_string();
         let _writing = writing();
         if path.exists() && !replace {
-            return Err(Error::at(&name, EXISTS));
+            return Err(Error::at(path, EXISTS));
         }
-        fs::rename(part, path).map_err(|error| Error::at(&name, error))
+        fs::rename(part, path).map_err(|error| Error::at(path, error))
     }
 
     /// The output of a picture: a name with another ending than `.png` is refused.
     ///
     /// # Errors
     /// As of [`new`](Output::new).
-    pub fn of_png(name: &str, replace: bool) -> Result<Output, Error> {
+    pub fn of_png(name: &OsStr, replace: bool) -> Result<Output, Error> {
         let ending = Path::new(name).extension();
         if ending.is_some_and(|ending| !ending.eq_ignore_ascii_case("png")) {
+            let name = shown(name);
             let words = format!(
                 "{name}: a picture is a PNG and ends with .png; `hearth film` writes other formats"
             );
@@ -126,14 +163,13 @@ impl Output {
             Output::Device(path) => {
                 let written = OpenOptions::new().write(true).open(path);
                 let written = written.and_then(|mut device| device.write_all(bytes));
-                return written.map_err(|error| Error::at(&path.display().to_string(), error));
+                return written.map_err(|error| Error::at(path, error));
             }
             Output::File { path, replace } => (path, *replace),
         };
-        let name = path.display().to_string();
         let _writing = writing();
         if path.exists() && !replace {
-            return Err(Error::at(&name, EXISTS));
+            return Err(Error::at(path, EXISTS));
         }
         let temporary = part_of(path);
         let written = OpenOptions::new()
@@ -145,7 +181,7 @@ impl Output {
         written.map_err(|error| {
             // The error of writing is the one that counts.
             let _ = fs::remove_file(&temporary);
-            Error::at(&name, error)
+            Error::at(path, error)
         })
     }
 }

@@ -6,7 +6,7 @@ use hearth_core::Instance;
 use hearth_core::resolution::Level;
 use hearth_render::{Camera, Renderer, ResolutionLimits, SharedResources, TargetFormat, View};
 
-use crate::error::Error;
+use crate::error::{Error, need_memory};
 use crate::{Fire, Offscreen, Picture};
 
 /// Pictures of one fire: their size, quality and camera.
@@ -57,7 +57,7 @@ impl<'a> Painter<'a> {
     /// The driver has no memory.
     pub fn paint(&mut self, fire: &mut Fire) -> Result<Picture, Error> {
         self.draw(fire, &mut |_| {})?;
-        Ok(self.read())
+        self.read()
     }
 
     /// Draws a picture of a fire with other embers than its own.
@@ -72,13 +72,15 @@ impl<'a> Painter<'a> {
         fire.write();
         fire.embers = embers.to_vec();
         self.draw_written(fire, &mut |_| {})?;
-        Ok(self.read())
+        self.read()
     }
 
-    fn read(&self) -> Picture {
+    fn read(&self) -> Result<Picture, Error> {
         let [width, height] = drawn(&self.options);
+        // The pixels, half of them again without alpha, and the file.
+        need_memory(3 * 4 * width as usize * height as usize)?;
         let picture = Picture::premultiplied(width, height, self.offscreen.pixels());
-        picture.downsampled(self.options.supersampling)
+        Ok(picture.downsampled(self.options.supersampling))
     }
 
     /// Draws a picture without reading it; calls `on_pass` with the name of each submitted pass.

@@ -39,5 +39,4 @@ pub(crate) use tables::Table;
 pub use tables::name::{COMMON, Name};
 pub(crate) use tables::solid::SOLID_NAMES;
 pub use tables::solid::{SOLID, Solid};
-pub(crate) use value::abbreviated;
-pub use value::{AnyValue, Colour, Input, ParamError, ParamErrorKind, Value};
+pub use value::{AnyValue, Colour, Input, ParamError, ParamErrorKind, Value, printable, quoted};

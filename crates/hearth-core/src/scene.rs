@@ -20,7 +20,7 @@ mod tests;
 mod values;
 
 use crate::params::{
-    Fuel, Input, Model, Motion, Name, ParamError, ParamErrorKind, Parameters, Solid, Source,
+    Fuel, Input, Model, Motion, Name, ParamError, ParamErrorKind, Parameters, Solid, Source, quoted,
 };
 use std::sync::Arc;
 
@@ -337,5 +337,5 @@ fn refused(id: String, input: Input<'_>, kind: ParamErrorKind) -> ParamError {
 
 /// The JavaScript path of a field of the object at `index`.
 fn path(index: usize, field: &str) -> String {
-    format!("objects[{index}].{field}")
+    format!("objects[{index}].{}", quoted(field))
 }

@@ -31,6 +31,16 @@ fn the_first_examples_burn_a_scene_with_its_solids() {
 }
 
 #[test]
+fn every_crate_that_computes_says_how_a_dev_build_is_fast() {
+    let lines = "[profile.dev.package.\"*\"]\nopt-level = 3\n";
+    for name in ["core", "fire", "render", "cli"] {
+        let path = format!("{}/../hearth-{name}/README.md", env!("CARGO_MANIFEST_DIR"));
+        let text = std::fs::read_to_string(&path).unwrap_or_default();
+        assert!(text.contains(lines), "{path}");
+    }
+}
+
+#[test]
 fn a_value_is_a_number_a_flag_or_a_text() {
     let mut fire = Simulation::new(Parameters::default());
     assert_eq!(fire.set("fuel_power", 200.0), Ok(()));

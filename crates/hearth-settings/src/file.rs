@@ -67,6 +67,5 @@ pub(crate) fn check(config: &Untrusted) -> Result<(), ValidationError> {
 /// The error of a field that settings do not have.
 fn unknown_field(name: &str, value: &Untrusted) -> ValidationError {
     let known = "one of hearth, preset, values, objects (parameters stand in values)";
-    let start = name.get(..name.floor_char_boundary(40));
-    ValidationError::new(start.unwrap_or_default(), value, known)
+    ValidationError::new(name, value, known)
 }

@@ -206,7 +206,7 @@ const CHANGES = [
   ],
   [
     'an animation of the style until it ends',
-    '@keyframes grow { from { stroke-dashoffset: 1 } } body:has(.dark) #it path { animation: grow 0.4s }',
+    '@keyframes grow { to { stroke-dashoffset: 0 } } #it path { stroke-dashoffset: 1 } body:has(.dark) #it path { animation: grow 0.4s forwards }',
     '<path pathLength="1" d="M10 50H90" fill="none" stroke="red" stroke-width="40" stroke-dasharray="1"/><rect width="9" height="9"/>',
     () => document.querySelector('#plain')?.classList.add('dark'),
     '<path d="M10 50H90" fill="none" stroke="red" stroke-width="40"/><rect width="9" height="9"/>',

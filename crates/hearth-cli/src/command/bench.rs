@@ -2,12 +2,14 @@
 
 use std::time::Instant;
 
+use std::ffi::OsString;
+
 use clap::Args;
 use serde_json::json;
 
 use super::options::{DriverOptions, FireOptions, age, size};
 use super::progress::{Counter, Progress};
-use crate::error::Error;
+use crate::error::{Error, shown};
 use crate::output;
 use crate::painter::Painter;
 use crate::{Fire, Offscreen};
@@ -17,15 +19,15 @@ use crate::{Fire, Offscreen};
 pub struct Bench {
     /// A preset, a settings file, or - for one on standard input.
     #[arg(default_value = "fireside")]
-    scene: String,
+    scene: OsString,
     /// Age of the fire in seconds.
-    #[arg(long, value_name = "SECONDS", default_value = "3", value_parser = age)]
+    #[arg(long, value_name = "SECONDS", default_value = "3", value_parser = age, allow_negative_numbers = true)]
     at: f64,
     /// Width and height in pixels.
     #[arg(long, value_name = "W×H", default_value = "1920x1080", value_parser = size)]
     size: [u32; 2],
     /// Number of measured pictures.
-    #[arg(long, value_name = "N", default_value = "20", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value = "20", value_parser = clap::value_parser!(u32).range(1..=1000), allow_negative_numbers = true)]
     pictures: u32,
     /// Prints JSON.
     #[arg(long)]
@@ -52,7 +54,7 @@ impl Bench {
         let mut painter = Painter::new(&offscreen, &shared, options)?;
         let mut fire = self.fire.fire(&settings, self.size);
         let progress = Progress::new(self.at);
-        progress.name(&self.scene);
+        progress.name(&shown(&self.scene));
         let mut counter = Counter::new(&progress);
         fire.burn(self.at, &mut |age| counter.at(age));
         progress.finish();
@@ -80,7 +82,7 @@ impl Bench {
             let record = json!({
                 "renderer": driver.renderer,
                 "version": driver.version,
-                "scene": self.scene,
+                "scene": self.scene.to_string_lossy(),
                 "at": fire.simulation().time(),
                 "width": width,
                 "height": height,
@@ -96,7 +98,9 @@ impl Bench {
         }
         let mut text = format!(
             "{}, {width} x {height}, {level}, {format}, {particles} particles, {}\nmedian of {} pictures [ms]",
-            self.scene, driver.renderer, self.pictures
+            shown(&self.scene),
+            driver.renderer,
+            self.pictures
         );
         text += match driver.timer_queries {
             true => ", by timer queries\n\n",

@@ -1,5 +1,6 @@
 //! Options that several commands have, and their values.
 
+use std::ffi::OsStr;
 use std::io::{Write, stderr};
 use std::rc::Rc;
 
@@ -33,7 +34,7 @@ pub struct FireOptions {
     #[arg(long, default_value = "high", value_parser = levels())]
     pub quality: Level,
     /// The first seconds of the age burn with few particles, as the element's warm-up.
-    #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = warm_up)]
+    #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = warm_up, allow_negative_numbers = true)]
     warm: f64,
     /// How the domain fits the picture.
     #[arg(long, default_value = "height", value_parser = fits())]
@@ -44,8 +45,8 @@ pub struct FireOptions {
 #[derive(Args, Clone, Copy)]
 pub struct DriverOptions {
     /// Number of the graphics device, as `hearth info` counts them [default: the first that works].
-    #[arg(long, value_name = "N")]
-    device: Option<usize>,
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    device: Option<u16>,
     /// Format of the fields and of the light: half floats, or eight bits with visible steps [default:
     /// rgba16f if the driver has it].
     #[arg(long, value_parser = formats())]
@@ -75,7 +76,7 @@ impl FireOptions {
     ///
     /// # Errors
     /// There is no such scene, or a value is refused.
-    pub fn settings(&self, scene: &str, others: &[Setting]) -> Result<Settings, Error> {
+    pub fn settings(&self, scene: &OsStr, others: &[Setting]) -> Result<Settings, Error> {
         let seed = self.seed.iter();
         let seed = seed.map(|seed| ("seed".to_owned(), seed.clone()));
         let values: Vec<_> = self.set.iter().chain(others).cloned().chain(seed).collect();
@@ -96,7 +97,7 @@ impl DriverOptions {
     /// # Errors
     /// The machine has no such driver, device or format.
     pub fn open(&self) -> Result<(Offscreen, Rc<SharedResources>), Error> {
-        let offscreen = Offscreen::on(self.device)?;
+        let offscreen = Offscreen::on(self.device.map(usize::from))?;
         let shared = resources(&offscreen, self.format)?;
         Ok((offscreen, shared))
     }
@@ -149,17 +150,17 @@ pub fn interval(text: &str) -> Result<f64, String> {
     })
 }
 
-/// A background of a sheet: an opaque colour and its label.
-pub fn background(text: &str) -> Result<(String, [u8; 3]), String> {
-    let named = match text {
+/// A background: its label and its colour.
+pub fn background(text: &str) -> Result<(String, Colour), String> {
+    let named = match text.trim() {
         "black" => Some(Colour::rgb(0, 0, 0)),
         "white" => Some(Colour::rgb(255, 255, 255)),
-        _ => Colour::parse(text),
+        other => Colour::parse(other),
     };
-    match named.map(|colour| colour.rgba) {
-        Some([r, g, b, 255]) => Ok((text.to_owned(), [r, g, b])),
-        _ => Err("it must be black, white, or an opaque colour as #888 or #336699".to_owned()),
-    }
+    let named = named.map(|colour| (text.trim().to_owned(), colour));
+    named.ok_or_else(|| {
+        "it must be black, white, transparent, or a colour as #888 or #336699".to_owned()
+    })
 }
 
 fn setting(text: &str) -> Result<Setting, String> {

@@ -1,10 +1,13 @@
 //! `hearth render`: one picture.
 
-use clap::Args;
+use std::ffi::OsString;
 
-use super::options::{DriverOptions, FireOptions, age, size};
+use clap::Args;
+use hearth_core::params::Colour;
+
+use super::options::{DriverOptions, FireOptions, age, background, size};
 use super::progress::{Counter, Progress};
-use crate::error::Error;
+use crate::error::{Error, shown};
 use crate::output::Output;
 use crate::painter::Painter;
 
@@ -12,24 +15,24 @@ use crate::painter::Painter;
 #[derive(Args)]
 pub struct Render {
     /// A preset (`hearth scenes` lists them), a settings file, or - for one on standard input.
-    scene: String,
+    scene: OsString,
     /// Age of the fire in seconds.
-    #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = age)]
+    #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = age, allow_negative_numbers = true)]
     at: f64,
     /// Width and height in pixels.
     #[arg(long, value_name = "W×H", default_value = "1280x720", value_parser = size)]
     size: [u32; 2],
     /// The new PNG file, or - for standard output.
     #[arg(long, short, value_name = "FILE")]
-    out: String,
+    out: OsString,
     /// Replaces an existing file.
     #[arg(long)]
     force: bool,
-    /// What is behind the fire: #rrggbb, or transparent [default: that of the scene].
-    #[arg(long, value_name = "COLOUR")]
-    background: Option<String>,
+    /// What is behind the fire: #rrggbb, black, white or transparent [default: that of the scene].
+    #[arg(long, value_name = "COLOUR", value_parser = background)]
+    background: Option<(String, Colour)>,
     /// Draws so many pixels for one along each side, and takes the mean of their light.
-    #[arg(long, value_name = "1..4", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=4))]
+    #[arg(long, value_name = "1..4", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=4), allow_negative_numbers = true)]
     supersample: u32,
     #[command(flatten)]
     fire: FireOptions,
@@ -45,7 +48,7 @@ impl Render {
     pub fn run(&self) -> Result<(), Error> {
         let background = self.background.iter();
         let background: Vec<_> = background
-            .map(|colour| ("background".to_owned(), colour.clone()))
+            .map(|(_, colour)| ("background".to_owned(), colour.to_string()))
             .collect();
         let settings = self.fire.settings(&self.scene, &background)?;
         let output = Output::of_png(&self.out, self.force)?;
@@ -55,7 +58,7 @@ impl Render {
         let mut painter = Painter::new(&offscreen, &shared, options)?;
         let mut fire = self.fire.fire(&settings, self.size);
         let progress = Progress::new(self.at);
-        progress.name(&self.scene);
+        progress.name(&shown(&self.scene));
         let mut counter = Counter::new(&progress);
         fire.burn(self.at, &mut |age| counter.at(age));
         let picture = painter.paint(&mut fire)?;

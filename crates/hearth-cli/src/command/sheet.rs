@@ -4,13 +4,16 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
+use std::ffi::OsString;
+
 use clap::Args;
+use hearth_core::params::Colour;
 use hearth_core::preset::Preset;
 use hearth_settings::Settings;
 
 use super::options::{DriverOptions, FireOptions, age, background, interval, size};
 use super::progress::{Counter, Progress};
-use crate::error::Error;
+use crate::error::{Error, need_memory, shown};
 use crate::output::Output;
 use crate::painter::Painter;
 use crate::picture::{Picture, blended, png_of_rgb};
@@ -33,31 +36,31 @@ const INK: [u8; 3] = [235, 235, 235];
 #[derive(Args)]
 pub struct Sheet {
     /// Presets or settings files [default: all presets].
-    scenes: Vec<String>,
+    scenes: Vec<OsString>,
     /// Ages of the fires in seconds.
-    #[arg(long, value_name = "SECONDS,…", value_delimiter = ',', default_value = "5", value_parser = age)]
+    #[arg(long, value_name = "SECONDS,…", value_delimiter = ',', default_value = "5", value_parser = age, allow_negative_numbers = true)]
     at: Vec<f64>,
     /// Number of pictures from each moment on.
-    #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(i64).range(1..=MAX_STRIP))]
+    #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(i64).range(1..=MAX_STRIP), allow_negative_numbers = true)]
     strip: i64,
     /// Seconds between the pictures of a strip.
-    #[arg(long, value_name = "SECONDS", default_value = "1/30", value_parser = interval)]
+    #[arg(long, value_name = "SECONDS", default_value = "1/30", value_parser = interval, allow_negative_numbers = true)]
     every: f64,
-    /// What is behind the fires.
+    /// What is behind the fires: as of `hearth render`; the paper of the sheet shows through.
     #[arg(long, value_name = "COLOUR,…", value_delimiter = ',', default_value = "black", value_parser = background)]
-    background: Vec<(String, [u8; 3])>,
+    background: Vec<(String, Colour)>,
     /// Tiles in a row [default: those of a scene].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), allow_negative_numbers = true)]
     columns: Option<u32>,
     /// Width and height of a tile in pixels.
     #[arg(long, value_name = "W×H", default_value = "320x240", value_parser = size)]
     tile: [u32; 2],
     /// Draws so many pixels for one along each side, and takes the mean of their light.
-    #[arg(long, value_name = "1..4", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=4))]
+    #[arg(long, value_name = "1..4", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=4), allow_negative_numbers = true)]
     supersample: u32,
     /// The new PNG file, or - for standard output.
     #[arg(long, short, value_name = "FILE")]
-    out: String,
+    out: OsString,
     /// Replaces an existing file.
     #[arg(long)]
     force: bool,
@@ -76,7 +79,9 @@ impl Sheet {
     /// # Errors
     /// A value is refused, or the driver or the disk fails.
     pub fn run(&self) -> Result<(), Error> {
-        let presets = Preset::all().iter().map(|preset| preset.name.to_owned());
+        let presets = Preset::all()
+            .iter()
+            .map(|preset| OsString::from(preset.name));
         let scenes = match self.scenes.is_empty() {
             true => presets.collect(),
             false => self.scenes.clone(),
@@ -89,6 +94,8 @@ impl Sheet {
         let of_scene = moments.len() as u64 * self.background.len() as u64;
         let layout = Layout::new(self, of_scene, scenes.len() as u64 * of_scene)?;
         let output = Output::of_png(&self.out, self.force)?;
+        let [width, height] = layout.size.map(|side| side as usize);
+        need_memory(2 * 3 * width * height)?;
         // Every scene is checked before the first burns.
         let checked = scenes.iter().map(|scene| self.fire.settings(scene, &[]));
         let settings = checked.collect::<Result<Vec<_>, _>>()?;
@@ -103,7 +110,7 @@ impl Sheet {
                         1 => label,
                         _ => format!("{label} {name}"),
                     };
-                    canvas.draw(tile, &picture, *colour, &label);
+                    canvas.draw(tile, &picture, over_paper(*colour), &label);
                     tile += 1;
                 }
             }
@@ -126,7 +133,7 @@ impl Sheet {
     /// The pictures of all scenes. Each thread has a context, and takes the next scene.
     fn rows(
         &self,
-        scenes: &[String],
+        scenes: &[OsString],
         settings: &[Settings],
         moments: &[f64],
     ) -> Result<Vec<Row>, Error> {
@@ -144,7 +151,7 @@ impl Sheet {
                 let Some((scene, settings)) = scenes.get(number).zip(settings.get(number)) else {
                     return Ok(());
                 };
-                progress.name(scene);
+                progress.name(&shown(scene));
                 let options = self.fire.picture(self.tile, self.supersample);
                 let mut painter = Painter::new(&offscreen, &shared, options)?;
                 let mut fire = self.fire.fire(settings, self.tile);
@@ -186,6 +193,13 @@ impl Sheet {
         rows.sort_by_key(|(number, _)| *number);
         Ok(rows.into_iter().map(|(_, row)| row).collect())
     }
+}
+
+/// A background over the paper.
+fn over_paper(colour: Colour) -> [u8; 3] {
+    let [r, g, b, alpha] = colour.rgba.map(u32::from);
+    let over = |value: u32| (value * alpha / 255) as u8;
+    blended([over(r), over(g), over(b), alpha as u8], PAPER)
 }
 
 /// Seconds of a label, with at most three decimals.

@@ -1,5 +1,6 @@
 //! `hearth sprites`: a sheet of pictures for game engines.
 
+use std::ffi::OsString;
 use std::path::Path;
 
 use clap::Args;
@@ -26,7 +27,7 @@ const MAX_TILES: i64 = 1024;
 #[command(after_help = SHEETS)]
 pub struct Sprites {
     /// A preset (`hearth scenes` lists them), a settings file, or - for one on standard input.
-    scene: String,
+    scene: OsString,
     /// The new PNG file; further sheets and the atlas stand beside it.
     #[arg(long, short, value_name = "FILE.png")]
     out: String,
@@ -43,25 +44,25 @@ pub struct Sprites {
     #[arg(long)]
     grid_in_name: bool,
     /// Number of tiles.
-    #[arg(long, value_name = "N", default_value = "32", value_parser = clap::value_parser!(u32).range(1..=MAX_TILES))]
+    #[arg(long, value_name = "N", default_value = "32", value_parser = clap::value_parser!(u32).range(1..=MAX_TILES), allow_negative_numbers = true)]
     count: u32,
     /// Tiles in a row.
-    #[arg(long, value_name = "N", default_value = "8", value_parser = clap::value_parser!(u32).range(1..=MAX_TILES))]
+    #[arg(long, value_name = "N", default_value = "8", value_parser = clap::value_parser!(u32).range(1..=MAX_TILES), allow_negative_numbers = true)]
     columns: u32,
     /// Pictures a second, as 30, 29.97 or 30000/1001.
-    #[arg(long, value_name = "RATE", default_value = "30", value_parser = rate)]
+    #[arg(long, value_name = "RATE", default_value = "30", value_parser = rate, allow_negative_numbers = true)]
     fps: Rate,
     /// Age of the fire in seconds at the first picture.
-    #[arg(long, value_name = "SECONDS", default_value = "3", value_parser = age)]
+    #[arg(long, value_name = "SECONDS", default_value = "3", value_parser = age, allow_negative_numbers = true)]
     from: f64,
     /// Width and height of a tile in pixels.
     #[arg(long, value_name = "W×H", default_value = "128x128", value_parser = size)]
     tile: [u32; 2],
     /// Draws so many pixels for one along each side, and takes the mean of their light.
-    #[arg(long, value_name = "1..4", default_value = "2", value_parser = clap::value_parser!(u32).range(1..=4))]
+    #[arg(long, value_name = "1..4", default_value = "2", value_parser = clap::value_parser!(u32).range(1..=4), allow_negative_numbers = true)]
     supersample: u32,
     /// Transparent pixels around each tile.
-    #[arg(long, value_name = "PIXELS", default_value = "1", value_parser = clap::value_parser!(u32).range(0..=64))]
+    #[arg(long, value_name = "PIXELS", default_value = "1", value_parser = clap::value_parser!(u32).range(0..=64), allow_negative_numbers = true)]
     gutter: u32,
     /// Cuts off what is transparent in all tiles.
     #[arg(long)]

@@ -42,7 +42,7 @@ impl Folder {
 
     fn output(&self, number: u32) -> Result<Output, Error> {
         let path = self.path.join(name(number));
-        Output::new(&path.to_string_lossy(), self.replace)
+        Output::new(&path, self.replace)
     }
 }
 

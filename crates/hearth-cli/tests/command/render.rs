@@ -167,7 +167,7 @@ fn values_quality_and_warm_up_change_the_picture() {
 #[test]
 fn wrong_values_are_refused_by_name_and_leave_no_file() {
     let folder = Folder::new("wrong-values");
-    let cases: [(&[&str], &[&str]); 18] = [
+    let cases: [(&[&str], &[&str]); 20] = [
         (
             &["no-such-scene"],
             &["there is no preset \"no-such-scene\"", "candle"],
@@ -185,7 +185,7 @@ fn wrong_values_are_refused_by_name_and_leave_no_file() {
         (&["candle", "--seed", "-1"], &["seed = \"-1\" is refused"]),
         (
             &["candle", "--background", "red"],
-            &["background = \"red\" is refused", "#"],
+            &["--background", "'red'", "white", "transparent"],
         ),
         (
             &["candle", "--quality", "ultra"],
@@ -206,7 +206,9 @@ fn wrong_values_are_refused_by_name_and_leave_no_file() {
             &["--set", "bloom=1", "candle", "--background"],
             &["--background"],
         ),
-        (&["candle", "--device=-1"], &["--device"]),
+        (&["candle", "--device", "-1"], &["--device", "0..=65535"]),
+        (&["candle", "--warm", "-1"], &["--warm", "from 0 to 30"]),
+        (&["candle", "--supersample", "-1"], &["1..=4"]),
     ];
     for (others, words) in cases {
         let mut arguments = render(others);
@@ -263,15 +265,57 @@ fn threads(process: u32) -> usize {
 fn an_interrupt_leaves_no_file() {
     let folder = Folder::new("interrupt");
     let arguments = ["render", "fireside", "--at", "1000", "--out", "a.png"];
-    let child = folder.command(&arguments).spawn().expect("the command");
-    while threads(child.id()) < 2 {
-        thread::yield_now();
+    for signal in ["INT", "TERM", "HUP", "QUIT", "XCPU"].repeat(3) {
+        let child = folder.command(&arguments).spawn().expect("the command");
+        while threads(child.id()) < 2 {
+            thread::yield_now();
+        }
+        let kill = Command::new("kill")
+            .args(["-s", signal, &child.id().to_string()])
+            .status();
+        assert!(kill.is_ok_and(|status| status.success()));
+        let run = ended(child);
+        assert_eq!((run.code, &*run.errors), (130, ""), "{signal}");
+        assert_eq!(folder.names(), [""; 0], "{signal}");
     }
-    let kill = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(kill.is_ok_and(|status| status.success()));
-    let run = ended(child);
-    assert_eq!((run.code, &*run.errors), (130, ""));
+}
+
+#[test]
+#[cfg(unix)]
+fn a_link_is_written_through_and_one_to_nothing_needs_force() {
+    use std::os::unix::fs::symlink;
+
+    let folder = Folder::new("links");
+    std::fs::create_dir(folder.0.join("other")).expect("a folder");
+    folder.write("other/real.png", "kept");
+    for (to, name) in [("other/real.png", "a"), ("nowhere.png", "b"), ("c", "c")] {
+        symlink(to, folder.0.join(name)).expect("a link");
+        let run = folder.run(&render(&["candle", "--out", name]));
+        assert_eq!(run.code, 1, "{run:?}");
+    }
+    assert_eq!(folder.read("other/real.png"), b"kept");
+    for (name, to) in [("a", "other/real.png"), ("b", "nowhere.png")] {
+        let run = folder.run(&render(&["candle", "--force", "--out", name]));
+        assert_eq!((run.code, &*run.errors), (0, ""), "{name}");
+        assert!(folder.0.join(name).is_symlink(), "{name}");
+        assert!(folder.read(to).starts_with(b"\x89PNG"), "{name}");
+    }
+    assert_eq!(folder.names(), ["a", "b", "c", "nowhere.png", "other"]);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_limit_of_the_size_of_files_is_an_error_and_leaves_no_rest() {
+    let folder = Folder::new("file-limit");
+    let run = format!(
+        "ulimit -f 1; exec {} render candle --quality low --at 0.1 --size 99x99 --out a.png",
+        env!("CARGO_BIN_EXE_hearth")
+    );
+    let mut command = Command::new("sh");
+    let limited = command.args(["-c", &run]).current_dir(&folder.0).output();
+    let limited = limited.expect("a shell");
+    let words = String::from_utf8_lossy(&limited.stderr);
+    assert!(words.contains("a.png: File too large"), "{words}");
+    assert_eq!(limited.status.code(), Some(1));
     assert_eq!(folder.names(), [""; 0]);
 }

@@ -19,6 +19,53 @@ fn a_file_and_standard_input_draw_the_same_scene_as_the_preset_that_they_name() 
     assert_eq!(preset.code, 0, "{}", preset.errors);
     assert_eq!(preset.out, of("my torch.json").out);
     assert_eq!(preset.out, fed(&folder, scene).out);
+    assert_eq!(preset.out, fed(&folder, format!("\u{feff}{scene}")).out);
+}
+
+#[test]
+fn what_a_file_says_neither_acts_on_a_terminal_nor_floods_it() {
+    let folder = Folder::new("terminal");
+    let acts = "\\u001b]52;c;aGk=\\u0007\\u0000\u{9b}31m\u{202e}\u{feff}";
+    let long = format!("{}ü{}", "e".repeat(39), "é".repeat(60_000));
+    for text in [acts, &long] {
+        for scene in [
+            format!(r#"{{"{text}": 1}}"#),
+            format!(r#"{{"{text}": 1, "{text}": 1}}"#),
+            format!(r#"{{"preset": "{text}"}}"#),
+            format!(r#"{{"values": {{"{text}": "{text}"}}}}"#),
+            format!(r#"{{"values": {{"model": "{text}", "bloom": "{text}"}}}}"#),
+            format!(r#"{{"objects": [{{"kind": "{text}", "{text}": "{text}"}}]}}"#),
+            format!(
+                r#"{{"objects": [{{"kind": "solid", "{text}": "{text}", "fuel": "{text}"}}]}}"#
+            ),
+        ] {
+            let run = fed(&folder, &scene);
+            run.refuses(&[]);
+            for line in run.errors.lines() {
+                // What names all presets or properties is longer.
+                let lists = ["there are", "one of"]
+                    .iter()
+                    .any(|list| line.contains(list));
+                let most = if lists { 450 } else { 300 };
+                assert!(line.chars().count() <= most, "{line}");
+                assert!(
+                    !line.contains(|letter: char| letter.is_control()),
+                    "{line:?}"
+                );
+                assert!(!line.contains(['\u{202e}', '\u{feff}']), "{line:?}");
+            }
+        }
+    }
+    let name = "a\u{1b}[31m\u{202e}.json";
+    let run = folder.run(&["render", name, "--out", "a.png"]);
+    assert!(
+        run.errors.contains(r"a\u{1b}[31m\u{202e}.json"),
+        "{}",
+        run.errors
+    );
+    let many: Vec<_> = (0..900).map(|at| format!(r#""v{at}": 1"#)).collect();
+    let run = fed(&folder, format!(r#"{{"values": {{{}}}}}"#, many.join(",")));
+    assert!(run.errors.lines().count() < 30, "{}", run.errors);
 }
 
 #[test]

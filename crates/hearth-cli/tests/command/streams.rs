@@ -31,16 +31,20 @@ fn help_and_version_are_no_errors_and_a_missing_command_is() {
 
 #[test]
 #[cfg(unix)]
-fn arguments_that_are_no_text_are_refused() {
+fn names_that_are_no_text_are_those_of_files() {
     use std::ffi::OsStr;
     use std::os::unix::ffi::OsStrExt;
 
     let folder = Folder::new("not-text");
     let bytes = OsStr::from_bytes(b"\xff\xfe");
+    let out = [OsStr::new("--out"), bytes];
     folder
-        .run(&[OsStr::new("render"), bytes])
-        .refuses(&["UTF-8"]);
+        .run(&[&[OsStr::new("render"), bytes], &out[..]].concat())
+        .refuses(&["there is no preset"]);
     folder.run(&[bytes]).refuses(&[]);
+    let arguments = [&["render", "candle"], &CHEAP[..]].concat();
+    let arguments: Vec<_> = arguments.into_iter().map(OsStr::new).chain(out).collect();
+    assert_eq!(folder.run(&arguments).code, 0, "any name is that of a file");
 }
 
 #[test]

@@ -7,7 +7,7 @@ use super::choices::{Choice, Model};
 use super::entry::Condition;
 use super::slot::{Slot, Slots};
 use super::table::{Field, PARAMETERS, Param, Source, Values};
-use super::value::{AnyValue, Input, ParamError, ParamErrorKind, Value, abbreviated};
+use super::value::{AnyValue, Input, ParamError, ParamErrorKind, Value, quoted};
 
 /// The id of the model, which decides the domains of the other parameters.
 const MODEL: &str = "model";
@@ -173,9 +173,8 @@ pub(crate) fn model_first<'a>(
 /// The error of an unknown id.
 #[cold]
 fn unknown(id: &str, input: Input<'_>) -> ParamError {
-    let (start, dots) = abbreviated(id);
     ParamError {
-        id: format!("{start}{dots}"),
+        id: quoted(id),
         value: format!("{input}"),
         kind: ParamErrorKind::UnknownId {
             nearest: nearest(id, &mut PARAMETERS.iter().map(|param| param.id)),

@@ -205,21 +205,39 @@ impl fmt::Display for Input<'_> {
             Input::Number(x) => write!(f, "{}", Decimal(*x)),
             Input::Flag(on) => write!(f, "{on}"),
             Input::Default => f.write_str("null"),
-            Input::Text(text) => {
-                let (start, dots) = abbreviated(text);
-                write!(f, "\"{start}{dots}\"")
-            }
+            Input::Text(text) => write!(f, "\"{}\"", quoted(text)),
         }
     }
 }
 
-/// The start of a text, and an ellipsis if it is long: a long text must not flood a console.
-pub(crate) fn abbreviated(text: &str) -> (&str, &str) {
-    let end = text.char_indices().nth(40);
-    match end.and_then(|(end, _)| text.get(..end)) {
-        Some(start) => (start, "…"),
-        None => (text, ""),
+/// The start of a text as messages quote it, and an ellipsis if it is long: a text must neither flood a console nor act on
+/// a terminal.
+pub fn quoted(text: &str) -> String {
+    const LONGEST: usize = 40;
+    let start: String = text.chars().take(LONGEST + 1).collect();
+    let mut shown = printable(&start);
+    if let Some((end, _)) = shown.char_indices().nth(LONGEST) {
+        shown.truncate(end);
+        shown.push('…');
     }
+    shown
+}
+
+/// A text in which characters are escaped that control a terminal, have no width or turn the text around.
+pub fn printable(text: &str) -> String {
+    let acts = |letter: char| {
+        letter.is_control()
+            || matches!(letter, '\u{61c}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}')
+            || matches!(letter, '\u{2060}'..='\u{206f}' | '\u{feff}')
+    };
+    let mut shown = String::new();
+    for letter in text.chars() {
+        match acts(letter) {
+            true => shown.extend(letter.escape_unicode()),
+            false => shown.push(letter),
+        }
+    }
+    shown
 }
 
 /// An error of an invalid value. Its message names the parameter, the value and the allowed

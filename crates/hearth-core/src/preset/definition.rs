@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::{LazyLock, OnceLock};
 
-use crate::params::{IN_DOMAIN, Input, Parameters, abbreviated, nearest};
+use crate::params::{IN_DOMAIN, Input, Parameters, nearest, quoted};
 use crate::scene::{KIND, Scene};
 
 /// The table of presets. `cargo xtask codegen` writes it from the files of `scenes/`.
@@ -125,9 +125,8 @@ pub struct UnknownPreset {
 impl UnknownPreset {
     #[cold]
     fn new(name: &str) -> UnknownPreset {
-        let (start, dots) = abbreviated(name);
         UnknownPreset {
-            name: format!("{start}{dots}"),
+            name: quoted(name),
             nearest: nearest(name, &mut Preset::all().iter().map(|preset| preset.name)),
         }
     }

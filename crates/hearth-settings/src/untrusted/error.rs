@@ -1,7 +1,7 @@
 //! Errors about untrusted values.
 
 use super::value::Untrusted;
-use hearth_core::params::ParamError;
+use hearth_core::params::{ParamError, quoted};
 
 /// An error of an invalid value.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,11 +19,12 @@ pub struct ValidationError {
 impl ValidationError {
     /// An error that names the `allowed` values.
     pub fn new(id: &str, value: &Untrusted, allowed: &str) -> ValidationError {
+        let id = quoted(id);
         ValidationError {
-            id: id.to_owned(),
             value: value.summary(),
             message: format!("{id} = {} is refused: it must be {allowed}", value.input()),
             range: None,
+            id,
         }
     }
 

@@ -7,6 +7,8 @@ mod gif;
 pub mod seam;
 mod webp;
 
+use std::ffi::OsStr;
+
 use crate::error::Error;
 use crate::output::{self, Output};
 use crate::picture::Picture;
@@ -133,7 +135,7 @@ pub trait Encoder {
 /// The output is not free, or the film needs more memory than it may have.
 pub fn encoder(
     format: Format,
-    name: &str,
+    name: &OsStr,
     replace: bool,
     header: Header,
 ) -> Result<Box<dyn Encoder>, Error> {

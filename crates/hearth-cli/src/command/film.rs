@@ -39,7 +39,7 @@ pub struct Film {
     scene: OsString,
     /// The new file, whose ending is the format; a folder for PNG files; or - for standard output.
     #[arg(long, short, value_name = "FILE")]
-    out: String,
+    out: OsString,
     /// The format, where the name has no such ending.
     #[arg(long = "as", value_name = "FORMAT", value_parser = named(Format::ALL.to_vec()))]
     film_format: Option<Format>,
@@ -217,10 +217,10 @@ impl Film {
     /// The format that is stated, or that of the name.
     fn format(&self) -> Result<Format, Error> {
         let of_name = (self.out != "-")
-            .then(|| Format::of_name(&self.out))
+            .then(|| Format::of_name(&self.out.to_string_lossy()))
             .flatten();
         self.film_format.or(of_name).ok_or_else(|| {
-            let words = match self.out.as_str() {
+            let words = match &*shown(&self.out) {
                 "-" => "standard output needs a format, as --as rgba".to_owned(),
                 name => format!(
                     "{name}: a film ends with .zip, .png, .apng, .webp, .gif, .webm, .mp4 or .rgba, or it is a folder; --as states another format"

@@ -1,5 +1,6 @@
 //! PNG files: in a folder, or in a zip archive.
 
+use std::ffi::OsStr;
 use std::fs;
 use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
@@ -25,7 +26,7 @@ pub struct Folder {
 }
 
 impl Folder {
-    pub fn new(folder: &str, replace: bool, header: Header) -> Result<Folder, Error> {
+    pub fn new(folder: &OsStr, replace: bool, header: Header) -> Result<Folder, Error> {
         let path = Path::new(folder);
         fs::create_dir_all(path).map_err(|error| Error::at(folder, error))?;
         let folder = Folder {

@@ -6,6 +6,7 @@ import { maskOfImage, maskOfPath, maskOfText } from '../../web/mask.js';
 import { mountPanel } from '../../web/panel.js';
 import { elementCode, fromFragment, fromQuery, iframeCode, pageLink, toQuery } from '../../web/share.js';
 import { STEP_NUMBERS, Synthesis } from '../../web/sound.js';
+import { words } from '../../web/sim/values.js';
 import { mountTools } from '../../web/tools.js';
 import { assertRefuses } from '../hostile.mjs';
 
@@ -115,4 +116,9 @@ test('the sound of a series is finite at the ends of all ranges', () => {
     synthesis.render(left, right);
     assert.ok([...left, ...right].every(Number.isFinite));
   }
+});
+
+test('a text in an error of the library neither acts on a terminal nor turns it around', () => {
+  assert.equal(words('a\u001b[31m\u0000\u009b\u202e\ufeffb'), '"a\\u001b[31m\\u0000\\u009b\\u202e\\ufeffb"');
+  assert.equal(words('é'.repeat(1e6)), `"${'é'.repeat(40)}…"`);
 });

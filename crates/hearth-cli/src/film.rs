@@ -8,7 +8,6 @@ pub mod seam;
 mod webp;
 
 use std::ffi::OsStr;
-use std::path::Path;
 
 use crate::error::Error;
 use crate::output::{self, Output};
@@ -52,18 +51,19 @@ impl Format {
     ];
 
     /// The format of a file of that name. A name without an ending is a folder.
-    pub fn of_name(name: &OsStr) -> Option<Format> {
-        let Some(ending) = Path::new(name).extension() else {
-            return Some(Format::Png);
-        };
-        // A picture that moves has the ending of one that does not.
-        let ending = match ending.to_str()?.to_ascii_lowercase() {
-            ending if ending == "png" => "apng".to_owned(),
-            ending => ending,
-        };
-        let mut all = Format::ALL.iter();
-        all.find(|(known, _)| *known == ending)
-            .map(|(_, format)| *format)
+    pub fn of_name(name: &str) -> Option<Format> {
+        let file = name.rsplit(['/', '\\']).next().unwrap_or_default();
+        match file.rsplit_once('.') {
+            None => Some(Format::Png),
+            Some((_, ending)) => {
+                let ending = ending.to_ascii_lowercase();
+                // A picture that moves has the ending of one that does not.
+                let name = if ending == "png" { "apng" } else { &ending };
+                let mut all = Format::ALL.iter();
+                all.find(|(known, _)| *known == name)
+                    .map(|(_, format)| *format)
+            }
+        }
     }
 }
 

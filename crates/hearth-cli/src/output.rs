@@ -85,7 +85,8 @@ impl Output {
     /// # Errors
     /// There is such a file and `replace` is not set, its folder is missing, or standard output is
     /// a terminal.
-    pub fn new(name: &OsStr, replace: bool) -> Result<Output, Error> {
+    pub fn new(name: impl AsRef<OsStr>, replace: bool) -> Result<Output, Error> {
+        let name = name.as_ref();
         if name == "-" {
             return match io::stdout().is_terminal() && !replace {
                 true => Err(Error::Use(
@@ -143,10 +144,11 @@ impl Output {
     pub fn of_png(name: &OsStr, replace: bool) -> Result<Output, Error> {
         let ending = Path::new(name).extension();
         if ending.is_some_and(|ending| !ending.eq_ignore_ascii_case("png")) {
-            return Err(Error::Use(format!(
-                "{}: a picture is a PNG and ends with .png; `hearth film` writes other formats",
-                shown(name)
-            )));
+            let name = shown(name);
+            let words = format!(
+                "{name}: a picture is a PNG and ends with .png; `hearth film` writes other formats"
+            );
+            return Err(Error::Use(words));
         }
         Output::new(name, replace)
     }

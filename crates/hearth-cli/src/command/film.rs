@@ -5,8 +5,9 @@ use std::ffi::OsString;
 use std::ops::{Range, RangeInclusive};
 
 use clap::Args;
+use hearth_core::params::Colour;
 
-use super::options::{DriverOptions, FireOptions, age, named, size};
+use super::options::{DriverOptions, FireOptions, age, background, named, size};
 use super::progress::{Counter, Progress};
 use crate::Fire;
 use crate::error::{Error, shown};
@@ -14,7 +15,6 @@ use crate::film::seam::{self, Loop};
 use crate::film::{self, Encoder, Format, Header, Plays, Rate};
 use crate::painter::Painter;
 use crate::picture::Picture;
-use crate::scene;
 
 /// Most pictures of a film.
 const MAX_PICTURES: u32 = 100_000;
@@ -47,13 +47,13 @@ pub struct Film {
     #[arg(long)]
     force: bool,
     /// Pictures a second, as 30, 29.97 or 30000/1001.
-    #[arg(long, value_name = "RATE", default_value = "30", value_parser = rate)]
+    #[arg(long, value_name = "RATE", default_value = "30", value_parser = rate, allow_negative_numbers = true)]
     fps: Rate,
     /// Length of the film in seconds.
-    #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = age)]
+    #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = age, allow_negative_numbers = true)]
     seconds: f64,
     /// Age of the fire in seconds at the first picture.
-    #[arg(long, value_name = "SECONDS", default_value = "3", value_parser = age)]
+    #[arg(long, value_name = "SECONDS", default_value = "3", value_parser = age, allow_negative_numbers = true)]
     from: f64,
     /// Draws only this part of the film: from the first of these numbers on, without the second.
     #[arg(long, value_name = "A..B", value_parser = frames)]
@@ -62,10 +62,10 @@ pub struct Film {
     #[arg(long, value_name = "W×H", default_value = "512x512", value_parser = size)]
     size: [u32; 2],
     /// Draws so many pixels for one along each side, and takes the mean of their light.
-    #[arg(long, value_name = "1..4", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=4))]
+    #[arg(long, value_name = "1..4", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=4), allow_negative_numbers = true)]
     supersample: u32,
     /// Draws so many moments for a picture, half of the time between two, and takes the mean of their light.
-    #[arg(long, value_name = "1..16", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=16))]
+    #[arg(long, value_name = "1..16", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=16), allow_negative_numbers = true)]
     motion_blur: u32,
     /// The end goes over into the beginning: films of 1 to 10 seconds.
     #[arg(long = "loop", conflicts_with_all = ["motion_blur", "once"])]
@@ -76,9 +76,9 @@ pub struct Film {
     /// Colours are exact in WebP and WebM, whose files are some four times as large.
     #[arg(long)]
     lossless: bool,
-    /// What is behind the fire: #rrggbb, or transparent [default: that of the scene].
-    #[arg(long, value_name = "COLOUR")]
-    background: Option<String>,
+    /// What is behind the fire: #rrggbb, black, white or transparent [default: that of the scene].
+    #[arg(long, value_name = "COLOUR", value_parser = background)]
+    background: Option<(String, Colour)>,
     #[command(flatten)]
     fire: FireOptions,
     #[command(flatten)]
@@ -98,7 +98,7 @@ impl Film {
     pub fn run(&self) -> Result<(), Error> {
         let background = self.background.iter();
         let background: Vec<_> = background
-            .map(|colour| ("background".to_owned(), colour.clone()))
+            .map(|(_, colour)| ("background".to_owned(), colour.to_string()))
             .collect();
         let settings = self.fire.settings(&self.scene, &background)?;
         let format = self.format()?;
@@ -128,7 +128,7 @@ impl Film {
         }
         let mut fire = fire();
         let progress = Progress::new(self.from + self.fps.time(part.end));
-        progress.name(&scene::label(&self.scene));
+        progress.name(&shown(&self.scene));
         let mut counter = Counter::new(&progress);
         for number in 0..part.end {
             let is_kept = number >= part.start;
@@ -167,7 +167,7 @@ impl Film {
         let life = f64::from(fire.simulation().parameters().ember_life_max);
         let lived = film.searched() + (life / self.fps.time(1)).ceil() as u32;
         let progress = Progress::new(time(lived) + time(film.searched()));
-        progress.name(&scene::label(&self.scene));
+        progress.name(&shown(&self.scene));
         let mut counter = Counter::new(&progress);
         let (mut seen, mut embers) = (Vec::new(), Vec::new());
         for number in 0..lived {
@@ -217,14 +217,13 @@ impl Film {
     /// The format that is stated, or that of the name.
     fn format(&self) -> Result<Format, Error> {
         let of_name = (self.out != "-")
-            .then(|| Format::of_name(&self.out))
+            .then(|| Format::of_name(&self.out.to_string_lossy()))
             .flatten();
         self.film_format.or(of_name).ok_or_else(|| {
-            let words = match self.out == "-" {
-                true => "standard output needs a format, as --as rgba".to_owned(),
-                false => format!(
-                    "{}: a film ends with .zip, .png, .apng, .webp, .gif, .webm, .mp4 or .rgba, or it is a folder; --as states another format",
-                    shown(&self.out)
+            let words = match &*shown(&self.out) {
+                "-" => "standard output needs a format, as --as rgba".to_owned(),
+                name => format!(
+                    "{name}: a film ends with .zip, .png, .apng, .webp, .gif, .webm, .mp4 or .rgba, or it is a folder; --as states another format"
                 ),
             };
             Error::Use(words)

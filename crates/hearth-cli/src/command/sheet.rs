@@ -94,14 +94,8 @@ impl Sheet {
         let of_scene = moments.len() as u64 * self.background.len() as u64;
         let layout = Layout::new(self, of_scene, scenes.len() as u64 * of_scene)?;
         let output = Output::of_png(&self.out, self.force)?;
-        need_memory(
-            2 * layout
-                .size
-                .map(|side| side as usize)
-                .iter()
-                .product::<usize>()
-                * 3,
-        )?;
+        let [width, height] = layout.size.map(|side| side as usize);
+        need_memory(2 * 3 * width * height)?;
         // Every scene is checked before the first burns.
         let checked = scenes.iter().map(|scene| self.fire.settings(scene, &[]));
         let settings = checked.collect::<Result<Vec<_>, _>>()?;

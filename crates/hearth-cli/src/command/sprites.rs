@@ -1,6 +1,6 @@
 //! `hearth sprites`: a sheet of pictures for game engines.
 
-use std::ffi::{OsStr, OsString};
+use std::ffi::OsString;
 use std::path::Path;
 
 use clap::Args;
@@ -8,7 +8,7 @@ use clap::Args;
 use super::film::rate;
 use super::options::{DriverOptions, FireOptions, age, named, size};
 use super::progress::{Counter, Progress};
-use crate::error::{Error, shown};
+use crate::error::Error;
 use crate::film::Rate;
 use crate::output::Output;
 use crate::painter::Painter;
@@ -30,7 +30,7 @@ pub struct Sprites {
     scene: OsString,
     /// The new PNG file; further sheets and the atlas stand beside it.
     #[arg(long, short, value_name = "FILE.png")]
-    out: OsString,
+    out: String,
     /// Replaces existing files.
     #[arg(long)]
     force: bool,
@@ -44,25 +44,25 @@ pub struct Sprites {
     #[arg(long)]
     grid_in_name: bool,
     /// Number of tiles.
-    #[arg(long, value_name = "N", default_value = "32", value_parser = clap::value_parser!(u32).range(1..=MAX_TILES))]
+    #[arg(long, value_name = "N", default_value = "32", value_parser = clap::value_parser!(u32).range(1..=MAX_TILES), allow_negative_numbers = true)]
     count: u32,
     /// Tiles in a row.
-    #[arg(long, value_name = "N", default_value = "8", value_parser = clap::value_parser!(u32).range(1..=MAX_TILES))]
+    #[arg(long, value_name = "N", default_value = "8", value_parser = clap::value_parser!(u32).range(1..=MAX_TILES), allow_negative_numbers = true)]
     columns: u32,
     /// Pictures a second, as 30, 29.97 or 30000/1001.
-    #[arg(long, value_name = "RATE", default_value = "30", value_parser = rate)]
+    #[arg(long, value_name = "RATE", default_value = "30", value_parser = rate, allow_negative_numbers = true)]
     fps: Rate,
     /// Age of the fire in seconds at the first picture.
-    #[arg(long, value_name = "SECONDS", default_value = "3", value_parser = age)]
+    #[arg(long, value_name = "SECONDS", default_value = "3", value_parser = age, allow_negative_numbers = true)]
     from: f64,
     /// Width and height of a tile in pixels.
     #[arg(long, value_name = "W×H", default_value = "128x128", value_parser = size)]
     tile: [u32; 2],
     /// Draws so many pixels for one along each side, and takes the mean of their light.
-    #[arg(long, value_name = "1..4", default_value = "2", value_parser = clap::value_parser!(u32).range(1..=4))]
+    #[arg(long, value_name = "1..4", default_value = "2", value_parser = clap::value_parser!(u32).range(1..=4), allow_negative_numbers = true)]
     supersample: u32,
     /// Transparent pixels around each tile.
-    #[arg(long, value_name = "PIXELS", default_value = "1", value_parser = clap::value_parser!(u32).range(0..=64))]
+    #[arg(long, value_name = "PIXELS", default_value = "1", value_parser = clap::value_parser!(u32).range(0..=64), allow_negative_numbers = true)]
     gutter: u32,
     /// Cuts off what is transparent in all tiles.
     #[arg(long)]
@@ -141,12 +141,13 @@ impl Sprites {
     /// # Errors
     /// A value is refused, or the driver or the disk fails.
     pub fn run(&self) -> Result<(), Error> {
-        let path = Path::new(&self.out);
-        if path.extension() != Some(OsStr::new("png")) {
-            let name = shown(&self.out);
-            return Err(Error::Use(format!("{name}: a sheet ends with .png")));
-        }
-        let stem = path.with_extension("");
+        let Some(stem) = self
+            .out
+            .strip_suffix(".png")
+            .filter(|stem| !stem.is_empty())
+        else {
+            return Err(Error::Use(format!("{}: a sheet ends with .png", self.out)));
+        };
         let mut grid = Grid {
             count: self.count,
             columns: self.columns.min(self.count),
@@ -166,7 +167,7 @@ impl Sprites {
             .iter()
             .enumerate()
             .map(|(at, layer)| {
-                let name = self.file(&stem, (at > 0).then_some(layer.name()), &grid, "png");
+                let name = self.file(stem, (at > 0).then_some(layer.name()), &grid, "png");
                 Output::new(&name, self.force).map(|output| (*layer, output))
             })
             .collect::<Result<_, _>>()?;
@@ -175,7 +176,7 @@ impl Sprites {
                 Atlas::Json => "json",
                 Atlas::Tres => "tres",
             };
-            let name = self.file(&stem, None, &grid, ending);
+            let name = self.file(stem, None, &grid, ending);
             Output::new(&name, self.force).map(|output| (atlas, output))
         });
         let atlas = atlas.transpose()?;
@@ -210,14 +211,14 @@ impl Sprites {
             output.write(&png_of_rgba(size, &sheet(&grid, &tiles)?)?)?;
         }
         if let Some((atlas, output)) = atlas {
-            let image = self.file(&stem, None, &grid, "png");
-            let name = |path: &Path| {
-                let file = path.file_name();
+            let image = self.file(stem, None, &grid, "png");
+            let name = |path: &str| {
+                let file = Path::new(path).file_name();
                 file.map_or(String::new(), |file| file.to_string_lossy().into_owned())
             };
             let description = Description {
-                image: &name(Path::new(&image)),
-                name: &name(&stem),
+                image: &name(&image),
+                name: &name(stem),
                 grid,
                 size,
                 rate: self.fps,
@@ -241,16 +242,13 @@ impl Sprites {
     }
 
     /// The name of a file beside that of `--out`.
-    fn file(&self, stem: &Path, layer: Option<&str>, grid: &Grid, ending: &str) -> OsString {
-        let mut name = stem.as_os_str().to_owned();
-        if let Some(layer) = layer {
-            name.push(format!("-{layer}"));
-        }
-        if self.grid_in_name {
-            name.push(format!("_{}x{}", grid.columns, grid.rows()));
-        }
-        name.push(format!(".{ending}"));
-        name
+    fn file(&self, stem: &str, layer: Option<&str>, grid: &Grid, ending: &str) -> String {
+        let layer = layer.map(|layer| format!("-{layer}")).unwrap_or_default();
+        let tiles = match self.grid_in_name {
+            true => format!("_{}x{}", grid.columns, grid.rows()),
+            false => String::new(),
+        };
+        format!("{stem}{layer}{tiles}.{ending}")
     }
 
     /// The bytes of a tile.

@@ -43,7 +43,7 @@ impl Folder {
 
     fn output(&self, number: u32) -> Result<Output, Error> {
         let path = self.path.join(name(number));
-        Output::new(path.as_os_str(), self.replace)
+        Output::new(&path, self.replace)
     }
 }
 

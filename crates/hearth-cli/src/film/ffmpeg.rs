@@ -1,9 +1,8 @@
 //! WebM and MP4, by the program `ffmpeg`. It reads pictures from its standard input and writes one file.
 
-use std::ffi::OsString;
 use std::fs;
 use std::io::{Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Child, ChildStderr, ChildStdin, Command, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -42,7 +41,7 @@ pub struct Ffmpeg {
 }
 
 /// The arguments: a list, which no shell reads.
-fn arguments(format: Format, header: Header, part: &Path) -> Vec<OsString> {
+fn arguments(format: Format, header: Header, part: &str) -> Vec<String> {
     let [width, height] = header.size;
     let rate = format!("{}/{}", header.rate.pictures, header.rate.seconds);
     let size = format!("{width}x{height}");
@@ -59,12 +58,11 @@ fn arguments(format: Format, header: Header, part: &Path) -> Vec<OsString> {
     // The same pictures give the same bytes, and the file contains no version and no time.
     let exact = "-colorspace bt709 -color_primaries bt709 -color_trc bt709 -threads 1 -fflags +bitexact \
                  -flags:v +bitexact -map_metadata -1";
-    let mut file = OsString::from("file:");
-    file.push(part);
+    let file = format!("file:{part}");
     let all = [&*input, codec, exact]
         .into_iter()
         .flat_map(str::split_whitespace);
-    all.map(OsString::from).chain([file]).collect()
+    all.map(str::to_owned).chain([file]).collect()
 }
 
 impl Ffmpeg {
@@ -82,7 +80,7 @@ impl Ffmpeg {
             )));
         }
         let mut child = Command::new(PROGRAM)
-            .args(arguments(format, header, &part))
+            .args(arguments(format, header, &part.to_string_lossy()))
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
             .stderr(Stdio::piped())

@@ -7,6 +7,7 @@
  * of its own fire the panel has a position of its own and can be folded.
  */
 
+import { element } from './element/controls/icon-button.js';
 import { mountAccessibleControls } from './panel/accessible-controls.js';
 import { PanelController } from './panel/controller.js';
 import { addFold } from './panel/fold.js';
@@ -105,6 +106,8 @@ export async function mountPanel(options) {
   let stage;
   /** @type {HTMLCanvasElement | undefined} */
   let canvas;
+  /** Why there is no panel. @type {HTMLElement | undefined} */
+  let message;
   /** Ends each part of the panel, the last one first. @type {(() => void)[]} */
   const ends = [];
 
@@ -208,18 +211,17 @@ export async function mountPanel(options) {
 
   /** Shows a message and the accessible controls. @param {string} reason */
   function warn(reason) {
-    if (host.querySelector('.hearth-panel-message')) return;
-    const message = document.createElement('p');
-    message.className = 'hearth-panel-message';
-    message.setAttribute('role', 'alert');
-    message.textContent = `The panel cannot be shown: ${reason}. These plain controls replace it.`;
-    host.prepend(message);
-    atEnd(() => message.remove());
-    accessible.show();
+    const again = element('button', { type: 'button' }, 'Try again');
+    again.addEventListener('click', start);
+    const words = `The panel cannot be shown: ${reason}. These plain controls replace it. `;
+    message = element('p', { class: 'hearth-panel-message', role: 'alert' }, words, again);
+    accessible.show(true, message);
   }
 
   async function start() {
     if (ended || plain.matches) return;
+    message?.remove();
+    accessible.show(false);
     stage = document.createElement('div');
     stage.className = 'hearth-panel-stage';
     const target = document.createElement('canvas');

@@ -6,7 +6,7 @@
 
 import { element } from './element/controls/icon-button.js';
 import { editingOf, isOn } from './editing/editing.js';
-import { historyKey } from './editing/keys.js';
+import { historyKey, keyOf } from './editing/keys.js';
 import { objectsOf } from './editing/objects.js';
 import { addStyle, check, optionsOf } from './editing/style.js';
 import { bindSpeaker } from './sound/speaker.js';
@@ -206,8 +206,11 @@ class Toolbar {
     this.#editing.watch(() => this.#update(), signal);
     for (const name of ['objects-change', 'params-change', 'ready']) on(this.#fire, name, () => this.#updateSoon());
     this.#follow(signal);
-    const sizes = new ResizeObserver(() => this.#update());
-    sizes.observe(this.#fire);
+    const sizes = new ResizeObserver(() => {
+      this.#place(getComputedStyle(this.#bar.element).display === 'flex' ? 'row' : 'column');
+      this.#update();
+    });
+    for (const sized of [this.#fire, this.#host]) sizes.observe(sized);
     const view = new MutationObserver(() => this.#update());
     view.observe(this.#fire, { attributeFilter: ['zoom', 'pan', 'fit', 'align'] });
     signal.addEventListener('abort', () => {
@@ -226,6 +229,12 @@ class Toolbar {
     for (const element of [this.#overlay.element, this.#bar.element, this.#bar.align, this.#status]) element.remove();
     this.#inserts.close();
     this.#instruments.remove();
+    this.#place('');
+  }
+
+  /** Tells the fire where the bar lies: what else is over the fire makes room. @param {string} where */
+  #place(where) {
+    this.#fire.shadowRoot?.querySelector('.root')?.setAttribute('data-tools', where);
   }
 
   /** @type {(name: string, announces?: boolean) => void} */
@@ -335,7 +344,8 @@ class Toolbar {
 
   /** @type {(event: KeyboardEvent, onLayer: boolean) => (() => void) | undefined} */
   #actionOf(event, onLayer) {
-    const { key, shiftKey } = event;
+    const { shiftKey } = event;
+    const key = keyOf(event);
     const { id: last } = this.#editing;
     const all = this.#selected;
     const selected = all.find(({ id }) => id === last);
@@ -343,11 +353,11 @@ class Toolbar {
     const move = historyKey(event);
     if (move) return () => this.#edits.attempt(() => this.#editing[move]());
     if (event.ctrlKey || event.metaKey) {
-      return key.toLowerCase() === 'd' && selected ? () => this.#edits.duplicate() : undefined;
+      return key === 'd' && selected ? () => this.#edits.duplicate() : undefined;
     }
-    const tool = TOOLS.find((candidate) => candidate.key === key.toLowerCase());
+    const tool = TOOLS.find((candidate) => candidate.key === key);
     if (tool) return () => this.#choose(tool.name);
-    if (key.toLowerCase() === 'g') return () => this.#instruments.plot();
+    if (key === 'g') return () => this.#instruments.plot();
     if (key === 'Escape') return () => this.#escape();
     if (key === 'Delete' || key === 'Backspace') return selected && (() => this.#edits.remove());
     const arrow = ARROWS[key];

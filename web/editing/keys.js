@@ -10,10 +10,27 @@ const TEXTLESS = ['range', 'checkbox', 'radio', 'button', 'submit', 'reset', 'co
 /** Elements that the space key presses. */
 const PRESSED = 'button, summary, a[href], input[type=checkbox], input[type=radio], input[type=button]';
 
+/** Letters and digits of scripts without the letters of shortcuts; a Hebrew keyboard has an apostrophe for the W. */
+const OTHER_SCRIPT = /^(?:[^\p{Script=Latin}\P{L}]|\p{M}|[^0-9\P{Nd}])/u;
+
+/** What keys type on a keyboard for English, by their codes. @type {{[code: string]: string}} */
+const ENGLISH = { BracketLeft: '[', BracketRight: ']', Slash: '/' };
+
+/**
+ * The key of a shortcut: a letter is small. Where a key types no Latin letter, its place on the keyboard counts.
+ * @param {{key: string, code?: string}} event
+ */
+export function keyOf({ key, code = '' }) {
+  if (OTHER_SCRIPT.test(key) || (key === "'" && code === 'KeyW'))
+    return ENGLISH[code] ?? /^(?:Key|Digit)(.)$/.exec(code)?.[1].toLowerCase() ?? key;
+  return key.length === 1 ? key.toLowerCase() : key;
+}
+
 /** What a key does to the history. @type {(event: KeyboardEvent) => 'undo' | 'redo' | undefined} */
-export function historyKey({ key, ctrlKey, metaKey, shiftKey, altKey }) {
+export function historyKey(event) {
+  const { ctrlKey, metaKey, shiftKey, altKey } = event;
   if (altKey || !(ctrlKey || metaKey)) return undefined;
-  const letter = key.toLowerCase();
+  const letter = keyOf(event);
   if (letter === 'y') return 'redo';
   return letter === 'z' ? (shiftKey ? 'redo' : 'undo') : undefined;
 }

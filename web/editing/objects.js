@@ -12,7 +12,7 @@ import { PARAMETERS } from '../generated/table.js';
  * @typedef {import('../parameters.js').ParameterDomain} Domain
  * @typedef {'source' | 'solid'} Kind
  * @typedef {Pick<HearthFire, 'objects' | 'params'> & Partial<Pick<HearthFire, 'toMetres' | 'clientWidth' |
- *   'clientHeight'>>} Fire
+ *   'clientHeight' | 'shadowRoot' | 'getBoundingClientRect'>>} Fire
  *   an element or anything with its API
  * @typedef {{id: number, kind: Kind, [name: string]: any}} Fields  An object, by the names of its fields.
  *
@@ -203,11 +203,28 @@ function freePosition(fire, fields, anchor) {
   return { x: anchor.x, y: rounded(Math.min(seen.top, lowest + 2 * radius)) };
 }
 
+/**
+ * The box of the picture in its fire [px]: a panel inside the fire takes a part of that.
+ * @param {Fire} fire
+ */
+export function pictureOf(fire) {
+  const inner = fire.shadowRoot?.querySelector('[part=canvas]')?.getBoundingClientRect();
+  const outer = fire.getBoundingClientRect?.();
+  if (!inner || !outer) return { left: 0, right: fire.clientWidth ?? 0, top: 0, bottom: fire.clientHeight ?? 0 };
+  return {
+    left: inner.left - outer.left,
+    right: inner.right - outer.left,
+    top: inner.top - outer.top,
+    bottom: inner.bottom - outer.top,
+  };
+}
+
 /** The part of the domain that the element shows [m]. @param {Fire} fire */
 function seenOf(fire) {
   const { domain_width: width, domain_height: height } = fire.params;
-  const lower = fire.toMetres?.(0, fire.clientHeight ?? 0);
-  const upper = fire.toMetres?.(fire.clientWidth ?? 0, 0);
+  const { left, right, top, bottom } = pictureOf(fire);
+  const lower = fire.toMetres?.(left, bottom);
+  const upper = fire.toMetres?.(right, top);
   return {
     left: Math.max(-width / 2, lower?.x ?? -Infinity),
     right: Math.min(width / 2, upper?.x ?? Infinity),

@@ -4,7 +4,7 @@
  */
 
 import { recall, remember } from './memory.js';
-import { hasNoDialog, historyKey, isTaken, shortcutsOff } from '../editing/keys.js';
+import { hasNoDialog, historyKey, isTaken, keyOf, shortcutsOff } from '../editing/keys.js';
 
 /** The screens on which the panel stands beside the fire and opens by itself. */
 const WIDE = '(width >= 720px) and (height >= 480px)';
@@ -89,7 +89,8 @@ export class PagePanel {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    const { key, ctrlKey, metaKey, altKey, shiftKey, repeat } = event;
+    const { ctrlKey, metaKey, altKey, shiftKey, repeat } = event;
+    const key = keyOf(event);
     if (event.defaultPrevented || isTaken(event)) return;
     const [target, ...around] = event.composedPath();
     const move = historyKey(event);
@@ -104,13 +105,13 @@ export class PagePanel {
       [document.body, this.#root, this.#toggle].some((element) => element === target) ||
       [this.#host, this.#fire].some((element) => around.includes(element) || element === target);
     if (!near || shortcutsOff(this.#host, this.#fire)) return;
-    if (key.toLowerCase() === 'h') this.#choose(!this.#shown);
+    if (key === 'h') this.#choose(!this.#shown);
     // The panel shows their cards and its search.
-    const shows = ['s', '?', '/'].includes(key.toLowerCase()) && (!shiftKey || key === '?' || key === '/');
+    const shows = ['s', '?', '/'].includes(key) && (!shiftKey || key === '?' || key === '/');
     if (shows && !this.#shown) this.#choose(true);
     // The panel handles the other keys once it is loaded.
     if (this.#hasKeys) return;
-    if (shows || '+=-0r'.includes(key.toLowerCase())) {
+    if (shows || '+=-0r'.includes(key)) {
       event.preventDefault();
       // The target may be gone by then.
       this.#load().then(() => {

@@ -36,7 +36,8 @@ const DEFAULT_MODEL = /** @type {ModelName} */ (PARAMETERS.find(({ id }) => id =
  * @typedef {object} AccessibleControls
  * @property {(rectangles: Record<string, number[]>, canvas: DOMRect, scale: number) => void} position
  *   notes where the panel shows its controls, by name
- * @property {(alone?: boolean) => void} show makes the controls visible in place of the panel
+ * @property {(alone?: boolean, message?: HTMLElement) => void} show makes the controls visible in place of the panel,
+ *   below a message
  * @property {() => void} destroy
  */
 
@@ -268,8 +269,9 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
         else if (element.dataset.rect !== text) element.dataset.rect = text;
       }
     },
-    show(alone = true) {
+    show(alone = true, message) {
       root.classList.toggle('alone', alone);
+      if (message) root.prepend(message);
     },
     destroy() {
       for (const [name, listener] of Object.entries(listeners)) fire.removeEventListener(name, listener);

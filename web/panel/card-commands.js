@@ -6,6 +6,7 @@ import { askForSettings, offerFile, showKeys, showText } from './cards.js';
 import { download, saveSettings } from '../editing/download.js';
 import { editingOf } from '../editing/editing.js';
 import { COPIES, isSettings, settingsOf, shownAs, textOf, urlBesideModule } from '../editing/exchange.js';
+import { pictureOf } from '../editing/objects.js';
 import { ownScenesOf } from './own-scenes.js';
 import { askForPicture } from './picture-card.js';
 import { Report } from './report.js';
@@ -170,7 +171,8 @@ export class CardCommands extends EventTarget {
     }
     const save = async (/** @type {{scale: number, background: string}} */ { scale, background }) => {
       // A fire of low quality is drawn with fewer pixels than its place on the screen has.
-      const width = scale * Math.round(this.#fire.offsetWidth * devicePixelRatio);
+      const { left, right } = pictureOf(this.#fire);
+      const width = scale * Math.round((right - left) * devicePixelRatio);
       download(await this.#fire.toBlob({ width, background }), 'hearth.png');
       this.notify('picture', `Saved an image, ${width} pixels wide`);
     };

@@ -6,7 +6,7 @@
  * root element.
  */
 
-import { hasNoDialog, historyKey, isTaken, shortcutsOff } from '../editing/keys.js';
+import { hasNoDialog, historyKey, isTaken, keyOf, shortcutsOff } from '../editing/keys.js';
 
 /** The names of the keys, and their effects. @type {[string[], string][]} */
 export const KEYS = [
@@ -53,14 +53,14 @@ export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
   );
   /** @param {KeyboardEvent} event */
   const actionOf = (event) => {
-    const key = event.key.toLowerCase();
+    const key = keyOf(event);
     const command = event.ctrlKey || event.metaKey;
     if (event.altKey || event.isComposing) return undefined;
     const move = historyKey(event);
     if (move) return () => controller[move]();
     if (command && key === 'c' && !event.shiftKey) return controller.copyHovered;
     // Tools use some of its keys, and the controls of the panel the arrow keys.
-    const used = event.defaultPrevented || (key.startsWith('arrow') && event.composedPath().includes(own[0]));
+    const used = event.defaultPrevented || (key.startsWith('Arrow') && event.composedPath().includes(own[0]));
     const zooms = command || used ? undefined : zoomKey(fire, event);
     if (zooms) return shortcutsOff(...own) ? undefined : zooms;
     if (command || event.repeat || (event.shiftKey && !['?', '/'].includes(key))) return undefined;

@@ -3,6 +3,8 @@
  * `pan`.
  */
 
+import { keyOf } from '../editing/keys.js';
+
 /** How much a key enlarges, the most of it, and how far an arrow key moves, in pictures. */
 const STEP = 1.25;
 const MOST = 10;
@@ -20,8 +22,8 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], Arr
  * @param {KeyboardEvent} event without Ctrl and Alt
  * @returns {(() => void) | undefined}
  */
-export function zoomKey(fire, { key, shiftKey }) {
-  const { zoom } = fire;
+export function zoomKey(fire, event) {
+  const [key, { shiftKey }, { zoom }] = [keyOf(event), event, fire];
   if (shiftKey && Object.hasOwn(ARROWS, key)) {
     // A share of what is hidden: a picture that is not enlarged hides nothing.
     return zoom > 1

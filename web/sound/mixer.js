@@ -21,12 +21,23 @@ const GESTURES = ['pointerup', 'keydown', 'click'];
 /** @type {Mixer | undefined} */
 let present;
 
+/** Whether this page has warned that its fires are silent. */
+let warned = false;
+
+/** Warns once that the fires of this page are silent. @param {string} why */
+export function warnOfSilence(why) {
+  if (!warned) console.warn(`<hearth-fire>: fires are silent: ${why}`);
+  warned = true;
+}
+
 /** The mix of one page. */
 class Mixer {
   /** @type {AudioContext | undefined} */
   context;
   /** What all fires sound into. @type {AudioNode | undefined} */
   input;
+  /** Whether the browser has refused a context. */
+  refused = false;
   /** @type {Set<Member>} */
   #members = new Set();
   #gestures = new AbortController();
@@ -56,7 +67,7 @@ class Mixer {
     this.#members.delete(member);
     if (this.#members.size > 0) return;
     this.#gestures.abort();
-    this.context?.close();
+    this.context?.close().catch(() => {});
     if (present === this) present = undefined;
   }
 
@@ -72,8 +83,20 @@ class Mixer {
   #resume() {
     if (document.hidden || this.runs) return;
     if (navigator.userActivation?.hasBeenActive === false) return;
-    this.context ??= this.#start();
-    this.context.resume().catch(() => {});
+    try {
+      this.context ??= this.#start();
+      this.refused = false;
+    } catch (why) {
+      // A page has too many contexts, for instance. The next gesture tries again.
+      this.refused = true;
+      warnOfSilence(/** @type {Error} */ (why).message);
+      this.#tell();
+    }
+    this.context?.resume().catch(() => {});
+  }
+
+  #tell() {
+    for (const member of this.#members) member.changed();
   }
 
   #start() {
@@ -88,7 +111,9 @@ class Mixer {
     compressor.connect(limiter).connect(context.destination);
     this.input = compressor;
     context.addEventListener('statechange', () => {
-      for (const member of this.#members) member.changed();
+      // The page or the browser has closed it: the next gesture makes another.
+      if (context.state === 'closed') this.context = this.input = undefined;
+      this.#tell();
     });
     return context;
   }

@@ -3,7 +3,7 @@
  * with the first `sound` above 0.
  */
 
-import { fade, mixer } from './mixer.js';
+import { fade, mixer, warnOfSilence } from './mixer.js';
 import { FADE_TIME, STEP_NUMBERS, Synthesis } from './synthesis.js';
 
 /** Samples that wait, at most and usually [s]. */
@@ -17,9 +17,6 @@ const NEWEST = 0.1;
 const LONGEST_FRAME = 0.1;
 /** How long before the end of the samples a fire that gives none fades [s]. */
 const MARGIN = 0.03;
-
-/** Whether this page has warned that there is no Web Audio. */
-let warned = false;
 
 /** The sound of one element. */
 export class Player {
@@ -74,8 +71,7 @@ export class Player {
     if (live) addEventListener(muted, this.changed);
     else removeEventListener(muted, this.changed);
     if (wanted && !globalThis.AudioContext) {
-      if (!warned) console.warn('<hearth-fire>: this browser has no Web Audio, so that fires are silent.');
-      warned = true;
+      warnOfSilence('this browser has no Web Audio.');
       return;
     }
     clearTimeout(this.#leaves);
@@ -89,6 +85,7 @@ export class Player {
       if (this.audio) fade(this.audio, 0);
       this.#leaves = setTimeout(() => this.#leave(), 1000 * (FADE_TIME + MARGIN));
     }
+    if (this.audio && this.audio.context !== this.#mixer?.context) this.#cut();
     const plays = wanted && Boolean(this.#mixer?.runs);
     if (plays) this.#begin();
     this.#synthesis?.mix(fire.sound, fire.crackle);
@@ -96,7 +93,7 @@ export class Player {
       this.#posts = plays;
       this.#session.send('series', plays);
     }
-    this.#report(plays ? 'playing' : wanted ? 'waiting' : 'silent');
+    this.#report(plays ? 'playing' : wanted && !this.#mixer?.refused ? 'waiting' : 'silent');
   }
 
   /** Connects it to the mix. */
@@ -115,11 +112,17 @@ export class Player {
   }
 
   #leave() {
+    this.#cut();
+    this.#mixer?.remove(this);
+    this.#mixer = undefined;
+  }
+
+  /** Takes it out of the mix, or out of one that is closed. */
+  #cut() {
     clearTimeout(this.#starves);
     this.audio?.disconnect();
-    this.#mixer?.remove(this);
     this.audio = null;
-    this.#mixer = this.#synthesis = this.#recorded = undefined;
+    this.#synthesis = this.#recorded = undefined;
   }
 
   /** @param {'silent' | 'waiting' | 'playing'} state */

@@ -79,11 +79,11 @@ export function speakerControls(fire, className) {
 const STYLES = /* css */ `
 .speaker {
   position: absolute; inset: auto 10px 8px auto; display: grid; place-items: center; inline-size: 44px; block-size: 44px; padding: 0;
-  border: 2px solid #fff; border-radius: 50%; background: rgb(0 0 0 / 0.6); cursor: pointer; pointer-events: auto;
+  border: 2px solid; border-radius: 50%; background: rgb(0 0 0 / 0.6); color: #fff; cursor: pointer; pointer-events: auto;
 }
 .speaker:hover { background: rgb(0 0 0 / 0.8); }
 .speaker:focus-visible { outline: 3px solid #ffb454; outline-offset: 3px; }
-.speaker svg { inline-size: 22px; block-size: 22px; fill: none; stroke: #fff; stroke-width: 2; }
+.speaker svg { inline-size: 22px; block-size: 22px; fill: none; stroke: currentcolor; stroke-width: 2; }
 `;
 
 /** The views that have the styles of the button. */

@@ -44,7 +44,7 @@ const layout = (panel) =>
     };
     return {
       panel: of(root.querySelector('.hearth-panel')),
-      fire: of(root.querySelector('[part="canvas"]')),
+      fire: of(root.querySelector('canvas')),
       button: of(root.querySelector('.hearth-fold')),
     };
   });
@@ -106,6 +106,137 @@ describe('its position', () => {
     assert.equal(await panel.in((root) => root.querySelector('.hearth-fold').ariaExpanded), 'false');
   });
 });
+
+/** Layouts of the panel and of the picture: their styles, and what is done. @type {[string, string, string][]} */
+const LAYOUTS = [
+  ['beside a column', 'width: 900px; height: 500px', ''],
+  ['above a sheet', 'width: 400px; height: 600px', ''],
+  ['above a resized sheet', 'width: 400px; height: 600px', 'resize'],
+  ['with a folded panel', 'width: 900px; height: 500px', 'fold'],
+  ['beside a column from right to left', 'width: 900px; height: 500px; direction: rtl', 'fold'],
+  ['in a page that moves the picture', 'width: 900px; height: 500px', 'move'],
+];
+
+test('points of a fire are those of its picture, whatever the panel and the page do with that', async () => {
+  const tab = await browser.show(
+    `<style>body { margin: 0 } .move::part(canvas) { inset: 40px 20px 90px 30px; scale: 0.8 }</style>
+    <div id="box" style="position: absolute; left: 180px; top: 100px; width: 60px; height: 40px"></div>
+    <hearth-fire controls interactive paused max-pixels="30000" ${sized(900, 500)}><hearth-solid of="#box"></hearth-solid></hearth-fire>`,
+    { width: 920, height: 640 },
+  );
+  await tab.ready();
+  const panel = await new Panel(tab, { inside: true }).mounted();
+  await tab.page.click('hearth-fire >>> .hearth-draw');
+  await panel.until('the tools', (root) => root.querySelector('[data-tool="select"]'));
+  for (const [about, style, does] of LAYOUTS) {
+    await tab.fire(
+      (fire, css, act) => {
+        fire.set('source_x', 0);
+        fire.style.cssText = css;
+        fire.className = act;
+        if (act === 'fold') fire.shadowRoot.querySelector('[aria-label=Controls]').click();
+        const grip = fire.shadowRoot.querySelector('.hearth-grip');
+        if (act === 'resize') grip.dispatchEvent(new KeyboardEvent('keydown', { key: 'PageUp' }));
+      },
+      style,
+      does,
+    );
+    await tab.frames(4);
+    await tab.page.click('hearth-fire >>> [data-tool="stir"]');
+    // Where the picture shows the middle of a source and a box of the page, by the box of the picture alone.
+    const seen = () =>
+      tab.fire((fire) => {
+        const { left, width, bottom, height } = fire.shadowRoot.querySelector('canvas').getBoundingClientRect();
+        const { domain_height: up, source_x: x, source_height: y } = fire.params;
+        const scale = height / up;
+        const box = document.getElementById('box').getBoundingClientRect();
+        const [solid] = fire.objects.filter(({ kind }) => kind === 'solid');
+        const outer = fire.getBoundingClientRect();
+        const said = fire.toPixels(x, y);
+        return {
+          scale,
+          source: [left + width / 2 + x * scale, bottom - y * scale],
+          said: [outer.left + said.x, outer.top + said.y],
+          solid: solid && [left + width / 2 + solid.x * scale, bottom - solid.y * scale],
+          box: [box.left + box.width / 2, box.top + box.height / 2],
+        };
+      });
+    const isNear = ([x, y], [across, down]) => Math.hypot(x - across, y - down) < 1.5;
+    await eventually(`the solid is where the box is, ${about}`, seen, ({ solid, box }) => solid && isNear(solid, box));
+    const { source, said, scale } = await seen();
+    assert.ok(isNear(said, source), `${about}: ${said} for ${source}`);
+    const at = { x: source[0], y: source[1] - 4 };
+    await tab.drag(at, { x: at.x + 30, y: at.y });
+    await tab.until(
+      `a drag moves the source, ${about}`,
+      (wanted) => Math.abs(/** @type {any} */ (document.querySelector('hearth-fire')).params.source_x - wanted) < 0.01,
+      30 / scale,
+    );
+    // A click with the tool selects it, and its outline is there.
+    const [x, y] = (await seen()).source;
+    await tab.page.click('hearth-fire >>> [data-tool="select"]');
+    await tab.click({ x, y });
+    const outline = () =>
+      tab.fire((fire) => {
+        const { left, width, top, height } = fire.shadowRoot.querySelector('.outline').getBoundingClientRect();
+        return [left + width / 2, top + height / 2];
+      });
+    await eventually(`its outline, ${about}`, outline, (found) => isNear(found, [x, y]));
+  }
+  assert.deepEqual(tab.problems, []);
+});
+
+for (const scheme of ['light', 'dark'])
+  test(`with ${scheme} forced colours the plain controls fill the panel, and icons differ from their buttons`, async () => {
+    const tab = await browser.open(`<hearth-fire controls sound="0.5" ${sized(300, 400)}></hearth-fire>`, {
+      width: 700,
+      height: 500,
+      reducedMotion: true,
+    });
+    const client = await tab.page.createCDPSession();
+    const features = { 'forced-colors': 'active', 'prefers-color-scheme': scheme, 'prefers-reduced-motion': 'reduce' };
+    await client.send('Emulation.setEmulatedMedia', {
+      features: Object.entries(features).map(([name, value]) => ({ name, value })),
+    });
+    await tab.ready();
+    const panel = new Panel(tab, { inside: true });
+    for (const [width, height] of [
+      [300, 400],
+      [560, 640],
+      [640, 500],
+    ]) {
+      await tab.fire((fire, w, h) => (fire.style.cssText = `width: ${w}px; height: ${h}px`), width, height);
+      await panel.until(
+        `the controls fill the panel of ${width} × ${height}, and its buttons are over the fire`,
+        (root) => {
+          const box = (name) => root.querySelector(name)?.getBoundingClientRect();
+          const [list, sheet, outer] = [
+            box('.hearth-controls.alone'),
+            box('.hearth-inside'),
+            root.host.getBoundingClientRect(),
+          ];
+          const buttons = [...root.querySelectorAll('.hearth-fold')].map((button) => button.getBoundingClientRect());
+          return (
+            list?.height > 0.85 * sheet?.height &&
+            buttons.length === 3 &&
+            buttons.every(({ left, right, top }) => left >= outer.left && right <= outer.right && top >= outer.top)
+          );
+        },
+      );
+    }
+    const icons = await panel.in((root) =>
+      [...root.querySelectorAll('.play, .hearth-fold')].map((button) => {
+        const channels = (colour) => colour.match(/\d+/g).slice(0, 3).map(Number);
+        const icon = getComputedStyle(button.querySelector('svg'));
+        const [ink, ground] = [
+          icon.fill === 'none' ? icon.stroke : icon.fill,
+          getComputedStyle(button).backgroundColor,
+        ];
+        return Math.abs(channels(ink)[1] - channels(ground)[1]);
+      }),
+    );
+    assert.ok(icons.length === 4 && icons.every((contrast) => contrast > 100), `${icons}`);
+  });
 
 describe('under pointer and keys', () => {
   test('the wheel scrolls the panel over the panel, and the page elsewhere', async () => {

@@ -98,7 +98,10 @@ export class PagePolicies {
         .loads(import('../view/scale.js'), 'The colour bar')
         .then(({ Scale }) => new Scale(this.#view));
     }
-    (await this.#scale?.catch(() => undefined))?.show(mode, range);
+    const scale = await this.#scale?.catch(() => undefined);
+    // The next quantity loads it again.
+    if (!scale && !range) this.#scale = undefined;
+    scale?.show(mode, range);
   }
 
   /**

@@ -8,13 +8,16 @@ import { iconButton } from './icon-button.js';
 const STYLES = /* css */ `
 .play {
   position: absolute; inset: 50% auto auto 50%; display: grid; place-items: center; inline-size: 64px; block-size: 64px; padding: 0;
-  border: 2px solid #fff; border-radius: 50%; background: rgb(0 0 0 / 0.6); translate: -50% -50%; cursor: pointer; pointer-events: auto;
+  border: 2px solid; border-radius: 50%; background: rgb(0 0 0 / 0.6); color: #fff; translate: -50% -50%; cursor: pointer; pointer-events: auto;
 }
 .play[hidden] { display: none; }
-.play[data-does='pause'] { inset: auto auto 8px 10px; inline-size: 44px; block-size: 44px; translate: none; }
+.play[data-does='pause'], .root[data-tools='row'] > .play {
+  inset: auto auto 8px 10px; inline-size: 44px; block-size: 44px; translate: none;
+}
+.root[data-tools='column'] > .play[data-does='pause'] { left: calc(154px + 2 * max(12px, env(safe-area-inset-left))); }
 .play:hover { background: rgb(0 0 0 / 0.8); }
 .play:focus-visible { outline: 3px solid #ffb454; outline-offset: 3px; }
-.play svg { inline-size: 28px; block-size: 28px; fill: #fff; translate: 2px 0; }
+.play svg { inline-size: 28px; block-size: 28px; fill: currentcolor; translate: 2px 0; }
 .play[data-does='pause'] svg { inline-size: 20px; block-size: 20px; translate: none; }
 `;
 

@@ -9,6 +9,11 @@
 import { postable } from '../plain-data.js';
 import { quiet } from '../promises.js';
 
+/** The names of what can fail, in warnings. */
+const CHILDREN = 'The code for children';
+const HOOKS = 'The code for style hooks';
+const SOUND = 'The code for sound';
+
 /** The code of one session. */
 export class OnDemandCode {
   #session;
@@ -23,6 +28,8 @@ export class OnDemandCode {
   #player;
   /** What is loaded or loading, by its name. @type {Map<string, Promise<void>>} */
   #loading = new Map();
+  /** The code that has failed, which has warned. @type {Set<string>} */
+  #failed = new Set();
   /** The calls since the first transition. @type {import('./transition.js').Calls | undefined} */
   #calls;
 
@@ -32,7 +39,7 @@ export class OnDemandCode {
   }
 
   /**
-   * Loads code once and does something with it. Without it the fire burns on.
+   * Loads code once and does something with it. Without it the fire burns on, and the next call loads it again.
    * @template T
    * @param {string} what its name in the warning if it does not arrive
    * @param {() => Promise<T>} load
@@ -42,8 +49,21 @@ export class OnDemandCode {
     if (this.#loading.has(what)) return;
     this.#loading.set(
       what,
-      this.#session.reports.loads(load(), what).then(use, () => {}),
+      this.#session.reports.loads(load(), what).then(
+        (code) => this.#use(what, () => use(code)),
+        () => void this.#loading.delete(what),
+      ),
     );
+  }
+
+  /** Uses code without which the fire burns: its first failure is a warning. @type {(what: string, act: () => void) => void} */
+  #use(what, act) {
+    try {
+      act();
+    } catch (why) {
+      if (!this.#failed.has(what)) this.#session.reports.warn('load', `${what} has failed: ${why}`);
+      this.#failed.add(what);
+    }
   }
 
   /** Records a call for the transitions. @type {(call: Call, answer: Promise<unknown>) => void} */
@@ -91,13 +111,12 @@ export class OnDemandCode {
         () => {},
       );
     }
-    const what = 'The code for children';
     if (begins && fire.querySelector('hearth-source,hearth-solid')) {
       const load = () => import('../children/children.js');
-      this.#once(what, load, ({ Children }) => (this.#children = new Children(this.#session)));
+      this.#once(CHILDREN, load, ({ Children }) => (this.#children = new Children(this.#session)));
     }
-    await this.#loading.get(what);
-    this.#children?.update();
+    await this.#loading.get(CHILDREN);
+    this.#use(CHILDREN, () => this.#children?.update());
   }
 
   /** Whether the code of children is loaded. */
@@ -107,12 +126,12 @@ export class OnDemandCode {
 
   /** Sends the children before a call of the page, if they have changed. */
   sendChildren() {
-    this.#children?.send();
+    this.#use(CHILDREN, () => this.#children?.send());
   }
 
   /** Passes a report of the engine to the children. @param {Message} message */
   reportToChildren(message) {
-    this.#children?.report(message);
+    this.#use(CHILDREN, () => this.#children?.report(message));
   }
 
   /**
@@ -128,12 +147,12 @@ export class OnDemandCode {
     const { fire, view } = this.#session;
     if (burning) {
       const load = () => import('../view/css-hooks.js');
-      this.#once('The code for style hooks', load, ({ CssHooks }) => {
+      this.#once(HOOKS, load, ({ CssHooks }) => {
         this.#css = new CssHooks(fire, view);
         this.#session.updateBurning();
       });
     }
-    this.#css?.burning(burning);
+    this.#use(HOOKS, () => this.#css?.burning(burning));
   }
 
   /** The sound may be another. Its code is loaded with the first volume above 0. @param {boolean} [renew] */
@@ -141,15 +160,14 @@ export class OnDemandCode {
     const session = this.#session;
     if (session.fire.sound > 0) {
       const load = () => import('../../sound/player.js');
-      this.#once('The code for sound', load, ({ Player }) => (this.#player = new Player(session)));
+      this.#once(SOUND, load, ({ Player }) => (this.#player = new Player(session)));
     }
-    if (renew) this.#player?.renew();
-    else this.#player?.update();
+    this.#use(SOUND, () => (renew ? this.#player?.renew() : this.#player?.update()));
   }
 
   /** Passes the steps of a frame to the sound. @param {Message} message */
   playSeries({ seconds, series }) {
-    this.#player?.receive(seconds, series);
+    this.#use(SOUND, () => this.#player?.receive(seconds, series));
   }
 
   /** The sound, if there is any. */
@@ -162,6 +180,6 @@ export class OnDemandCode {
    * @type {(power?: number, values?: import('../../parameters.js').HearthParameters) => void}
    */
   setLight(power, values) {
-    this.#css?.light(power, values);
+    this.#use(HOOKS, () => this.#css?.light(power, values));
   }
 }

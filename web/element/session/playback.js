@@ -52,7 +52,8 @@ export class Playback {
         .loads(import('../controls/playback-button.js'), 'The playback button')
         .then(({ PlaybackButton }) => new PlaybackButton(this.#session.view, press));
     }
-    (await this.#button?.catch(() => undefined))?.show(action);
+    // The next action loads it again.
+    (await this.#button?.catch(() => (this.#button = undefined)))?.show(action);
   }
 
   /** Whether the fire is paused, and moves at once instead of gradually, for reduced motion. */

@@ -13,6 +13,8 @@ import { refusal } from './requests.js';
 /** The reports of one element. */
 export class Reports {
   #fire;
+  /** The code whose absence has been warned of. @type {Set<string>} */
+  #absent = new Set();
 
   /** @param {import('../../hearth-fire.js').HearthFire} fire */
   constructor(fire) {
@@ -63,14 +65,17 @@ export class Reports {
   }
 
   /**
-   * Warns if code that is loaded on request does not arrive in time.
+   * Warns once if code that is loaded on request does not arrive in time.
    * @template T
    * @param {Promise<T>} loading
    * @param {string} what its name in the warning
    */
   loads(loading, what) {
     const code = timely(loading);
-    code.catch((why) => this.warn('load', `${what} could not be loaded: ${why}`));
+    code.catch((why) => {
+      if (!this.#absent.has(what)) this.warn('load', `${what} could not be loaded: ${why}`);
+      this.#absent.add(what);
+    });
     return code;
   }
 }

@@ -25,17 +25,22 @@ const STYLES = /* css */ `
 .scale span, .scale em { padding-inline-start: 22px; white-space: nowrap; }
 .scale span { position: absolute; left: 0; bottom: calc(var(--at) * 100%); translate: 0 50%; }
 .scale span::before {
-  content: ''; position: absolute; left: 12px; top: calc(50% - 0.5px); inline-size: 5px; block-size: 1px;
-  background: currentcolor; opacity: 0.7;
+  content: ''; position: absolute; left: 12px; top: calc(50% - 0.5px); inline-size: 5px;
+  border-block-start: 1px solid; opacity: 0.7;
 }
 /* The invisible widest label sets the width of the bar: the others are positioned absolutely. */
 .scale em { display: block; block-size: 0; overflow: hidden; visibility: hidden; }
-/* Makes room for the pause button. */
-.root:has(> .play:not([hidden])[data-does='pause']) .scale { bottom: 60px; }
 @container (width < 280px) {
   .scale { left: 8px; bottom: 8px; padding: 6px 9px 9px; font-size: 11px; }
 }
-@container (width < 160px) or (height < 160px) { .scale { display: none; } }
+/* Makes room for the pause button, the buttons at the left, and the tools and their status. */
+:where(.root:has(> .play:not([hidden])[data-does='pause']), .root[data-tools='row']) > * > .scale { bottom: 60px; }
+.root[data-tools='column'] .scale { left: calc(154px + 2 * max(12px, env(safe-area-inset-left))); }
+@container (height < 240px) {
+  .root .scale { left: 64px; bottom: 8px; }
+  .root[data-tools='row'] .scale { display: none; }
+}
+@container (width < 160px) or (height < 160px) or ((width < 360px) and (height < 240px)) { .root .scale { display: none; } }
 `;
 
 /** Labels of the display modes whose name is not their quantity. @type {{[mode: string]: string}} */

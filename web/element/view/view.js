@@ -16,8 +16,11 @@ const STYLES = /* css */ `
 :host([hidden]) { display: none; }
 /* Gives the element a size where its page gives it none: all of a block's width, and 300 px where the content decides. */
 .room { display: grid; grid-template-columns: minmax(80px, 300px); inline-size: 100%; aspect-ratio: 4 / 5; max-block-size: 80vh; }
-canvas, .poster { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; }
-canvas { display: block; }
+/* What lies over the fire is placed in it; the panel takes a part of it. */
+.root, .picture, .poster { position: absolute; inset: 0; }
+/* A row of tools lies below the fire: it must not hide what burns. */
+.root[data-tools='row'] { --hearth-row: calc(62px + max(8px, env(safe-area-inset-bottom))); inset-block-end: var(--hearth-row); }
+canvas { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; }
 .before { pointer-events: none; }
 .poster { display: grid; place-items: center; overflow: hidden; }
 ::slotted([slot='poster']), .poster img { max-inline-size: 100%; max-block-size: 100%; }
@@ -67,13 +70,14 @@ export class FireView {
   #retry = /** @type {HTMLButtonElement} */ (make('button', { part: 'retry', type: 'button' }, 'Try again'));
   #poster = /** @type {HTMLImageElement} */ (make('img', { alt: '', hidden: '' }));
   #posterBox = make('div', { class: 'poster' }, make('slot', { name: 'poster' }, this.#poster));
-  #room = make('div', { class: 'room' });
-  /** From the upper left one on, clockwise. */
+  /** From the upper left one of the picture on, clockwise. */
   #corners = ['0 auto auto 0', '0 0 auto auto', 'auto 0 0 auto', 'auto auto 0 0'].map((inset) => {
     const corner = make('i', {});
     corner.style.cssText = `position:absolute;inset:${inset}`;
     return corner;
   });
+  /** The canvas with its corners, so that its points are known wherever the page or the panel moves it. */
+  #picture = make('div', { class: 'picture', part: 'canvas' }, ...this.#corners);
   #messageBox = make('div', { class: 'message', part: 'message' }, this.#message);
   #alt = '';
   /** @type {ImageBitmapRenderingContext | CanvasRenderingContext2D | null | undefined} */
@@ -93,20 +97,13 @@ export class FireView {
   /** @type {import('./viewport.js').Camera} */
   camera = { fit: 'height', x: 0.5, y: 0, zoom: 1, panX: 0.5, panY: 0.5 };
   /** What the shadow tree holds. */
-  root = make(
-    'div',
-    { class: 'root', 'data-state': 'loading' },
-    ...this.#corners,
-    this.#room,
-    this.#posterBox,
-    this.#messageBox,
-  );
+  root = make('div', { class: 'root', 'data-state': 'loading' }, this.#picture, this.#posterBox, this.#messageBox);
 
   /** @param {HTMLElement} host */
   constructor(host) {
     this.#host = host;
     this.#shadow = host.attachShadow({ mode: 'open' });
-    this.#shadow.append(this.root);
+    this.#shadow.append(make('div', { class: 'room' }), this.root);
     this.applyStyles();
   }
 
@@ -170,10 +167,9 @@ export class FireView {
     // What waits for a frame waits for one of this canvas.
     if (this.root.hasAttribute('data-drawn')) this.#drawn = deferred();
     const canvas = this.#host.ownerDocument.createElement('canvas');
-    canvas.setAttribute('part', 'canvas');
     this.canvas = canvas;
     this.describe(this.#alt);
-    this.#room.after(canvas);
+    this.#picture.append(canvas);
     return canvas;
   }
 

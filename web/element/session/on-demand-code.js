@@ -147,9 +147,9 @@ export class OnDemandCode {
     else this.#player?.update();
   }
 
-  /** Passes the steps of a frame to the sound. @param {Message} message */
-  playSeries({ seconds, series }) {
-    this.#player?.receive(seconds, series);
+  /** Passes the samples of a frame to the sound. @param {Message} message */
+  playSamples({ samples }) {
+    this.#player?.receive(samples);
   }
 
   /** The sound, if there is any. */

@@ -12,7 +12,7 @@
  * @typedef {import('./parameters.js').HearthParameters} HearthParameters
  * @typedef {Pick<HearthFire, Exclude<typeof METHODS[number], 'get' | 'option'>>} PostedMembers
  * @typedef {import('./element/types.js').HearthFireEvents} FrameFireEventMap  The events of an embedded fire.
- * @typedef {typeof import('./pages/url-parameters.js').OPTIONS[number] | 'sound' | 'crackle'} FrameOption  The
+ * @typedef {typeof import('./pages/url-parameters.js').OPTIONS[number] | 'sound' | 'roar' | 'crackle' | 'hiss'} FrameOption  The
  *   element's own attributes that `option` reads and sets.
  */
 

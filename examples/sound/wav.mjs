@@ -13,14 +13,14 @@ import { pathToFileURL } from 'node:url';
 const web = process.env.HEARTH_WEB ?? 'dist/site/web';
 const load = (name) => import(pathToFileURL(path.resolve(web, name)).href);
 const { createSimulation } = await load('sim.js');
-const { Synthesis } = await load('sound.js');
+const { createSynthesis } = await load('sound.js');
 
 const [file = 'fire.wav', preset = 'campfire', seconds = '10'] = process.argv.slice(2);
 const RATE = 48_000;
 
 const simulation = await createSimulation({ preset });
 const speed = simulation.get('time_scale');
-const sound = new Synthesis({ rate: RATE, halfWidth: simulation.get('domain_width') / 2 });
+const sound = await createSynthesis({ rate: RATE, halfWidth: simulation.get('domain_width') / 2 });
 const samples = new Int16Array(2 * Math.round(Number(seconds) * RATE));
 
 // The first call starts to record.

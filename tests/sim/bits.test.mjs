@@ -6,8 +6,8 @@ import { execFile } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 import { promisify } from 'node:util';
-import { burnEverything, fingerprint } from './fingerprint.mjs';
-import { PRESETS, ROOT, createSimulation, everything, fires } from './library.mjs';
+import { burnEverything, fingerprint, fnv } from './fingerprint.mjs';
+import { PRESETS, ROOT, createSimulation, everything, fires, load } from './library.mjs';
 
 /** As in `tests/src/lib.rs`. */
 const STEPS = 1000;
@@ -40,6 +40,20 @@ test('the library burns every preset to the same bits as the native program', as
   const lines = (await printed).trim().split('\n');
   const native = new Map(lines.map((line) => /** @type {any} */ (line.split(/ (?=\S+$)/))));
   for (const [name, print] of burnt) assert.equal(print, native.get(name), name);
+});
+
+test('the library makes the same samples as the native program', async () => {
+  const { createSynthesis } = await load('sound.js');
+  const sim = await createSimulation({ preset: 'fireside' });
+  sim.series();
+  sim.step(300);
+  const sound = await createSynthesis({ halfWidth: sim.get('domain_width') / 2 });
+  sound.push(sim.series());
+  const samples = [0, 1].map(() => new Float32Array(Math.floor(sound.ahead * 48_000)));
+  sound.render(samples[0], samples[1]);
+  const hash = samples.reduce((sum, { buffer }) => fnv(new Uint8Array(buffer), sum), fnv(new Uint8Array()));
+  const line = (await nativeFingerprints()).split('\n').find((text) => text.startsWith('sound '));
+  assert.equal(`sound ${hash.toString(16).padStart(16, '0')}`, line);
 });
 
 test('the same calls give the same bits for any division of the steps', async () => {

@@ -20,13 +20,13 @@ const PROGRAM = `
   let told;
   try {
     const { createSimulation } = await import(FOLDER + 'sim.js');
-    const { Synthesis } = await import(FOLDER + 'sound.js');
+    const { createSynthesis } = await import(FOLDER + 'sound.js');
     const { toQuery, fromQuery } = await import(FOLDER + 'share.js');
     const sim = await createSimulation({ preset: 'burning-logs', seed: 3, GIVEN });
     sim.set({ wind: 0.2 });
     sim.step(20);
     const series = sim.series();
-    const sound = new Synthesis();
+    const sound = await createSynthesis();
     sound.push(series);
     const samples = [new Float32Array(64), new Float32Array(64)];
     sound.render(...samples);

@@ -33,7 +33,7 @@ export function fingerprint(sim) {
 }
 
 /** FNV-1a with 64 bits. */
-function fnv(/** @type {Uint8Array} */ bytes, hash = 0xcbf29ce484222325n) {
+export function fnv(/** @type {Uint8Array} */ bytes, hash = 0xcbf29ce484222325n) {
   for (const byte of bytes) {
     hash = BigInt.asUintN(64, (hash ^ BigInt(byte)) * 0x100000001b3n);
   }

@@ -1,8 +1,10 @@
-/** Every argument of the library is refused by name where it is hostile, and nothing changes. */
+/** Every argument of the library and of its sound is refused by name where it is hostile, and nothing changes. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { assertRefuses } from '../hostile.mjs';
-import { createSimulation, everything } from './library.mjs';
+import { createSimulation, everything, load } from './library.mjs';
+
+const { STEP_NUMBERS, createSynthesis } = await load('sound.js');
 
 // The first call decides which wasm all of them have.
 test('hostile values are refused by name: createSimulation({ wasm }), and the next call loads it', async () => {
@@ -58,4 +60,45 @@ test('a refused call changes nothing', async () => {
   for (const [, call] of ARGUMENTS)
     for (const value of [Symbol('mine'), 10n, () => 1]) assert.throws(() => call(sim, value));
   assert.deepEqual(everything(sim), before);
+});
+
+for (const name of ['rate', 'seed', 'volume', 'roar', 'crackle', 'hiss', 'halfWidth']) {
+  test(`hostile values are refused by name: createSynthesis({ ${name} })`, () =>
+    assertRefuses((value) => createSynthesis({ [name]: value }), RegExp(name)));
+}
+
+test('hostile values are refused by name: createSynthesis(options)', () => assertRefuses(createSynthesis, /option/));
+
+const samples = () => new Float32Array(8);
+
+/** @type {[named: RegExp, call: (sound: any, value: any) => unknown][]} */
+const SOUND_ARGUMENTS = [
+  [/mix|option/, (sound, value) => sound.mix(value)],
+  [/seconds/, (sound, value) => sound.trim(value)],
+  [/series/, (sound, value) => sound.push(value)],
+  [/series/, (sound, value) => sound.push(Array(STEP_NUMBERS).fill(value))],
+  [/speed/, (sound, value) => sound.push([], value)],
+  [/left/, (sound, value) => sound.render(value, samples())],
+  [/right/, (sound, value) => sound.render(samples(), value)],
+];
+
+for (const [named, call] of SOUND_ARGUMENTS) {
+  test(`hostile values are refused by name: ${call}`, async () => {
+    const sound = await createSynthesis();
+    await assertRefuses((value) => call(sound, value), named);
+  });
+}
+
+test('the sound of a series is finite at the ends of all ranges', async () => {
+  for (const options of [
+    { rate: 8000, volume: 0, roar: 0, crackle: 0, hiss: 0, halfWidth: 0.001 },
+    { rate: 768_000, volume: 1, roar: 2, crackle: 2, hiss: 2, halfWidth: 1000, seed: 2 ** 32 - 1 },
+  ]) {
+    const sound = await createSynthesis(options);
+    for (const number of [0, 1e-12, 1, 1e6])
+      for (const speed of [0.01, 100]) sound.push(Array(STEP_NUMBERS * 4).fill(number), speed);
+    const [left, right] = [new Float32Array(4096), new Float32Array(4096)];
+    sound.render(left, right);
+    assert.ok([...left, ...right].every(Number.isFinite));
+  }
 });

@@ -1,6 +1,6 @@
 /**
- * The sound of fires of the library: its level follows the power of a fire that is lit, grows, is sprayed and goes out,
- * and the example writes the same file twice.
+ * The sound of fires of the library: wood has the balance and the crackle of recorded fires, each kind sounds by itself,
+ * the level follows the power of a fire, and the example writes the same file twice.
  */
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -9,8 +9,9 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
 import { ROOT, WEB, createSimulation, load } from './library.mjs';
+import { measured, soundOfScene } from './sound-signal.mjs';
 
-const { STEP_NUMBERS, Synthesis } = await load('sound.js');
+const { STEP_NUMBERS, createSynthesis } = await load('sound.js');
 
 const RATE = 48_000;
 /** Length of a window in which level and power are compared [s]. */
@@ -29,13 +30,46 @@ test('the series has the steps since the last call', async () => {
   assert.equal(sim.series().length, 0);
 });
 
+/** Measures of the sound of a scene, without its first second. */
+async function measuresOf(preset, seconds = 13) {
+  const sim = await createSimulation({ preset, seed: 1 });
+  const samples = await soundOfScene(sim, seconds, { seed: 1 });
+  sim.free();
+  return measured(samples.subarray(RATE));
+}
+
+for (const preset of ['campfire', 'fireside', 'burning-logs']) {
+  test(`${preset} has the balance and the crackle of recorded fires`, async () => {
+    const { octaves, crackles, kurtosis, crest } = await measuresOf(preset);
+    const [lowest, low, middle, , , , ...bright] = octaves;
+    const all = `${octaves.map(Math.round)}, ${crackles}, ${kurtosis}, ${crest}`;
+    assert.ok(lowest <= low && low <= middle + 3, all);
+    assert.ok(Math.min(...bright.slice(0, 3)) >= -10, all);
+    assert.ok(crackles >= 2 && crackles <= 11, all);
+    assert.ok(kurtosis >= 400 && crest >= 28, all);
+  });
+}
+
+test('each kind of fire sounds by itself', async () => {
+  const [campfire, candle, burner, wall] = [
+    await measuresOf('campfire', 5),
+    await measuresOf('candle', 5),
+    await measuresOf('gas-burner', 5),
+    await measuresOf('wall-of-fire', 5),
+  ];
+  assert.ok(candle.level < campfire.level - 20, `a candle is almost silent: ${candle.level} dB`);
+  assert.ok(burner.crackles < 1 && burner.kurtosis < 4, `a burner hisses: ${burner.crackles}, ${burner.kurtosis}`);
+  assert.ok(Math.max(...burner.octaves.slice(6, 9)) === 0, `a burner hisses: ${burner.octaves}`);
+  assert.ok(Math.max(...wall.octaves.slice(5)) < -8, `a wall of fire roars: ${wall.octaves}`);
+});
+
 test('the level follows the power of a fire that is lit, grows, is sprayed and goes out', async () => {
   const sim = await createSimulation({
     preset: 'campfire',
     seed: 1,
     params: { spacing: 0.05, fuel_power: 60 },
   });
-  const sound = new Synthesis({ rate: RATE, crackle: 0 });
+  const sound = await createSynthesis({ rate: RATE, crackle: 0, hiss: 0 });
   sim.series();
   const windows = [];
   for (let end = WINDOW; end < 5; end += WINDOW) {

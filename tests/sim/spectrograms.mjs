@@ -1,16 +1,15 @@
 /**
- * Spectrograms of five fires as a picture of JPEG, and the table by which their sounds differ:
+ * Spectrograms of six fires as a picture of JPEG, and the table by which sounds of fires differ:
  * `node tests/sim/spectrograms.mjs docs/sound.jpg`, after `cargo xtask build`. A headless Chromium encodes the picture.
+ * Scenes after the name of the file are measured too.
  */
 import { writeFileSync } from 'node:fs';
-import { STEP_NUMBERS, Synthesis } from '../../web/sound.js';
-import { CRACKS_PER_SPARK } from '../../web/sound/synthesis.js';
-import { RATE, between, densityOf, levelOf } from '../web/sound-signal.mjs';
 import { Browser } from '../e2e/driver.mjs';
 import { createSimulation } from './library.mjs';
+import { RATE, between, densityOf, measured, soundOfScene } from './sound-signal.mjs';
 
-/** Seconds of each fire, and those that the table leaves out. */
-const [SECONDS, SETTLES] = [8, 2];
+/** Seconds of each sound, those that the table leaves out, and those of the pictures. */
+const [SECONDS, SETTLES, SHOWN] = [24, 1, 8];
 /** Size of each spectrogram [pixels], and its range of frequencies [Hz] and of levels [dB]. */
 const [WIDTH, HEIGHT] = [480, 150];
 const [LOWEST, HIGHEST] = [30, 16_000];
@@ -18,54 +17,15 @@ const RANGE = 70;
 /** Samples of a window. */
 const WINDOW = 4096;
 
-/**
- * The fires: a name, a scene, and what happens to it.
- * @type {[name: string, preset: string, act?: (sim: any) => void][]}
- */
-const FIRES = [
-  ['campfire', 'campfire'],
-  ['candle', 'candle'],
-  ['forge', 'forge'],
-  ['gas burner', 'gas-burner'],
-  ['campfire, sprayed from 4 s on', 'campfire', (sim) => sim.time > 4 && sim.spray(0, 1, 0, -4, 4)],
-];
+/** The fires of the picture. */
+const FIRES = ['campfire', 'fireside', 'burning-logs', 'torch', 'wall-of-fire', 'gas-burner'];
 
-/**
- * The left channel of a scene, and its mean rate of cracks [1/s].
- * @param {typeof FIRES[number]} fire
- */
-async function heard([, preset, act = () => {}]) {
+/** The sound of a scene. @param {string} preset */
+async function heard(preset) {
   const sim = await createSimulation({ preset, seed: 1 });
-  const speed = sim.get('time_scale');
-  const sound = new Synthesis({ rate: RATE, seed: 1 });
-  let cracks = 0;
-  sim.series();
-  const samples = [];
-  while (samples.length < SECONDS * RATE) {
-    act(sim);
-    const end = sim.time + speed / 60;
-    while (sim.time < end) sim.step();
-    const series = sim.series();
-    sound.push(series, speed);
-    const [left, right] = [0, 1].map(() => new Float32Array(Math.floor(sound.ahead * RATE)));
-    sound.render(left, right);
-    samples.push(...left);
-    for (let at = 0; at < series.length; at += STEP_NUMBERS) cracks += CRACKS_PER_SPARK * series[at + 8];
-  }
+  const samples = await soundOfScene(sim, SECONDS, { seed: 1 });
   sim.free();
-  return { samples: Float32Array.from(samples), rate: cracks / SECONDS };
-}
-
-/** The mean frequency of a sound above the lowest that a loudspeaker of a laptop gives [Hz]. */
-function centroidOf(samples) {
-  const density = densityOf(samples);
-  const width = RATE / 2 / density.length;
-  let [sum, moment] = [0, 0];
-  for (let bin = Math.ceil(100 / width); bin < density.length; bin += 1) {
-    sum += density[bin];
-    moment += density[bin] * bin * width;
-  }
-  return moment / sum;
+  return samples;
 }
 
 /** Levels of a spectrogram from 0 to 255, row by row from the highest frequency. */
@@ -87,18 +47,20 @@ function spectrogramOf(samples, loudest) {
   });
 }
 
+const [file = 'docs/sound.jpg', ...others] = process.argv.slice(2);
 const all = [];
-for (const fire of FIRES) all.push({ name: fire[0], ...(await heard(fire)) });
-const loudest = Math.max(
-  ...all.map(({ samples }) => Math.max(...densityOf(samples, WINDOW).map((x, bin) => (x * bin * RATE) / WINDOW))),
-);
-
-console.log('| fire | level [dBFS] | centroid [Hz] | cracks [1/s] |\n|---|---|---|---|');
-for (const { name, samples, rate } of all) {
-  const settled = between(samples, name.includes('sprayed') ? 4 : SETTLES, SECONDS);
-  const level = (20 * Math.log10(levelOf(settled))).toFixed(0).replace('-', '−');
-  console.log(`| ${name} | ${level} | ${centroidOf(settled).toFixed(0)} | ${rate.toFixed(1)} |`);
+console.log('| fire | octaves [dB] | crackles [1/s]; half, a tenth [dB] | kurtosis | crest [dB] | level [dBFS] |');
+console.log('|---|---|---|--:|--:|--:|');
+for (const name of [...FIRES, ...others]) {
+  const samples = await heard(name);
+  const { octaves, crackles, half, tenth, kurtosis, crest, level } = measured(between(samples, SETTLES, SECONDS));
+  const whole = (number) => number.toFixed(0).replace('-0', '0').replace('-', '−');
+  const numbers = [octaves.map(whole).join(' '), `${crackles.toFixed(1)}; ${whole(half)}, ${whole(tenth)}`];
+  console.log(`| ${[name, ...numbers, ...[kurtosis, crest, level].map(whole)].join(' | ')} |`);
+  if (FIRES.includes(name)) all.push({ name, samples: between(samples, SECONDS - SHOWN, SECONDS) });
 }
+/** The loudest level of each sound, to which its picture refers. */
+const loudestOf = (samples) => Math.max(...densityOf(samples, WINDOW).map((x, bin) => (x * bin * RATE) / WINDOW));
 
 const browser = await Browser.start('chromium');
 const tab = await browser.open('<p>A canvas.</p>');
@@ -131,10 +93,9 @@ const picture = await tab.evaluate(
     }
     return canvas.toDataURL('image/jpeg', 0.55);
   },
-  all.map(({ name, samples }) => ({ name, rows: spectrogramOf(samples, loudest) })),
+  all.map(({ name, samples }) => ({ name, rows: spectrogramOf(samples, loudestOf(samples)) })),
   WIDTH,
   HEIGHT,
 );
 await browser.close();
-const [file = 'docs/sound.jpg'] = process.argv.slice(2);
 writeFileSync(file, Buffer.from(picture.split(',')[1], 'base64'));

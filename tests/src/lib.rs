@@ -18,6 +18,7 @@ use std::thread;
 
 use hearth_core::params::{Input, PARAMETERS};
 use hearth_core::preset::Preset;
+use hearth_core::sound::{Mix, Synthesis};
 use hearth_core::{IgnitionTarget, Particle, Scene, Simulation, Vec2};
 
 /// Runs each case once, on as many threads as the machine has cores: the last test of a program
@@ -146,6 +147,7 @@ pub fn fingerprints() -> String {
     let kept = [
         ("breaking", breaking()),
         ("hinges", hinged()),
+        ("sound", sound()),
         ("kept", kept(FIRESIDE, None)),
         ("kept coarse", kept(FIRESIDE, Some(1200))),
     ];
@@ -171,6 +173,28 @@ fn in_frames(name: &str) -> u64 {
     let mut fire = Simulation::new(Preset::find(name).map(Preset::scene).unwrap_or_default());
     (0..30).for_each(|_| fire.advance(1.0 / 30.0));
     fingerprint_of(fire, 0)
+}
+
+/// The fingerprint of the sound of a fire before a wall.
+fn sound() -> u64 {
+    let scene = Preset::find("fireside").map_or_else(|_| Scene::default(), Preset::scene);
+    let half_width = 0.5 * scene.world().domain_width;
+    let mut fire = Simulation::new(scene);
+    fire.record_series(true);
+    for _ in 0..300 {
+        fire.step();
+    }
+    let rate = 48_000.0;
+    let mut sound = Synthesis::new(rate, 1, Mix::default());
+    sound.push(&fire.read_series(), 1.0, half_width);
+    let frames = (sound.ahead() * rate) as usize;
+    let (mut left, mut right) = (vec![0.0; frames], vec![0.0; frames]);
+    sound.render(&mut left, &mut right);
+    let mut hash = Fnv::new();
+    for sample in left.iter().chain(&right) {
+        hash.write(&sample.to_bits().to_le_bytes());
+    }
+    hash.finish()
 }
 
 /// Fires around a burning solid of each fuel.

@@ -3,6 +3,7 @@
 
 use hearth_core::params::{Input, Model, Parameters};
 use hearth_core::preset::Preset;
+use hearth_core::sound::{Mix, Synthesis};
 use hearth_core::warm_up::WarmUp;
 use hearth_core::{Simulation, StepRecord, Vec2};
 use hearth_tests::fires::combustion;
@@ -118,6 +119,79 @@ fn only_a_narrow_source_that_burns_is_a_jet() {
         assert_eq!(fire.set("fuel_power", Input::Number(0.0)), Ok(()));
         assert_eq!(records(&mut fire, 1)[0].jet, 0.0);
     }
+}
+
+#[test]
+fn a_wide_source_flutters_by_its_speed_or_the_wind_over_its_width() {
+    for (width, wind, flutter) in [(0.1, 0.0, 0.0), (0.4, 0.0, 1.5), (0.4, -1.0, 2.5)] {
+        let values = [
+            ("source_width", width),
+            ("emission_speed", 0.6),
+            ("wind", wind),
+        ];
+        let mut fire = recorded(Simulation::new(combustion(&values)));
+        let last = *records(&mut fire, 5).last().unwrap();
+        assert!(
+            (last.flutter - flutter).abs() < 1e-6,
+            "{} 1/s",
+            last.flutter
+        );
+    }
+}
+
+#[test]
+fn a_backdrop_is_a_wall() {
+    for (name, wall) in [("fireside", 1.0), ("campfire", 0.0)] {
+        assert_eq!(
+            records(&mut recorded(scene(name)), 1)[0].wall,
+            wall,
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn a_pop_throws_an_ember_that_is_larger_and_faster_than_any_other_in_the_same_step() {
+    let mut fire = recorded(scene("forge"));
+    let size = fire.scene().world().ember_size;
+    let (mut sparks, mut pops) = (0.0, 0.0);
+    while fire.time() < 4.0 {
+        let step = records(&mut fire, 1)[0];
+        sparks += step.sparks;
+        pops += step.pops;
+        let fresh = fire
+            .embers()
+            .iter()
+            .filter(|ember| f64::from(ember.age) <= fire.step_length());
+        let popped: Vec<_> = fresh.filter(|ember| ember.size > size).collect();
+        assert_eq!(popped.len(), step.pops as usize);
+        assert!(
+            popped.iter().all(|ember| ember.velocity.y > 1.0),
+            "{popped:?}"
+        );
+    }
+    let share = pops / sparks;
+    assert!((0.004..0.02).contains(&share), "{pops} of {sparks}");
+}
+
+#[test]
+fn a_copy_of_a_fire_and_of_its_sound_goes_on_to_the_same_samples() {
+    let rate = 48_000.0;
+    let mut fire = recorded(scene("fireside"));
+    let mut sound = Synthesis::new(rate, 3, Mix::default());
+    let heard = |fire: &mut Simulation, sound: &mut Synthesis| {
+        sound.push(&records(fire, 100), 1.0, 0.5);
+        let frames = (sound.ahead() * rate) as usize;
+        let (mut left, mut right) = (vec![0.0; frames], vec![0.0; frames]);
+        sound.render(&mut left, &mut right);
+        [left, right]
+    };
+    let first = heard(&mut fire, &mut sound);
+    assert!(first.iter().all(|side| side.iter().any(|x| *x != 0.0)));
+    let (mut copied_fire, mut copied_sound) = (fire.clone(), sound.clone());
+    let after = heard(&mut fire, &mut sound);
+    assert_eq!(after, heard(&mut copied_fire, &mut copied_sound));
+    assert_ne!(after, first);
 }
 
 #[test]

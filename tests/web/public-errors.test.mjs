@@ -5,7 +5,6 @@ import { connectFire } from '../../web/embed-client.js';
 import { maskOfImage, maskOfPath, maskOfText } from '../../web/mask.js';
 import { mountPanel } from '../../web/panel.js';
 import { elementCode, fromFragment, fromQuery, iframeCode, pageLink, toQuery } from '../../web/share.js';
-import { STEP_NUMBERS, Synthesis } from '../../web/sound.js';
 import { words } from '../../web/sim/values.js';
 import { mountTools } from '../../web/tools.js';
 import { assertRefuses } from '../hostile.mjs';
@@ -28,8 +27,6 @@ for (const [config, words] of /** @type {[any, RegExp][]} */ ([
 }
 
 const config = { values: { wind: 1 } };
-const sound = () => new Synthesis();
-const samples = () => new Float32Array(8);
 /** Where a panel or a toolbar begins to use the page, its arguments have passed. */
 const host = {
   nodeType: 1,
@@ -74,21 +71,6 @@ const ARGUMENTS = [
   [/box/, (value) => masks(() => maskOfPath('M0 0', value))],
   [/box/, (value) => masks(() => maskOfPath('M0 0', [value, 0, 1, 1]))],
   [/image/, (value) => masks(() => maskOfImage(value))],
-  [/option/, (value) => new Synthesis(value)],
-  [/rate/, (rate) => new Synthesis({ rate })],
-  [/seed/, (seed) => new Synthesis({ seed })],
-  [/volume/, (volume) => new Synthesis({ volume })],
-  [/crackle/, (crackle) => new Synthesis({ crackle })],
-  [/halfWidth/, (halfWidth) => new Synthesis({ halfWidth })],
-  [/air/, (air) => new Synthesis({ air })],
-  [/volume/, (value) => sound().mix(value, 1)],
-  [/crackle/, (value) => sound().mix(1, value)],
-  [/seconds/, (value) => sound().trim(value)],
-  [/series/, (value) => sound().push(value)],
-  [/series/, (value) => sound().push(Array(STEP_NUMBERS).fill(value))],
-  [/speed/, (value) => sound().push([], value)],
-  [/left/, (value) => sound().render(value, samples())],
-  [/right/, (value) => sound().render(samples(), value)],
   [/iframe/, (value) => connectFire(value)],
   [/host|options/, (value) => mountPanel(value)],
   [/host/, (value) => mountPanel(/** @type {any} */ ({ host: value, fire }))],
@@ -103,20 +85,6 @@ const ARGUMENTS = [
 for (const [named, call] of ARGUMENTS) {
   test(`hostile values are refused by name: ${call}`, () => assertRefuses(call, named));
 }
-
-test('the sound of a series is finite at the ends of all ranges', () => {
-  for (const options of [
-    { rate: 8000, volume: 0, crackle: 0, halfWidth: 0.001 },
-    { rate: 768_000, volume: 1, crackle: 1, halfWidth: 1000, seed: 2 ** 32 - 1 },
-  ]) {
-    const synthesis = new Synthesis(options);
-    for (const number of [0, 1e-12, 1, 1e6])
-      for (const speed of [0.01, 100]) synthesis.push(Array(STEP_NUMBERS * 4).fill(number), speed);
-    const [left, right] = [new Float32Array(4096), new Float32Array(4096)];
-    synthesis.render(left, right);
-    assert.ok([...left, ...right].every(Number.isFinite));
-  }
-});
 
 test('a text in an error of the library neither acts on a terminal nor turns it around', () => {
   assert.equal(words('a\u001b[31m\u0000\u009b\u202e\ufeffb'), '"a\\u001b[31m\\u0000\\u009b\\u202e\\ufeffb"');

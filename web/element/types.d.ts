@@ -346,10 +346,20 @@ export interface HearthReflected {
    */
   sound: number;
   /**
-   * How loud the fire crackles, from 0 to 1, beside its roar.
-   * @default 0.5
+   * How loud the fire roars, from 0 to 2. At 1, the balance of roar, crackle and hiss is that of recorded fires.
+   * @default 1
+   */
+  roar: number;
+  /**
+   * How loud the fire crackles, from 0 to 2.
+   * @default 1
    */
   crackle: number;
+  /**
+   * How loud the fire hisses, from 0 to 2.
+   * @default 1
+   */
+  hiss: number;
   /** What touches of an interactive fire do to the page, as CSS's `touch-action`. The default is `pan-y`. */
   touchAction: string;
   /**

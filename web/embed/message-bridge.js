@@ -24,7 +24,7 @@ const VERSION = 1;
 const MAX_ORIGINS = 16;
 
 /** The attributes that a page may set: more than an address, which never turns sound on. */
-const OPTIONS = [...OF_ADDRESSES, 'sound', 'crackle'];
+const OPTIONS = [...OF_ADDRESSES, 'sound', 'roar', 'crackle', 'hiss'];
 
 /** The methods that a page may call. `option` reads and sets attributes of the element. */
 const METHODS = [...POSTED_MEMBERS, 'option'];

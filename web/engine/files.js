@@ -20,13 +20,14 @@ export function wasm() {
 
 /**
  * The parts of the wasm, by name: the classic model; solids that burn, water, and free solids; children
- * of the element.
+ * of the element; the sound.
  * @type {{[name: string]: () => import('./engine.js').Source}}
  */
 export const PARTS = {
   classic: () => new URL('../wasm/hearth-engine_classic.wasm', import.meta.url),
   bodies: () => new URL('../wasm/hearth-engine_bodies.wasm', import.meta.url),
   children: () => new URL('../wasm/hearth-engine_children.wasm', import.meta.url),
+  sound: () => new URL('../wasm/hearth-engine_sound.wasm', import.meta.url),
 };
 
 /**

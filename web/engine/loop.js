@@ -21,6 +21,7 @@ const PARTS = {
   classic: [['model'], 'the classic model'],
   bodies: [['fuel', 'motion'], 'fuels, water and free solids'],
   children: [['children'], 'children'],
+  sound: [['sound'], 'sound'],
 };
 
 /**

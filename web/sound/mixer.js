@@ -2,16 +2,19 @@
  * The mix of all fires of a page: one `AudioContext`, which is made in a gesture and freed with the last fire.
  */
 
-import { FADE_TIME } from './synthesis.js';
+/** Time of every fade [s]. */
+export const FADE_TIME = 0.03;
 
 /** Most fires that sound at a time: the strongest. */
 const LOUD_FIRES = 4;
 /** By how much a stronger fire must exceed one that sounds to take its place. */
 const STAYS = 1.3;
-/** The compressor evens out several fires [dB]; the limiter after it keeps every sample below full scale. */
-const COMPRESSOR = { threshold: -14, knee: 10, ratio: 3, attack: 0.005, release: 0.2 };
-/** Points of the curve of the limiter. */
-const CURVE_POINTS = 1025;
+/**
+ * The limiter, which looks ahead [dB, s]: the cracks of a fire stay whole, and several fires stay below full scale. What the browser
+ * adds to make up for it is taken off again.
+ */
+const LIMITER = { threshold: -3, knee: 0, ratio: 20, attack: 0.001, release: 0.15 };
+const MAKE_UP = 10 ** ((0.6 * LIMITER.threshold * (1 - 1 / LIMITER.ratio)) / 20);
 
 /** What a browser takes for a gesture that may start sound. */
 const GESTURES = ['pointerup', 'keydown', 'click'];
@@ -104,12 +107,8 @@ class Mixer {
     // A phone plays it beside other sounds, and its silent switch mutes it.
     if (audioSession) audioSession.type = 'ambient';
     const context = new AudioContext();
-    const compressor = new DynamicsCompressorNode(context, COMPRESSOR);
-    const limiter = new WaveShaperNode(context, {
-      curve: Float32Array.from({ length: CURVE_POINTS }, (_, at) => Math.tanh((2 * at) / (CURVE_POINTS - 1) - 1)),
-    });
-    compressor.connect(limiter).connect(context.destination);
-    this.input = compressor;
+    this.input = new DynamicsCompressorNode(context, LIMITER);
+    this.input.connect(new GainNode(context, { gain: MAKE_UP })).connect(context.destination);
     context.addEventListener('statechange', () => {
       // The page or the browser has closed it: the next gesture makes another.
       if (context.state === 'closed') this.context = this.input = undefined;

@@ -1,41 +1,39 @@
 /**
- * The sound of one element: takes the series of its fire, computes samples and schedules them. This code is loaded
- * with the first `sound` above 0.
+ * The sound of one element: schedules the samples that the engine makes of its fire. This code is loaded with the first
+ * `sound` above 0.
  */
 
-import { fade, mixer, warnOfSilence } from './mixer.js';
-import { FADE_TIME, STEP_NUMBERS, Synthesis } from './synthesis.js';
+import { FADE_TIME, fade, mixer, warnOfSilence } from './mixer.js';
 
-/** Samples that wait, at most and usually [s]. */
-const MAX_BUFFER = 0.12;
+/**
+ * Samples that wait at first [s]. Where they end before others come, as on a machine whose frames are long, more of
+ * them wait from then on, so many times more and up to a limit [s]; more than the sum of it and the reserve never do.
+ */
 const LEAD = 0.07;
-/** How much faster or slower the series is played at most, so that so many wait. */
-const MAX_CORRECTION = 0.1;
-/** Share of the last frame in the mean speed and the mean power. */
+const LATER = 1.5;
+const MAX_LEAD = 0.25;
+const RESERVE = 0.12;
+/** Share of the last frame in the mean loudness. */
 const NEWEST = 0.1;
-/** Longest frame [s]. */
-const LONGEST_FRAME = 0.1;
 /** How long before the end of the samples a fire that gives none fades [s]. */
-const MARGIN = 0.03;
+const MARGIN = 0.04;
 
 /** The sound of one element. */
 export class Player {
   #session;
   /** @type {ReturnType<typeof mixer> | undefined} */
   #mixer;
-  /** @type {Synthesis | undefined} */
-  #synthesis;
   /** When the samples that are scheduled end, by the clock of the context [s]. */
   #end = 0;
-  /** Mean seconds of fire and of the clock in a frame. */
-  #fireTime = 0;
-  #clockTime = 0;
+  #lead = LEAD;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #starves;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #leaves;
-  /** Whether the engine posts the series. */
-  #posts = false;
+  /** Whether it fades because no samples come. */
+  #fades = false;
+  /** What the engine posts: the arguments of `sound`; empty without samples. */
+  #posts = '';
   /** Removes the button that waits for a gesture. @type {Promise<() => void> | undefined} */
   #button;
   /** The sound of this fire alone. @type {GainNode | null} */
@@ -44,7 +42,7 @@ export class Player {
   #recorded;
   /** @type {'silent' | 'waiting' | 'playing'} */
   state = 'silent';
-  /** Mean power times the volume, by which the loud fires are chosen. */
+  /** Mean square of what is heard, by which the loud fires are chosen. */
   strength = 0;
   /** Whether it is one of the loud fires. */
   sounds = true;
@@ -54,13 +52,13 @@ export class Player {
   constructor(session) {
     this.#session = session;
     for (const name of ['pause', 'play'])
-      session.fire.addEventListener(name, () => this.audio && fade(this.audio, Number(name === 'play')));
+      session.fire.addEventListener(name, () => this.#fade(Number(name === 'play')));
     this.update();
   }
 
-  /** The engine has a new fire, which does not post its series yet. */
+  /** The engine has a new fire, which posts no samples yet. */
   renew() {
-    this.#posts = false;
+    this.#posts = '';
     this.update();
   }
 
@@ -82,33 +80,37 @@ export class Player {
       }
     } else if (this.#mixer) {
       // What is scheduled fades first.
-      if (this.audio) fade(this.audio, 0);
+      this.#fade(0);
       this.#leaves = setTimeout(() => this.#leave(), 1000 * (FADE_TIME + MARGIN));
     }
     if (this.audio && this.audio.context !== this.#mixer?.context) this.#cut();
     const plays = wanted && Boolean(this.#mixer?.runs);
     if (plays) this.#begin();
-    this.#synthesis?.mix(fire.sound, fire.crackle);
-    if (plays !== this.#posts) {
-      this.#posts = plays;
-      this.#session.send('series', plays);
+    const { roar, crackle, hiss } = fire;
+    const rate = this.audio?.context.sampleRate;
+    const posts = plays ? [rate, roar, crackle, hiss].join() : '';
+    if (posts !== this.#posts) {
+      this.#posts = posts;
+      this.#session.send('sound', plays ? rate : undefined, roar, crackle, hiss);
     }
     this.#report(plays ? 'playing' : wanted && !this.#mixer?.refused ? 'waiting' : 'silent');
   }
 
-  /** Connects it to the mix. */
+  /** Connects it to the mix, and fades to its volume. */
   #begin() {
     const { context, input } = this.#mixer ?? {};
     if (!context || !input) return;
     if (!this.audio) {
-      this.audio = new GainNode(context);
+      this.audio = new GainNode(context, { gain: 0 });
       this.audio.connect(input);
     }
-    if (this.#posts) return;
-    fade(this.audio, this.#session.fire.paused ? 0 : 1);
-    const { seed, domain_width: width } = this.#session.fire.params;
-    this.#synthesis = new Synthesis({ rate: context.sampleRate, seed, halfWidth: 0.5 * width });
-    [this.#fireTime, this.#clockTime, this.#end] = [0, 0, 0];
+    this.#fade(Number(!this.#session.fire.paused && this.sounds));
+  }
+
+  /** Fades to a share of the volume. @param {number} share */
+  #fade(share) {
+    // Equal steps of the slider are about equally loud.
+    if (this.audio) fade(this.audio, share * this.#session.fire.sound ** 2);
   }
 
   #leave() {
@@ -122,7 +124,7 @@ export class Player {
     clearTimeout(this.#starves);
     this.audio?.disconnect();
     this.audio = null;
-    this.#synthesis = this.#recorded = undefined;
+    this.#recorded = undefined;
   }
 
   /** @param {'silent' | 'waiting' | 'playing'} state */
@@ -144,52 +146,43 @@ export class Player {
   }
 
   /**
-   * Takes the steps of a frame.
-   * @param {number} seconds of the clock since the last frame
-   * @param {Float32Array} series
+   * Schedules the samples of a frame after those that wait.
+   * @param {Float32Array<ArrayBuffer>} samples of the left channel, then of the right one
    */
-  receive(seconds, series) {
-    const synthesis = this.#synthesis;
-    if (!synthesis || !this.audio || !this.#mixer) return;
-    let [fireTime, energy] = [0, 0];
-    for (let at = 0; at < series.length; at += STEP_NUMBERS) {
-      fireTime += series[at];
-      energy += series[at] * (series[at + 1] + series[at + 10]);
-    }
-    this.#fireTime += (fireTime - this.#fireTime) * NEWEST;
-    this.#clockTime += (Math.min(seconds, LONGEST_FRAME) - this.#clockTime) * NEWEST;
-    const { fire } = this.#session;
-    this.strength += ((energy / fireTime) * fire.sound ** 2 - this.strength) * NEWEST;
-    const sounds = this.#mixer.hasRoomFor(this);
-    if (sounds !== this.sounds) fade(this.audio, Number(sounds));
-    this.sounds = sounds;
-    if (!sounds) return;
-    const waits = Math.max(this.#end - this.audio.context.currentTime, 0);
-    const behind = Math.max(-1, Math.min((waits - LEAD) / LEAD, 1));
-    const speed = this.#clockTime > 0 ? this.#fireTime / this.#clockTime : fire.get('time_scale');
-    synthesis.push(series, speed * (1 + MAX_CORRECTION * behind));
-    synthesis.trim(MAX_BUFFER - waits);
-    this.#schedule(synthesis.ahead);
-    clearTimeout(this.#starves);
-    const left = this.#end - this.audio.context.currentTime - MARGIN;
-    // A fire that gives no more steps fades.
-    this.#starves = setTimeout(() => this.#schedule(FADE_TIME), 1000 * Math.max(left, 0));
-  }
-
-  /** Schedules samples after those that wait. @param {number} seconds */
-  #schedule(seconds) {
+  receive(samples) {
     const { audio } = this;
-    if (!audio) return;
+    const length = samples.length / 2;
+    if (!this.#posts || !audio || !this.#mixer || length < 1) return;
     const { context } = audio;
-    const frames = Math.floor(seconds * context.sampleRate);
-    if (frames < 1) return;
-    const buffer = new AudioBuffer({ length: frames, numberOfChannels: 2, sampleRate: context.sampleRate });
-    this.#synthesis?.render(buffer.getChannelData(0), buffer.getChannelData(1));
-    if (this.#end < context.currentTime) this.#end = context.currentTime + LEAD;
+    const square = samples.reduce((sum, sample) => sum + sample * sample, 0) / length;
+    this.strength += (square * this.#session.fire.sound ** 4 - this.strength) * NEWEST;
+    const sounds = this.#mixer.hasRoomFor(this);
+    if (sounds !== this.sounds) this.#fade(Number(sounds));
+    this.sounds = sounds;
+    const starved = this.#end < context.currentTime;
+    // The clocks of frames and of samples drift by a second in a day.
+    if (!sounds || this.#end > context.currentTime + this.#lead + RESERVE) return;
+    if (starved) {
+      // After a pause, nothing was late.
+      if (this.#end > context.currentTime - 1) this.#lead = Math.min(LATER * this.#lead, MAX_LEAD);
+      this.#end = context.currentTime + this.#lead;
+    }
+    if (starved || this.#fades) this.#fade(1);
+    this.#fades = false;
+    const buffer = new AudioBuffer({ length, numberOfChannels: 2, sampleRate: context.sampleRate });
+    buffer.copyToChannel(samples.subarray(0, length), 0);
+    buffer.copyToChannel(samples.subarray(length), 1);
     const source = new AudioBufferSourceNode(context, { buffer });
     source.connect(audio);
     source.start(this.#end);
-    this.#end += frames / context.sampleRate;
+    this.#end += length / context.sampleRate;
+    clearTimeout(this.#starves);
+    // A fire that gives no more samples fades before they end.
+    const left = this.#end - context.currentTime - MARGIN;
+    this.#starves = setTimeout(() => {
+      this.#fades = true;
+      this.#fade(0);
+    }, 1000 * left);
   }
 
   /** The sound as a track for a recorder; undefined while there is none. */

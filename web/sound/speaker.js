@@ -8,7 +8,15 @@ import { element, iconButton } from '../element/controls/icon-button.js';
 export const SPEAKER = 'M4 9h4l5-5v16l-5-5H4zM16 9a4 4 0 0 1 0 6M19 6a8 8 0 0 1 0 12';
 
 /** The volume of a fire whose page sets none. */
-const VOLUME = 0.6;
+const VOLUME = 0.8;
+
+/** The sliders: the attribute, its name and its highest value. */
+const SLIDERS = /** @type {const} */ ([
+  ['sound', 'Volume', '1'],
+  ['roar', 'Roar', '2'],
+  ['crackle', 'Crackle', '2'],
+  ['hiss', 'Hiss', '2'],
+]);
 
 /** @typedef {import('../hearth-fire.js').HearthFire} HearthFire */
 
@@ -40,7 +48,7 @@ export function bindSpeaker(button, fire, shown = () => {}) {
   button.addEventListener('click', () => toggleSound(fire), { signal });
   fire.addEventListener('sound-change', update, { signal });
   const attributes = new MutationObserver(update);
-  if (fire instanceof Node) attributes.observe(fire, { attributeFilter: ['sound', 'crackle'] });
+  if (fire instanceof Node) attributes.observe(fire, { attributeFilter: SLIDERS.map(([name]) => name) });
   signal.addEventListener('abort', () => attributes.disconnect());
   update();
   return () => ended.abort();
@@ -56,15 +64,15 @@ export function bindSpeaker(button, fire, shown = () => {}) {
 export function speakerControls(fire, className) {
   const button = iconButton(SPEAKER, { class: className, 'aria-label': 'Sound', title: 'Sound on or off (M)' });
   const sliders = element('div', { class: 'hearth-sound', role: 'group', 'aria-label': 'Sound', hidden: '' });
-  const all = ['sound', 'crackle'].map((name) => {
-    const slider = element('input', { type: 'range', min: '0', max: '1', step: '0.05', 'data-sound': name });
+  const all = SLIDERS.map(([name, label, max]) => {
+    const slider = element('input', { type: 'range', min: '0', max, step: '0.05', 'data-sound': name });
     slider.addEventListener('input', () => Object.assign(fire, { [name]: Number(slider.value) }));
-    sliders.append(element('label', {}, name === 'sound' ? 'Volume' : 'Crackle', slider));
-    return slider;
+    sliders.append(element('label', {}, label, slider));
+    return { name, slider };
   });
   const end = bindSpeaker(button, fire, (on) => {
     sliders.hidden = !on;
-    for (const slider of all) slider.value = String(slider.dataset.sound === 'sound' ? fire.sound : fire.crackle);
+    for (const { name, slider } of all) slider.value = String(fire[name]);
   });
   const parts = [button, sliders];
   return {

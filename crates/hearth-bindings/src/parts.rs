@@ -13,6 +13,8 @@ pub const CLASSIC: &str = "classic";
 pub const BODIES: &str = "bodies";
 /// The part that lays children of the element over the objects.
 pub const CHILDREN: &str = "children";
+/// The part that makes samples.
+pub const SOUND: &str = "sound";
 
 /// The part that a scene needs and that is not among the `loaded` ones.
 pub fn missing(scene: &Scene, loaded: &Set) -> Option<&'static str> {

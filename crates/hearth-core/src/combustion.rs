@@ -26,7 +26,7 @@ use crate::particle::Particle;
 use crate::random::Random;
 use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
-use crate::series::{SPARKS, STEAM, Totals};
+use crate::series::{POPS, SPARKS, STEAM, Totals};
 use crate::solids::Solids;
 use crate::solids::free::FreeBodies;
 use crate::solver::Solver;
@@ -287,7 +287,9 @@ impl Solver for Combustion {
 
     fn totals(&self) -> Totals {
         let mut totals = Totals::default();
-        (totals.grown[SPARKS], totals.moment) = self.reaction.embers.thrown;
+        let embers = &self.reaction.embers;
+        (totals.grown[SPARKS], totals.moment) = embers.thrown;
+        totals.grown[POPS] = embers.popped;
         if let Some(fuels) = self.fuels.as_ref() {
             fuels.add_totals(&self.obstacles.solids, &mut totals);
         }

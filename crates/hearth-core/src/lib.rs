@@ -47,6 +47,7 @@ mod series;
 pub mod simulation;
 mod solids;
 mod solver;
+pub mod sound;
 mod source;
 mod time_step;
 pub mod warm_up;

@@ -10,12 +10,14 @@ pub(crate) const DRIED: usize = 0;
 pub(crate) const CHARRED: usize = 1;
 pub(crate) const BROKEN: usize = 2;
 pub(crate) const SPARKS: usize = 3;
-pub(crate) const STEAM: usize = 4;
-pub(crate) const BIRTHS: usize = 5;
-pub(crate) const DEATHS: usize = 6;
+pub(crate) const POPS: usize = 4;
+pub(crate) const STEAM: usize = 5;
+pub(crate) const BIRTHS: usize = 6;
+pub(crate) const DEATHS: usize = 7;
 
-/// Numbers of a step that add up to a total.
-const GROWN: usize = 7;
+/// Numbers of a step that are no totals, and those that add up to one.
+const MOMENTARY: usize = 7;
+const GROWN: usize = 8;
 
 /// A step: its length, its power and its events. Masses are those of the step, per metre of depth.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -30,6 +32,10 @@ pub struct StepRecord {
     pub place: f32,
     /// Speed of the fastest narrow source that burns [m/s].
     pub jet: f32,
+    /// Highest ratio of speed, or wind, to width of a wide source that burns [1/s].
+    pub flutter: f32,
+    /// 1 before a wall, 0 in the open.
+    pub wall: f32,
     /// Water that solids with fuel gave off as steam [kg/m].
     pub dried: f32,
     /// Char that formed in solids with fuel [kg/m].
@@ -38,6 +44,8 @@ pub struct StepRecord {
     pub broken: f32,
     /// Embers thrown.
     pub sparks: f32,
+    /// Embers thrown by a pop, which are among them.
+    pub pops: f32,
     /// Water of sprays that evaporated or boiled [kg/m].
     pub steam: f32,
     /// Particles that the classic model made.
@@ -48,22 +56,34 @@ pub struct StepRecord {
 
 impl StepRecord {
     /// Count of its numbers.
-    pub const NUMBERS: usize = 12;
+    pub const NUMBERS: usize = MOMENTARY + GROWN;
 
     /// The step of these numbers, in the order of the fields.
-    fn of(numbers: [f32; StepRecord::NUMBERS]) -> StepRecord {
-        let [length, power, load, place, jet, ref totals @ ..] = numbers;
-        let [dried, charred, broken, sparks, steam, births, deaths] = *totals;
+    pub fn of(numbers: [f32; StepRecord::NUMBERS]) -> StepRecord {
+        let [
+            length,
+            power,
+            load,
+            place,
+            jet,
+            flutter,
+            wall,
+            ref totals @ ..,
+        ] = numbers;
+        let [dried, charred, broken, sparks, pops, steam, births, deaths] = *totals;
         StepRecord {
             length,
             power,
             load,
             place,
             jet,
+            flutter,
+            wall,
             dried,
             charred,
             broken,
             sparks,
+            pops,
             steam,
             births,
             deaths,
@@ -99,8 +119,8 @@ impl Recorder {
         }
     }
 
-    /// Adds a step of a length \[s\] with a power [kW/m] and a jet [m/s], after which there are these totals.
-    pub fn add(&mut self, length: f64, power: f32, jet: f32, now: Totals) {
+    /// Adds a step, after which there are these totals: its length, power, jet, flutter and wall.
+    pub fn add(&mut self, [length, power, jet, flutter, wall]: [f32; 5], now: Totals) {
         let before = std::mem::replace(&mut self.before, now);
         let sparks = now.grown[SPARKS] - before.grown[SPARKS];
         let place = if sparks > 0.0 {
@@ -112,8 +132,9 @@ impl Recorder {
             self.numbers.clear();
         }
         let mut numbers = [0.0; StepRecord::NUMBERS];
-        numbers[..5].copy_from_slice(&[length as f32, power, now.load, place, jet]);
-        for (number, (now, before)) in numbers[5..]
+        let momentary = [length, power, now.load, place, jet, flutter, wall];
+        numbers[..MOMENTARY].copy_from_slice(&momentary);
+        for (number, (now, before)) in numbers[MOMENTARY..]
             .iter_mut()
             .zip(now.grown.into_iter().zip(before.grown))
         {

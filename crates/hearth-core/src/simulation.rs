@@ -126,7 +126,9 @@ impl Simulation {
         } else {
             end
         };
-        self.record(length);
+        if self.recorder.is_some() {
+            self.record(length);
+        }
     }
 
     /// Starts again: time zero, the generator at its seed.
@@ -139,9 +141,11 @@ impl Simulation {
 
     /// Becomes a new fire of a scene, which is [recorded](Simulation::record_series) if this one is.
     pub fn begin(&mut self, scene: impl Into<Scene>) {
-        let recorded = self.recorder.is_some();
-        *self = Simulation::new(scene);
-        self.record_series(recorded);
+        let recorder = self.recorder.take();
+        *self = Simulation {
+            recorder,
+            ..Simulation::new(scene)
+        };
     }
 
     /// Sets which part of the world is seen, by its lower left and upper right corner \[m\];

@@ -47,6 +47,12 @@ pub type Speed = Within<-20, 20>;
 /// space.
 pub type Align = Within<0, 1>;
 
+/// A sample rate \[Hz\].
+pub type SampleRate = Within<8000, 768_000>;
+
+/// How loud a part of the sound is, relative to the balance of recorded fires.
+pub type Loudness = Within<0, 2>;
+
 /// Magnification of the picture.
 pub type Zoom = Within<1, 10>;
 
@@ -192,8 +198,9 @@ commands! { 'a
     "play" Play {}
     /// Pauses.
     "pause" Pause {}
-    /// Sets whether each frame in which the fire plays posts its `series`.
-    "series" Series { on: bool }
+    /// Sets how loud roar, crackle and hiss are. Each frame in which the fire plays posts its `samples`, of this rate
+    /// \[Hz\], until a call has none.
+    "sound" Sound { rate: Option<SampleRate>, roar: Loudness, crackle: Loudness, hiss: Loudness }
     /// Restarts the simulation with the same settings.
     "reset" Reset {}
     /// Makes a number of steps, even if paused. The answer follows when they are drawn.

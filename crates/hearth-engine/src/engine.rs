@@ -345,7 +345,17 @@ impl Engine {
             Command::Quality { quality } => fire.request_quality(quality.0, events),
             Command::Play {} => fire.set_playing(true, events),
             Command::Pause {} => fire.set_playing(false, events),
-            Command::Series { on } => fire.simulation.record_series(on),
+            Command::Sound {
+                rate,
+                roar,
+                crackle,
+                hiss,
+            } => {
+                if parts::lacks(loaded, parts::SOUND) {
+                    return Ok(Answer::Missing(parts::SOUND));
+                }
+                fire.set_sound(rate.map(|rate| rate.0), [roar.0, crackle.0, hiss.0]);
+            }
             Command::Reset {} => fire.reset(events),
             Command::Warm { seconds } => {
                 fire.playback

@@ -7,7 +7,7 @@
 //! | `changed` | `fire`, `source`; `values` that changed; `redo` and `undo`: the [deltas](hearth_settings::delta) to the new settings and back; with children, `objects`: the delta of those that burn, and `children`, all of them |
 //! | `refused` | `fire`, `request`; `errors`: id, value, message and, for a number, min and max |
 //! | `stats` | `fire`; `stats`: see [`stats`](crate::stats) |
-//! | `series` | `fire`; `seconds` of the clock since the last frame; `series`: the [numbers](hearth_core::StepRecord) of each step |
+//! | `samples` | `fire`; `samples`: those of a frame, of the left channel, then of the right one |
 //! | `quality` | `fire`; `requested`: auto or a level; `quality`: the level; `reason` |
 //! | `state` | `fire`, `playing` |
 //! | `warming` | `fire`: a new fire warms up and replaces the picture then |
@@ -127,11 +127,10 @@ impl Events {
         self.post(&event);
     }
 
-    /// The steps of a fire in a frame, so many seconds after the last one.
-    pub fn series(&self, fire: u32, seconds: f64, series: &[f32]) {
-        let event = event("series", fire);
-        event.set_number("seconds", seconds);
-        event.set_any("series", &Float32Array::from(series));
+    /// The samples of a frame.
+    pub fn samples(&self, fire: u32, samples: &[f32]) {
+        let event = event("samples", fire);
+        event.set_any("samples", &Float32Array::from(samples));
         self.post(&event);
     }
 

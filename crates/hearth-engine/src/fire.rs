@@ -2,6 +2,7 @@
 
 mod playback;
 mod presentation;
+mod sound;
 mod tick;
 
 use hearth_bindings::memory;
@@ -15,6 +16,7 @@ use crate::events::Events;
 use crate::pacing::Pacing;
 use playback::Playback;
 use presentation::Presentation;
+use sound::Sound;
 pub use tick::FrameTime;
 
 /// Memory of the largest map of open air, in particles.
@@ -30,6 +32,8 @@ pub struct Fire {
     pub(crate) playback: Playback,
     pub(crate) presentation: Presentation,
     pub(crate) pacing: Pacing,
+    /// The sound, while a page plays it.
+    sound: Option<Box<Sound>>,
     /// Time of the last statistics \[ms\].
     stats_at: f64,
 }
@@ -45,6 +49,7 @@ impl Fire {
             playback: Playback::new(start),
             presentation: Presentation::default(),
             pacing: Pacing::new(start, on_page),
+            sound: None,
             stats_at: f64::NEG_INFINITY,
         };
         fire.simulation = Simulation::new(fire.scene());

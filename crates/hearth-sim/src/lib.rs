@@ -9,6 +9,10 @@ pub mod particles;
 
 #[cfg(target_arch = "wasm32")]
 mod fire;
+#[cfg(target_arch = "wasm32")]
+mod sound;
 
 #[cfg(target_arch = "wasm32")]
 pub use fire::Fire;
+#[cfg(target_arch = "wasm32")]
+pub use sound::Synthesis;

@@ -6,6 +6,7 @@
 import BODIES from 'inline:bodies';
 import CHILDREN from 'inline:children';
 import CLASSIC from 'inline:classic';
+import SOUND from 'inline:sound';
 import WASM from 'inline:wasm';
 import WORKER from 'inline:worker';
 import { trustedWorker } from './engine/trusted-worker.js';
@@ -20,6 +21,7 @@ export const PARTS = {
   classic: () => unpacked(CLASSIC),
   bodies: () => unpacked(BODIES),
   children: () => unpacked(CHILDREN),
+  sound: () => unpacked(SOUND),
 };
 
 /**

@@ -50,6 +50,7 @@ export async function inlined(sources, wasm, { name, version, license }) {
         classic: await deflated('hearth-engine_classic.wasm'),
         bodies: await deflated('hearth-engine_bodies.wasm'),
         children: await deflated('hearth-engine_children.wasm'),
+        sound: await deflated('hearth-engine_sound.wasm'),
         wasm: await deflated('hearth-engine_bg.wasm'),
         worker: worker.text,
       }),

@@ -33,7 +33,10 @@ const loaded = async (entry) => (await reached(folder, [entry], onRequest)).filt
 
 const ELEMENT = 'hearth-fire.js';
 const always = await loaded(ELEMENT);
-const sound = (await reached(folder, ['sound/player.js'])).filter((file) => !always.includes(file));
+const sound = [
+  ...(await reached(folder, ['sound/player.js'])).filter((file) => !always.includes(file)),
+  'wasm/hearth-engine_sound.wasm',
+];
 const requested = (await reached(folder, [ELEMENT], isEntry)).filter((file) => ![...always, ...sound].includes(file));
 const tools = await loaded('tools.js');
 const plots = (await reached(folder, ['tools.js'], isEntry)).filter(

@@ -8,7 +8,7 @@ use wasm_parts::{Bound, Part};
 use crate::shell::Shell;
 
 /// The parts of the engine. `hearth_bindings::parts` determines which one a scene needs.
-const PARTS: [Part; 3] = [
+const PARTS: [Part; 4] = [
     Part {
         name: "classic",
         modules: &["hearth_core::classic::"],
@@ -24,6 +24,14 @@ const PARTS: [Part; 3] = [
     Part {
         name: "children",
         modules: &["hearth_settings::children::"],
+    },
+    Part {
+        name: "sound",
+        modules: &[
+            "hearth_core::simulation::series::",
+            "hearth_core::sound::",
+            "hearth_engine::fire::sound::",
+        ],
     },
 ];
 

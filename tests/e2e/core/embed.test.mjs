@@ -60,7 +60,7 @@ describe('a fire in an iframe', () => {
     });
     const parameters = Object.values(entry).map(({ attribute }) => attribute);
     const own = attributes.filter((name) => !parameters.includes(name) && name !== 'preset');
-    assert.deepEqual([...options, 'crackle', 'poster', 'sound', 'src'].sort(), own.sort());
+    assert.deepEqual([...options, 'crackle', 'hiss', 'poster', 'roar', 'sound', 'src'].sort(), own.sort());
     const seen = await tab.evaluate(() => {
       let parsed = true;
       try {

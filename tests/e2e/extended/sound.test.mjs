@@ -47,6 +47,20 @@ const counted = () => {
     });
   }
   document.addEventListener('sound-change', ({ detail }) => page.states.push(detail.state), true);
+  // The limiter and the gain after it.
+  const connect = AudioNode.prototype.connect;
+  AudioNode.prototype.connect = function (/** @type {any} */ to, ...others) {
+    if (this instanceof DynamicsCompressorNode && this.context instanceof AudioContext) {
+      const { threshold, knee, ratio, attack, release } = this;
+      const values = Object.entries({ threshold, knee, ratio, attack, release }).map(([name, { value }]) => [
+        name,
+        value,
+      ]);
+      page.limiter = Object.fromEntries(values);
+      page.makeUp = to.gain.value;
+    }
+    return connect.call(this, to, ...others);
+  };
 };
 
 /** Opens a page with these fires, burning. */
@@ -196,6 +210,53 @@ for (const kind of BROWSERS) {
     });
   });
 }
+
+describe('in a browser', () => {
+  /** @type {Browser} */
+  let browser;
+  before(async () => {
+    browser = await Browser.start('chromium');
+  });
+  after(() => browser?.close());
+
+  test('a fire whose synthesis does not arrive burns silently, with an error that says why', async () => {
+    const tab = await browser.open(
+      `${STYLE}${FIRE}<script type="module" src="/web/hearth-fire.js"></script>
+      <script>addEventListener('error', ({ detail }) => { window.said = detail?.message; }, true);</script>`,
+      { before: counted, files: { 'hearth-engine_sound.wasm': { status: 404, body: '' } } },
+    );
+    await tab.ready();
+    await tab.click({ x: 300, y: 300 });
+    await tab.until('the error is there', () => /** @type {any} */ (window).said);
+    const said = await tab.evaluate(() => /** @type {any} */ (window).said);
+    assert.match(said, /^The code for sound could not be loaded: .*hearth-engine_sound\.wasm gave 404$/);
+    await tab.plays(0.3);
+  });
+
+  test('the limiter keeps a crack at full volume whole, and two at the same time below full scale', async () => {
+    const tab = await opened(browser);
+    await tab.click({ x: 300, y: 300 });
+    await hasState(tab, 'playing');
+    const [alone, both] = await tab.evaluate(async () => {
+      const { threshold, knee, ratio, attack, release } = /** @type {any} */ (window).limiter;
+      const peakOf = async (gain) => {
+        const context = new OfflineAudioContext(1, 48_000, 48_000);
+        const buffer = new AudioBuffer({ length: 48_000, sampleRate: 48_000 });
+        // A crack: it begins at once and decays in a millisecond. A limiter that begins is quieter at first.
+        const samples = buffer.getChannelData(0);
+        for (let at = 0; at < 480; at += 1) samples[36_000 + at] = gain * Math.exp(-at / 48) * Math.cos(at / 2);
+        const source = new AudioBufferSourceNode(context, { buffer });
+        const limiter = new DynamicsCompressorNode(context, { threshold, knee, ratio, attack, release });
+        source.connect(limiter).connect(context.destination);
+        source.start();
+        const made = (await context.startRendering()).getChannelData(0);
+        return Math.max(...made.map(Math.abs)) * /** @type {any} */ (window).makeUp;
+      };
+      return [await peakOf(0.7), await peakOf(2)];
+    });
+    assert.ok(Math.abs(alone / 0.7 - 1) < 0.05 && both < 1, `${alone}, ${both}`);
+  });
+});
 
 describe('with a panel', () => {
   /** @type {Browser} */

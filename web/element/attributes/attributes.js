@@ -155,17 +155,23 @@ reflect(
   (element) => Number(element.getAttribute('zoom')) || 1,
   (element, value) => setOrRemove(element, 'zoom', value),
 );
-/** A number from 0 to 1; NaN for any other text. @param {string} text */
-export const share = (text) => (text.trim() && Number(text) >= 0 && Number(text) <= 1 ? Number(text) : NaN);
+/** The highest values of the sound, from 0 on. @type {{[name: string]: number}} */
+export const LOUDEST = { sound: 1, roar: 2, crackle: 2, hiss: 2 };
+
+/** The value of an attribute of the sound; NaN for any other text. @param {string} name @param {string} text */
+export const loudness = (name, text) =>
+  text.trim() && Number(text) >= 0 && Number(text) <= LOUDEST[name] ? Number(text) : NaN;
 
 for (const [name, initial] of /** @type {const} */ ([
   ['sound', 0],
-  ['crackle', 0.5],
+  ['roar', 1],
+  ['crackle', 1],
+  ['hiss', 1],
 ])) {
   reflect(
     name,
     (element) => {
-      const value = share(element.getAttribute(name) ?? '');
+      const value = loudness(name, element.getAttribute(name) ?? '');
       return Number.isNaN(value) ? initial : value;
     },
     (element, value) => setOrRemove(element, name, value),

@@ -3,7 +3,7 @@
  * warnings about unknown attributes.
  */
 
-import { CHOICES, OBSERVED, isFlag, share } from './attributes.js';
+import { CHOICES, LOUDEST, OBSERVED, isFlag, loudness } from './attributes.js';
 import { alignment, panning } from '../view/viewport.js';
 
 const LIMITS = ['fps-limit', 'max-pixels'];
@@ -128,8 +128,9 @@ export class PagePolicies {
       this.#touch(value ?? '');
     } else if (name === 'controls') {
       this.#control();
-    } else if (name === 'sound' || name === 'crackle') {
-      if (value !== null && Number.isNaN(share(value))) this.#reports.refuse(name, value, 'a number from 0 to 1');
+    } else if (name in LOUDEST) {
+      if (value !== null && Number.isNaN(loudness(name, value)))
+        this.#reports.refuse(name, value, `a number from 0 to ${LOUDEST[name]}`);
       this.#session.code.sound();
     } else if (name === 'poster') {
       this.#view.setPoster(value ?? '');

@@ -165,9 +165,9 @@ export class OnDemandCode {
     this.#use(SOUND, () => (renew ? this.#player?.renew() : this.#player?.update()));
   }
 
-  /** Passes the steps of a frame to the sound. @param {Message} message */
-  playSeries({ seconds, series }) {
-    this.#use(SOUND, () => this.#player?.receive(seconds, series));
+  /** Passes the samples of a frame to the sound. @param {Message} message */
+  playSamples({ samples }) {
+    this.#use(SOUND, () => this.#player?.receive(samples));
   }
 
   /** The sound, if there is any. */

@@ -360,7 +360,7 @@ export class FireSession {
       const error = this.reports.refused(this.code.named(errors, this.#requests.promise(request)));
       if (request !== undefined) this.#requests.settle(request, error);
     },
-    series: (message) => this.code.playSeries(message),
+    samples: (message) => this.code.playSamples(message),
     stats: ({ stats }, { engineThread }) => {
       const { state } = this;
       state.stats = { ...stats, engine: engineThread };

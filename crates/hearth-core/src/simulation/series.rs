@@ -1,7 +1,7 @@
 //! The series of steps that sound follows from.
 
 use super::Simulation;
-use crate::scene::SceneSource;
+use crate::params::Backdrop;
 use crate::series::{Recorder, StepRecord};
 
 /// Width of a source up to which it is a nozzle \[m\].
@@ -49,19 +49,24 @@ impl Simulation {
     }
 
     /// Records a step of a length \[s\].
+    // An entry of the part `sound` of the wasm.
+    #[inline(never)]
     pub(super) fn record(&mut self, length: f64) {
         if let Some(recorder) = self.recorder.as_mut() {
             let power = self.solver.combustion().map_or(0.0, |fire| fire.power());
-            let nozzle =
-                |source: &SceneSource<'_>| source.power > 0.0 && source.width <= MAX_NOZZLE_WIDTH;
-            let nozzles = self.scene.sources().filter(nozzle);
-            let fastest = nozzles.map(|source| source.speed);
-            let jet = if power > 0.0 {
-                fastest.fold(0.0, f32::max)
-            } else {
-                0.0
-            };
-            recorder.add(length, power, jet, self.solver.totals());
+            let (mut jet, mut flutter) = (0.0_f32, 0.0_f32);
+            let burning = self.scene.sources().filter(|_| power > 0.0);
+            for source in burning.filter(|source| source.power > 0.0) {
+                if source.width <= MAX_NOZZLE_WIDTH {
+                    jet = jet.max(source.speed);
+                } else {
+                    let speed = source.speed.max(source.world.wind.abs());
+                    flutter = flutter.max(speed / source.width);
+                }
+            }
+            let wall = f32::from(u8::from(self.scene.world().backdrop != Backdrop::None));
+            let numbers = [length as f32, power, jet, flutter, wall];
+            recorder.add(numbers, self.solver.totals());
         }
     }
 }

@@ -71,12 +71,10 @@ impl Fire {
         if made.steps > 0 {
             self.count_steps(&made, events);
         }
-        let series = self.simulation.series_numbers();
+        if self.sound.is_some() {
+            self.make_samples(passed, events);
+        }
         if let Some(passed) = passed {
-            // Requested steps and those of a warm-up are silent.
-            if !series.is_empty() {
-                events.series(self.id, passed, &series);
-            }
             let dropped = self.playback.drop_rest();
             let pacing = &mut self.pacing;
             pacing

@@ -42,6 +42,11 @@ const RESPONSE_TIME: f32 = 0.035;
 const RESPONSE_SIZE: f32 = 0.004;
 /// Largest ejection speed of embers, relative to the gas [m/s].
 const EJECTION_SPEED: f32 = 0.8;
+/// Share of the embers that a pop of the wood throws; their largest ejection speed [m/s]; and their size, as a share
+/// of the parameter.
+const POP_SHARE: f32 = 0.01;
+const POP_SPEED: f32 = 6.0;
+const POP_SIZE: f32 = 2.0;
 /// Largest ejection velocity of embers that a caller throws, to each side and upwards [m/s].
 const USER_EJECTION_SPEED: Vec2 = Vec2::new(0.9, 2.2);
 /// Most embers after a caller throws some.
@@ -61,6 +66,8 @@ pub(crate) struct Embers {
     backlog: f32,
     /// Count of all births, and the sum of their places \[m\].
     pub thrown: (f64, f64),
+    /// Count of those that a pop threw.
+    pub popped: f64,
 }
 
 impl Embers {
@@ -115,8 +122,16 @@ impl Embers {
                 return;
             };
             let sideways = random.between(-0.5, 0.5);
-            let thrown = Vec2::new(sideways, random.unit()) * EJECTION_SPEED;
+            let upwards = random.unit();
+            let pops = upwards >= 1.0 - POP_SHARE;
+            let speed = if pops { POP_SPEED } else { EJECTION_SPEED };
+            let thrown = Vec2::new(sideways, upwards) * speed;
             self.spawn(gas.position[i], gas.velocity[i] + thrown, values, random);
+            if let Some(ember) = self.alive.last_mut().filter(|_| pops) {
+                ember.size = POP_SIZE * values.ember_size;
+                ember.lifetime = values.ember_life_max.max(values.ember_life_min);
+                self.popped += 1.0;
+            }
             self.backlog -= 1.0;
         }
     }

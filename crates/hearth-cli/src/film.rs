@@ -5,6 +5,7 @@ mod archive;
 pub mod ffmpeg;
 mod gif;
 pub mod seam;
+pub mod sound;
 mod webp;
 
 use std::ffi::OsStr;
@@ -33,13 +34,15 @@ pub enum Format {
     WebM,
     /// H.264 in MP4, by `ffmpeg`: opaque.
     Mp4,
+    /// The sound alone, as WAV.
+    Wav,
     /// Bytes of red, green, blue and straight alpha, rows from the top, without a header.
     Rgba,
 }
 
 impl Format {
     /// All, by their names.
-    pub const ALL: [(&'static str, Format); 8] = [
+    pub const ALL: [(&'static str, Format); 9] = [
         ("png", Format::Png),
         ("zip", Format::Zip),
         ("apng", Format::Apng),
@@ -47,6 +50,7 @@ impl Format {
         ("gif", Format::Gif),
         ("webm", Format::WebM),
         ("mp4", Format::Mp4),
+        ("wav", Format::Wav),
         ("rgba", Format::Rgba),
     ];
 
@@ -129,7 +133,7 @@ pub trait Encoder {
     fn finish(self: Box<Self>) -> Result<(), Error>;
 }
 
-/// The encoder of a film.
+/// The encoder of a film, with the WAV file of its sound if it has one.
 ///
 /// # Errors
 /// The output is not free, or the film needs more memory than it may have.
@@ -138,6 +142,7 @@ pub fn encoder(
     name: &OsStr,
     replace: bool,
     header: Header,
+    sound: Option<Vec<u8>>,
 ) -> Result<Box<dyn Encoder>, Error> {
     if name == "-" {
         return match format {
@@ -148,17 +153,22 @@ pub fn encoder(
             Format::WebM | Format::Mp4 => Err(Error::Use(
                 "ffmpeg writes WebM and MP4 into a file: name one".to_owned(),
             )),
-            _ => file(format, Output::new(name, replace)?, header),
+            _ => file(format, Output::new(name, replace)?, header, sound),
         };
     }
     match format {
         Format::Png => Ok(Box::new(archive::Folder::new(name, replace, header)?)),
-        _ => file(format, Output::new(name, replace)?, header),
+        _ => file(format, Output::new(name, replace)?, header, sound),
     }
 }
 
 /// The encoder of a film in a file.
-fn file(format: Format, output: Output, header: Header) -> Result<Box<dyn Encoder>, Error> {
+fn file(
+    format: Format,
+    output: Output,
+    header: Header,
+    sound: Option<Vec<u8>>,
+) -> Result<Box<dyn Encoder>, Error> {
     let [width, height] = header.size.map(u64::from);
     let kept = match format {
         Format::Gif => width * height * u64::from(header.count) * 4,
@@ -176,8 +186,8 @@ fn file(format: Format, output: Output, header: Header) -> Result<Box<dyn Encode
         Format::Apng => Box::new(apng::Apng::new(output, header)?),
         Format::WebP => Box::new(webp::WebP::new(output, header)?),
         Format::Gif => Box::new(gif::Gif::new(output, header)),
-        Format::WebM | Format::Mp4 => Box::new(ffmpeg::Ffmpeg::new(format, output, header)?),
-        Format::Png | Format::Rgba => Box::new(Raw(output, Vec::new())),
+        Format::WebM | Format::Mp4 => Box::new(ffmpeg::Ffmpeg::new(format, output, header, sound)?),
+        Format::Png | Format::Rgba | Format::Wav => Box::new(Raw(output, Vec::new())),
     })
 }
 

@@ -6,13 +6,16 @@ use std::ops::{Range, RangeInclusive};
 
 use clap::Args;
 use hearth_core::params::Colour;
+use hearth_settings::Settings;
 
 use super::options::{DriverOptions, FireOptions, age, background, named, size};
 use super::progress::{Counter, Progress};
 use crate::Fire;
 use crate::error::{Error, shown};
 use crate::film::seam::{self, Loop};
+use crate::film::sound;
 use crate::film::{self, Encoder, Format, Header, Plays, Rate};
+use crate::output::Output;
 use crate::painter::Painter;
 use crate::picture::Picture;
 
@@ -70,6 +73,9 @@ pub struct Film {
     /// The end goes over into the beginning: films of 1 to 10 seconds.
     #[arg(long = "loop", conflicts_with_all = ["motion_blur", "once"])]
     is_loop: bool,
+    /// Adds the sound of the fire to WebM and MP4.
+    #[arg(long, conflicts_with = "is_loop")]
+    sound: bool,
     /// The film ends instead of playing again (APNG, WebP, GIF).
     #[arg(long)]
     once: bool,
@@ -86,7 +92,8 @@ pub struct Film {
 }
 
 const FORMATS: &str = "\
-Formats: a folder or .zip of PNG files, .png or .apng, .webp, .gif; .webm and .mp4 by the program ffmpeg.
+Formats: a folder or .zip of PNG files, .png or .apng, .webp, .gif; .webm and .mp4 by the program ffmpeg;
+.wav, which is the sound alone.
 With --out - the pictures go to another program, --as png or rgba (straight alpha, rows from the top).
 --frames draws the same pictures as the whole film has there, so several machines can share it.";
 
@@ -114,7 +121,24 @@ impl Film {
             },
             is_lossless: self.lossless,
         };
-        let mut encoder = film::encoder(format, &self.out, self.force, header)?;
+        let progress = Progress::new(self.from + self.fps.time(part.end));
+        progress.name(&shown(&self.scene));
+        if format == Format::Wav {
+            if self.is_loop {
+                return Err(Error::Use("--loop: a loop has no sound".to_owned()));
+            }
+            let output = Output::new(&self.out, self.force)?;
+            return output.write(&self.wav(&settings, &part, &progress));
+        }
+        let sound = match (self.sound, format) {
+            (false, _) => None,
+            (_, Format::WebM | Format::Mp4) => Some(self.wav(&settings, &part, &progress)),
+            _ => {
+                let words = "--sound: only WebM and MP4 have sound; a name that ends with .wav is the sound alone";
+                return Err(Error::Use(words.to_owned()));
+            }
+        };
+        let mut encoder = film::encoder(format, &self.out, self.force, header, sound)?;
         let (offscreen, shared) = self.driver.open()?;
         self.driver.warn(&shared);
         let options = self.fire.picture(self.size, self.supersample);
@@ -127,8 +151,6 @@ impl Film {
             return encoder.finish();
         }
         let mut fire = fire();
-        let progress = Progress::new(self.from + self.fps.time(part.end));
-        progress.name(&shown(&self.scene));
         let mut counter = Counter::new(&progress);
         for number in 0..part.end {
             let is_kept = number >= part.start;
@@ -151,6 +173,14 @@ impl Film {
         }
         progress.finish();
         encoder.finish()
+    }
+
+    /// The sound of a part of the film.
+    fn wav(&self, settings: &Settings, part: &Range<u32>, progress: &Progress) -> Vec<u8> {
+        let mut fire = self.fire.fire(settings, self.size);
+        let mut counter = Counter::new(progress);
+        let ages = [part.start, part.end].map(|number| self.from + self.fps.time(number));
+        sound::wav(&sound::samples(&mut fire, ages, &mut |age| counter.at(age)))
     }
 
     /// Draws a part of a loop: once small, to find its beginning, and then what it shows.

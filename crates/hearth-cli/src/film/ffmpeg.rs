@@ -1,10 +1,13 @@
 //! WebM and MP4, by the program `ffmpeg`. It reads pictures from its standard input and writes one file.
 
+use std::ffi::OsString;
 use std::fs;
 use std::io::{Read, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStderr, ChildStdin, Command, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use hearth_core::params::printable;
 
 use super::{Encoder, Format, Header};
 use crate::error::Error;
@@ -15,20 +18,22 @@ const PROGRAM: &str = "ffmpeg";
 /// Longest end of what the program has said, in an error \[bytes\].
 const LAST_WORDS: usize = 300;
 
-/// The program that runs, and the file that it writes.
-static RUNNING: Mutex<Option<(Child, PathBuf)>> = Mutex::new(None);
+/// The program that runs, the file that it writes, and that of the sound which it reads.
+static RUNNING: Mutex<Option<(Child, [PathBuf; 2])>> = Mutex::new(None);
 
-fn running() -> MutexGuard<'static, Option<(Child, PathBuf)>> {
+fn running() -> MutexGuard<'static, Option<(Child, [PathBuf; 2])>> {
     RUNNING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Ends the program, and removes what it has written.
 pub fn abandon() {
-    if let Some((mut child, part)) = running().take() {
+    if let Some((mut child, files)) = running().take() {
         // Both have happened already after a film that is whole.
         let _ = child.kill();
         let _ = child.wait();
-        let _ = fs::remove_file(part);
+        for file in files {
+            let _ = fs::remove_file(file);
+        }
     }
 }
 
@@ -41,14 +46,19 @@ pub struct Ffmpeg {
 }
 
 /// The arguments: a list, which no shell reads.
-fn arguments(format: Format, header: Header, part: &str) -> Vec<String> {
+fn arguments(format: Format, header: Header, part: &Path, sound: Option<&Path>) -> Vec<OsString> {
     let [width, height] = header.size;
     let rate = format!("{}/{}", header.rate.pictures, header.rate.seconds);
     let size = format!("{width}x{height}");
     let input = format!(
-        "-hide_banner -loglevel error -nostdin -y -f rawvideo -pix_fmt rgba -s {size} -r {rate} -i pipe:0 \
-         -vf scale=out_color_matrix=bt709:out_range=tv"
+        "-hide_banner -loglevel error -nostdin -y -f rawvideo -pix_fmt rgba -s {size} -r {rate} -i pipe:0"
     );
+    let video = "-vf scale=out_color_matrix=bt709:out_range=tv";
+    let audio = match (sound, format) {
+        (None, _) => "",
+        (_, Format::Mp4) => "-c:a aac -b:a 192k -flags:a +bitexact",
+        _ => "-c:a libopus -b:a 160k -flags:a +bitexact",
+    };
     let codec = match (format, header.is_lossless) {
         (Format::Mp4, false) => "-f mp4 -c:v libx264 -crf 14 -pix_fmt yuv420p -movflags +faststart",
         (Format::Mp4, true) => "-f mp4 -c:v libx264 -qp 0 -pix_fmt yuv444p -movflags +faststart",
@@ -58,15 +68,37 @@ fn arguments(format: Format, header: Header, part: &str) -> Vec<String> {
     // The same pictures give the same bytes, and the file contains no version and no time.
     let exact = "-colorspace bt709 -color_primaries bt709 -color_trc bt709 -threads 1 -fflags +bitexact \
                  -flags:v +bitexact -map_metadata -1";
-    let file = format!("file:{part}");
-    let all = [&*input, codec, exact]
-        .into_iter()
-        .flat_map(str::split_whitespace);
-    all.map(str::to_owned).chain([file]).collect()
+    let words = |words: &str| {
+        words
+            .split_whitespace()
+            .map(OsString::from)
+            .collect::<Vec<_>>()
+    };
+    let file = |path: &Path| {
+        let mut name = OsString::from("file:");
+        name.push(path);
+        name
+    };
+    let sound = sound.map(|path| [words("-i"), vec![file(path)]].concat());
+    [
+        words(&input),
+        sound.unwrap_or_default(),
+        words(video),
+        words(codec),
+        words(audio),
+        words(exact),
+        vec![file(part)],
+    ]
+    .concat()
 }
 
 impl Ffmpeg {
-    pub fn new(format: Format, output: Output, header: Header) -> Result<Ffmpeg, Error> {
+    pub fn new(
+        format: Format,
+        output: Output,
+        header: Header,
+        sound: Option<Vec<u8>>,
+    ) -> Result<Ffmpeg, Error> {
         let part = output.part().ok_or_else(|| {
             Error::Use(
                 "ffmpeg writes WebM and MP4 into a file: name one that is no device".to_owned(),
@@ -79,20 +111,26 @@ impl Ffmpeg {
                 "MP4 has an even width and height, and the film has {width} x {height}"
             )));
         }
+        let heard = part.with_extension("wav");
+        if let Some(sound) = &sound {
+            fs::write(&heard, sound).map_err(|error| Error::at(&heard, error))?;
+        }
+        let heard_path = sound.is_some().then_some(&*heard);
         let mut child = Command::new(PROGRAM)
-            .args(arguments(format, header, &part.to_string_lossy()))
+            .args(arguments(format, header, &part, heard_path))
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
             .stderr(Stdio::piped())
             .spawn()
             .map_err(|error| {
+                let _ = fs::remove_file(&heard);
                 Error::Failed(format!(
                     "{PROGRAM}, which writes WebM and MP4, does not start: {error}; \
                      apng, webp, gif and zip need no other program"
                 ))
             })?;
         let (input, errors) = (child.stdin.take(), child.stderr.take());
-        *running() = Some((child, part));
+        *running() = Some((child, [part, heard]));
         Ok(Ffmpeg {
             output,
             input,
@@ -108,7 +146,7 @@ impl Ffmpeg {
             // It has closed its input, so it ends.
             let _ = errors.read_to_string(&mut said);
         }
-        let said = said.trim();
+        let said = printable(said.trim());
         let start = said.len().saturating_sub(LAST_WORDS);
         let start = (start..said.len()).find(|&at| said.is_char_boundary(at));
         let end = said.get(start.unwrap_or(0)..).unwrap_or_default();
@@ -142,10 +180,8 @@ impl Encoder for Ffmpeg {
         if !ended.is_some_and(|ended| ended.is_ok_and(|status| status.success())) {
             return Err(self.last_words());
         }
-        match running().take() {
-            Some((_, part)) => self.output.take(&part),
-            None => Ok(()),
-        }
+        let part = running().as_ref().map(|(_, [part, _])| part.clone());
+        part.map_or(Ok(()), |part| self.output.take(&part))
     }
 }
 

@@ -229,6 +229,33 @@ fn the_end_of_a_loop_goes_over_into_its_beginning_as_any_picture_into_the_next()
     assert!(run(&["--frames", "20..22"]) == pictures[20..22].concat());
 }
 
+#[test]
+fn the_sound_is_as_long_as_the_film_and_that_of_a_part_is_a_part_of_it() {
+    let folder = Folder::new("film-sound");
+    let mut files = Vec::new();
+    for (name, others) in [
+        ("a.wav", &[][..]),
+        ("b.wav", &[]),
+        ("part.wav", &["--frames", "2..4"]),
+    ] {
+        let run = film(&folder, name, others);
+        assert_eq!((run.code, &*run.errors), (0, ""));
+        files.push(folder.read(name));
+    }
+    let [whole, again, part] = &files[..] else {
+        panic!("three files");
+    };
+    // A header has 44 bytes, and a picture lasts for 1600 samples of two channels.
+    assert_eq!(
+        (whole.len(), part.len()),
+        (44 + COUNT * 6400, 44 + 2 * 6400)
+    );
+    assert!(whole == again && part[44..] == whole[44 + 2 * 6400..44 + 4 * 6400]);
+    assert!(whole[44..].iter().any(|byte| *byte != 0));
+    film(&folder, "a.webp", &["--sound"]).refuses(&["--sound", ".wav"]);
+    film(&folder, "c.wav", &["--loop", "--sound"]).refuses(&["--loop"]);
+}
+
 #[cfg(unix)]
 mod by_ffmpeg {
     use super::*;
@@ -277,6 +304,19 @@ mod by_ffmpeg {
         ] {
             assert!(arguments.contains(words), "{words:?} in {arguments}");
         }
+    }
+
+    #[test]
+    fn it_gets_the_sound_as_a_file_that_is_gone_later() {
+        let folder = Folder::new("film-ffmpeg-sound");
+        let script = r#"for last; do case "$last" in file:*wav) wc -c < "${last#file:}" > length;; esac; done; cat > "${last#file:}""#;
+        let run = with(&folder, Some(script), "a.webm", &["--sound"]);
+        assert_eq!((run.code, &*run.errors), (0, ""));
+        assert_eq!(folder.names(), ["a.webm", "length"]);
+        assert_eq!(
+            folder.read("length"),
+            format!("{}\n", 44 + COUNT * 6400).as_bytes()
+        );
     }
 
     #[test]

@@ -118,6 +118,29 @@ impl Rate {
     }
 }
 
+/// When the pictures of a film are. A film plays as fast as the element does.
+#[derive(Clone, Copy, Debug)]
+pub struct Clock {
+    /// Age of the fire at the first picture \[s\].
+    pub from: f64,
+    /// Pictures a second.
+    pub rate: Rate,
+    /// The parameter `time_scale`: seconds of fire in a second of the film.
+    pub speed: f64,
+}
+
+impl Clock {
+    /// Age of the fire at the picture of that number \[s\].
+    pub fn age(&self, number: u32) -> f64 {
+        self.from + self.elapsed(number)
+    }
+
+    /// Time of fire in that many pictures \[s\].
+    pub fn elapsed(&self, pictures: u32) -> f64 {
+        self.rate.time(pictures) * self.speed
+    }
+}
+
 /// Receives the pictures of a film in order.
 pub trait Encoder {
     /// Takes the next picture.

@@ -14,7 +14,7 @@ use crate::Fire;
 use crate::error::{Error, shown};
 use crate::film::seam::{self, Loop};
 use crate::film::sound;
-use crate::film::{self, Encoder, Format, Header, Plays, Rate};
+use crate::film::{self, Clock, Encoder, Format, Header, Plays, Rate};
 use crate::output::Output;
 use crate::painter::Painter;
 use crate::picture::Picture;
@@ -121,7 +121,8 @@ impl Film {
             },
             is_lossless: self.lossless,
         };
-        let progress = Progress::new(self.from + self.fps.time(part.end));
+        let clock = self.clock(&settings);
+        let progress = Progress::new(clock.age(part.end));
         progress.name(&shown(&self.scene));
         if format == Format::Wav {
             if self.is_loop {
@@ -147,19 +148,25 @@ impl Film {
         if self.is_loop {
             let options = self.fire.picture([SEEN_SIDE; 2], 1);
             let mut small = Painter::new(&offscreen, &shared, options)?;
-            self.draw_loop(&fire, [&mut painter, &mut small], &part, &mut *encoder)?;
+            self.draw_loop(
+                clock,
+                &fire,
+                [&mut painter, &mut small],
+                &part,
+                &mut *encoder,
+            )?;
             return encoder.finish();
         }
         let mut fire = fire();
         let mut counter = Counter::new(&progress);
         for number in 0..part.end {
             let is_kept = number >= part.start;
-            let is_drawn = is_kept || self.fps.time(part.start - number) <= CARRIED_SECONDS;
+            let is_drawn = is_kept || clock.elapsed(part.start - number) <= CARRIED_SECONDS;
             let mut moments = Vec::new();
             for moment in 1..=self.motion_blur {
                 let open = f64::from(self.motion_blur - moment) / f64::from(self.motion_blur);
-                let before = SHUTTER * open * self.fps.time(1);
-                let time = self.from + self.fps.time(number) - before;
+                let before = SHUTTER * open * clock.elapsed(1);
+                let time = clock.age(number) - before;
                 fire.advance(time, &mut |age| counter.at(age));
                 if is_kept {
                     moments.push(painter.paint(&mut fire)?);
@@ -179,23 +186,25 @@ impl Film {
     fn wav(&self, settings: &Settings, part: &Range<u32>, progress: &Progress) -> Vec<u8> {
         let mut fire = self.fire.fire(settings, self.size);
         let mut counter = Counter::new(progress);
-        let ages = [part.start, part.end].map(|number| self.from + self.fps.time(number));
+        let clock = self.clock(settings);
+        let ages = [part.start, part.end].map(|number| clock.age(number));
         sound::wav(&sound::samples(&mut fire, ages, &mut |age| counter.at(age)))
     }
 
     /// Draws a part of a loop: once small, to find its beginning, and then what it shows.
     fn draw_loop(
         &self,
+        clock: Clock,
         begin: &dyn Fn() -> Fire,
         [painter, small]: [&mut Painter<'_>; 2],
         part: &Range<u32>,
         encoder: &mut dyn Encoder,
     ) -> Result<(), Error> {
         let film = Loop::new(self.count()?, self.fps);
-        let time = |number: u32| self.from + self.fps.time(number);
+        let time = |number: u32| clock.age(number);
         let mut fire = begin();
         let life = f64::from(fire.simulation().parameters().ember_life_max);
-        let lived = film.searched() + (life / self.fps.time(1)).ceil() as u32;
+        let lived = film.searched() + (life / clock.elapsed(1)).ceil() as u32;
         let progress = Progress::new(time(lived) + time(film.searched()));
         progress.name(&shown(&self.scene));
         let mut counter = Counter::new(&progress);
@@ -219,7 +228,7 @@ impl Film {
             let at = (number + film.fade).checked_sub(start);
             let at = at.map(|at| (at + film.count - film.fade) % film.count);
             let Some(at) = at else {
-                if self.fps.time(start - number) <= CARRIED_SECONDS {
+                if clock.elapsed(start - number) <= CARRIED_SECONDS {
                     painter.draw(&mut fire, &mut |_| {})?;
                 }
                 continue;
@@ -258,6 +267,15 @@ impl Film {
             };
             Error::Use(words)
         })
+    }
+
+    /// When the pictures of a film with these settings are.
+    fn clock(&self, settings: &Settings) -> Clock {
+        Clock {
+            from: self.from,
+            rate: self.fps,
+            speed: settings.parameters().time_scale.into(),
+        }
     }
 
     /// The number of pictures of the whole film.

@@ -4,12 +4,13 @@ use std::ffi::OsString;
 use std::path::Path;
 
 use clap::Args;
+use hearth_settings::Settings;
 
 use super::film::rate;
 use super::options::{DriverOptions, FireOptions, age, named, size};
 use super::progress::{Counter, Progress};
 use crate::error::Error;
-use crate::film::Rate;
+use crate::film::{Clock, Rate};
 use crate::output::Output;
 use crate::painter::Painter;
 use crate::picture::{Picture, png_of_rgba};
@@ -273,15 +274,16 @@ impl Sprites {
         let settings = self.fire.settings(&self.scene, &self.values(layer))?;
         let (offscreen, shared) = self.driver.open()?;
         self.driver.warn(&shared);
+        let clock = self.clock(&settings);
         let options = self.fire.picture(self.tile, self.supersample);
         let mut painter = Painter::new(&offscreen, &shared, options)?;
         let mut fire = self.fire.fire(&settings, self.tile);
-        let progress = Progress::new(self.moment(self.count));
+        let progress = Progress::new(clock.age(self.count));
         progress.name(layer.name());
         let mut counter = Counter::new(&progress);
         let mut pictures = Vec::new();
         for number in 0..self.count {
-            fire.advance(self.moment(number), &mut |age| counter.at(age));
+            fire.advance(clock.age(number), &mut |age| counter.at(age));
             pictures.push(painter.paint(&mut fire)?);
         }
         progress.finish();
@@ -294,6 +296,7 @@ impl Sprites {
             .fire
             .settings(&self.scene, &self.values(Layer::Motion))?;
         let mut fire = self.fire.fire(&settings, self.tile);
+        let clock = self.clock(&settings);
         let values = settings.parameters();
         let domain = [values.domain_width, values.domain_height];
         let viewport = Viewport::new(self.tile, domain, self.fire.camera());
@@ -301,7 +304,7 @@ impl Sprites {
         let mut before = Moment::of(fire.simulation());
         let mut vectors = Vec::new();
         for number in 1..=self.count {
-            fire.advance(self.moment(number), &mut |_| {});
+            fire.advance(clock.age(number), &mut |_| {});
             let now = Moment::of(fire.simulation());
             vectors.push(before.displacements(&now, viewport, self.tile));
             before = now;
@@ -309,8 +312,12 @@ impl Sprites {
         Ok(vectors)
     }
 
-    /// Age of the fire at a picture \[s\].
-    fn moment(&self, number: u32) -> f64 {
-        self.from + self.fps.time(number)
+    /// When the tiles are.
+    fn clock(&self, settings: &Settings) -> Clock {
+        Clock {
+            from: self.from,
+            rate: self.fps,
+            speed: settings.parameters().time_scale.into(),
+        }
     }
 }

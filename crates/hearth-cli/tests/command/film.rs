@@ -252,6 +252,12 @@ fn the_sound_is_as_long_as_the_film_and_that_of_a_part_is_a_part_of_it() {
     );
     assert!(whole == again && part[44..] == whole[44 + 2 * 6400..44 + 4 * 6400]);
     assert!(whole[44..].iter().any(|byte| *byte != 0));
+    // A film in slow motion is as long.
+    assert_eq!(
+        film(&folder, "slow.wav", &["--set", "time_scale=0.5"]).code,
+        0
+    );
+    assert_eq!(folder.read("slow.wav").len(), whole.len());
     film(&folder, "a.webp", &["--sound"]).refuses(&["--sound", ".wav"]);
     film(&folder, "c.wav", &["--loop", "--sound"]).refuses(&["--loop"]);
 }

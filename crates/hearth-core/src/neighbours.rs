@@ -42,8 +42,6 @@ pub(crate) trait Block: Copy {
     fn weight(&self) -> Lanes;
     /// The sum over the neighbours of each, Σⱼ yⱼ [`kernel::w`].
     fn sum(&mut self) -> &mut Lanes;
-    /// The block, moved by smoothing lengths.
-    fn moved(self, by: Vec2) -> Self;
 }
 
 /// Sums over pairs, `N` for each particle.
@@ -53,8 +51,13 @@ pub(crate) trait PairSum<const N: usize> {
     /// The particles that are paired with those of a block, lane by lane; mostly the same one in all lanes.
     type Broadcast;
 
-    /// The lanes that `pick` takes of each property of `block`.
-    fn broadcast(&self, block: &Self::Block, pick: impl Fn(&Lanes) -> Lanes) -> Self::Broadcast;
+    /// The lanes that `pick` takes of each property of `block`, at positions moved `by` smoothing lengths.
+    fn broadcast(
+        &self,
+        block: &Self::Block,
+        pick: impl Fn(&Lanes) -> Lanes,
+        by: Vec2,
+    ) -> Self::Broadcast;
 
     /// The terms that each of the four `others` adds to the sums of `particle`, and the terms that
     /// `particle` subtracts from the sums of the others.
@@ -230,16 +233,29 @@ impl Neighbours {
 
     /// Adds `pairs` to the sums of both ends of every pair.
     pub fn sum<const N: usize, P: PairSum<N>>(&self, pairs: &P, blocks: &mut [P::Block]) {
+        if self.is_masked {
+            self.sum_pairs::<N, P, true>(pairs, blocks);
+        } else {
+            self.sum_pairs::<N, P, false>(pairs, blocks);
+        }
+    }
+
+    fn sum_pairs<const N: usize, P: PairSum<N>, const MASKED: bool>(
+        &self,
+        pairs: &P,
+        blocks: &mut [P::Block],
+    ) {
+        // Emptied where it is read: in wasm, an array that is zeroed for each block is a call of C.
+        let mut added = [[Lanes::ZERO; N]; LANES];
         for sweep in &self.sweeps {
             let block = sweep.block as usize;
-            let mut added = [[Lanes::ZERO; N]; LANES];
-            let own = blocks[block].moved(-sweep.shift);
             for &entry in &self.entries[sweep.range()] {
                 let lane = entry.lane();
-                let particle = pairs.broadcast(&own, |of| of.broadcast(lane));
+                let particle =
+                    pairs.broadcast(&blocks[block], |of| of.broadcast(lane), -sweep.shift);
                 let others = &mut blocks[entry.number()];
                 let (mut terms, mut theirs) = pairs.pair(&particle, others);
-                if self.is_masked {
+                if MASKED {
                     let keep = KEEP[entry.mask()];
                     terms = terms.map(|term| term * keep);
                     theirs = theirs.map(|term| term * keep);
@@ -256,7 +272,12 @@ impl Neighbours {
             }
             let accumulator = P::accumulator(&mut blocks[block]);
             for (k, sum) in accumulator.iter_mut().enumerate() {
-                *sum += lanes::row_sums(added.map(|sum| sum[k])) + inner[k];
+                let mut four = [Lanes::ZERO; LANES];
+                for lane in 0..LANES {
+                    four[lane] = added[lane][k];
+                    added[lane][k] = Lanes::ZERO;
+                }
+                *sum += lanes::row_sums(four) + inner[k];
             }
         }
     }
@@ -269,9 +290,9 @@ impl Neighbours {
         block: &P::Block,
         sweep: &Sweep,
     ) -> [Lanes; N] {
-        let next = pairs.broadcast(block, |of| of.rotated());
+        let next = pairs.broadcast(block, |of| of.rotated(), Vec2::ZERO);
         let (mut of_next, mut of_each) = pairs.pair(&next, block);
-        let opposite = pairs.broadcast(block, |of| of.rotated().rotated());
+        let opposite = pairs.broadcast(block, |of| of.rotated().rotated(), Vec2::ZERO);
         // A pair of opposite lanes is there twice, and each end takes what it gets.
         let (_, mut of_opposite) = pairs.pair(&opposite, block);
         if self.is_masked {
@@ -283,43 +304,6 @@ impl Neighbours {
         std::array::from_fn(|k| {
             of_next[k].rotated().rotated().rotated() - of_each[k] - of_opposite[k]
         })
-    }
-
-    /// Calls `visit` with each particle, the shift of its neighbours in smoothing lengths, and
-    /// these neighbours. It visits each pair once. A particle is its index, four to a block;
-    /// the index after the last block pads the neighbours to a multiple of four.
-    #[inline(always)]
-    pub fn each(&self, others: &mut Vec<u32>, mut visit: impl FnMut(usize, Vec2, &[u32])) {
-        let padding = (LANES * self.blocks) as u32;
-        for sweep in &self.sweeps {
-            let list = &self.entries[sweep.range()];
-            let room = LANES * (list.len() + 2);
-            if LANES * room > others.len() {
-                others.resize(LANES * room, 0);
-            }
-            let mut counts = [0; LANES];
-            for entry in sweep.inner_entries().chain(list.iter().copied()) {
-                let (lanes, members) = MEMBERS[entry.mask()];
-                let base = (entry.number() * LANES) as u32;
-                let start = entry.lane() * room + counts[entry.lane()];
-                counts[entry.lane()] += members;
-                for (index, lane) in others[start..start + LANES].iter_mut().zip(lanes) {
-                    *index = base + lane;
-                }
-            }
-            for (lane, count) in counts.into_iter().enumerate() {
-                let others = &mut others[lane * room..(lane + 1) * room];
-                others[count..count + LANES].fill(padding);
-                if count > 0 {
-                    let particle = sweep.block as usize * LANES + lane;
-                    visit(
-                        particle,
-                        sweep.shift,
-                        &others[..count.next_multiple_of(LANES)],
-                    );
-                }
-            }
-        }
     }
 
     /// Number of candidates that the last search compared, at most [`Block::MAX_ENTRIES`].

@@ -8,6 +8,8 @@ mod as_published;
 mod pressure;
 mod viscosity;
 
+use glam::Vec2;
+
 use super::pair::{Broadcast, Pair};
 use super::pairs::{Block, Pairs};
 use crate::interaction::{PairInteraction, Rates};
@@ -45,8 +47,8 @@ impl<I: PairInteraction<Pair>> PairSum<2> for Symmetric<I> {
     type Broadcast = Broadcast;
 
     #[inline(always)]
-    fn broadcast(&self, block: &Block, pick: impl Fn(&Lanes) -> Lanes) -> Broadcast {
-        Broadcast::of(block, pick)
+    fn broadcast(&self, block: &Block, pick: impl Fn(&Lanes) -> Lanes, by: Vec2) -> Broadcast {
+        Broadcast::of(block, pick, by)
     }
 
     #[inline(always)]

@@ -1,5 +1,7 @@
 //! The pair data of the classic interactions: one particle against four neighbours.
 
+use glam::Vec2;
+
 use super::pairs::Block;
 use crate::interaction::Separation;
 use crate::kernel;
@@ -15,10 +17,10 @@ pub(super) struct Broadcast {
 
 impl Broadcast {
     #[inline(always)]
-    pub fn of(block: &Block, pick: impl Fn(&Lanes) -> Lanes) -> Broadcast {
+    pub fn of(block: &Block, pick: impl Fn(&Lanes) -> Lanes, by: Vec2) -> Broadcast {
         let [[x, y], [vx, vy]] = [&block.position, &block.velocity];
         Broadcast {
-            position: [pick(x), pick(y)],
+            position: [pick(x) + by.x, pick(y) + by.y],
             velocity: [pick(vx), pick(vy)],
             volume: pick(&block.volume),
             pressure: pick(&block.pressure),

@@ -4,6 +4,7 @@
 
 use std::ops::Range;
 
+#[cfg(test)]
 use glam::Vec2;
 
 use super::equation_of_state;
@@ -57,14 +58,6 @@ impl neighbours::Block for Block {
     #[inline(always)]
     fn sum(&mut self) -> &mut Lanes {
         &mut self.volume
-    }
-    #[inline(always)]
-    fn moved(self, by: Vec2) -> Block {
-        let [x, y] = self.position;
-        Block {
-            position: [x + by.x, y + by.y],
-            ..self
-        }
     }
 }
 

@@ -17,9 +17,6 @@ impl Block for Four {
     fn sum(&mut self) -> &mut Lanes {
         &mut self.sum
     }
-    fn moved(self, _: Vec2) -> Four {
-        self
-    }
 }
 
 #[test]

@@ -3,6 +3,8 @@
 //! Each printed form has a parameter, to show its effect. They are separate because they are
 //! not symmetric, and so that the corrected interactions test no flag per pair.
 
+use glam::Vec2;
+
 use crate::classic::pair::Broadcast;
 use crate::classic::pairs::Block;
 use crate::interaction::Separation;
@@ -64,8 +66,8 @@ impl PairSum<2> for AsPublished {
     type Broadcast = Broadcast;
 
     #[inline(always)]
-    fn broadcast(&self, block: &Block, pick: impl Fn(&Lanes) -> Lanes) -> Broadcast {
-        Broadcast::of(block, pick)
+    fn broadcast(&self, block: &Block, pick: impl Fn(&Lanes) -> Lanes, by: Vec2) -> Broadcast {
+        Broadcast::of(block, pick, by)
     }
 
     fn pair(&self, particle: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {

@@ -12,12 +12,12 @@ mod viscosity;
 
 use glam::{Vec2, Vec4};
 
-use super::pair::{Broadcast, Context, PackedParticle, Pair};
+use super::pair::{Block, Broadcast, Context, Pair, SUMS};
 use super::{Gas, make_room};
 use crate::grid::Grid;
 use crate::interaction::{PairInteraction, Rates};
-use crate::lanes::{LANES, Lanes, row_sums, transposed};
-use crate::neighbours::Neighbours;
+use crate::lanes::{LANES, Lanes, transposed};
+use crate::neighbours::{FAR_AWAY, Neighbours, PairSum};
 
 /// All pair interactions, in the order in which their rates add up.
 fn list(context: &Context) -> impl PairInteraction<Pair> {
@@ -29,123 +29,115 @@ fn list(context: &Context) -> impl PairInteraction<Pair> {
     )
 }
 
-/// The sums of a particle.
-#[derive(Clone, Copy, Debug)]
-struct Accumulator {
-    /// Acceleration [m/s²], and the concentration gradient without its factor.
-    motion: Lanes,
-    /// Change of the state [1/s].
-    state: Lanes,
+/// All interactions of a step.
+struct Sums<I> {
+    interactions: I,
+    eddy_scale: Lanes,
 }
 
-impl Accumulator {
-    const ZERO: Accumulator = Accumulator {
-        motion: Lanes::ZERO,
-        state: Lanes::ZERO,
-    };
+impl<I: PairInteraction<Pair>> PairSum<SUMS> for Sums<I> {
+    type Block = Block;
+    type Broadcast = Broadcast;
+
+    #[inline(always)]
+    fn broadcast(&self, block: &Block, pick: impl Fn(&Lanes) -> Lanes, by: Vec2) -> Broadcast {
+        Broadcast::of(block, pick, by)
+    }
+
+    #[inline(always)]
+    fn pair(&self, particle: &Broadcast, others: &Block) -> ([Lanes; SUMS], [Lanes; SUMS]) {
+        let pair = Pair::new(particle, others, self.eddy_scale);
+        let mut rates = Rates::NONE;
+        self.interactions.add(&pair, &mut rates);
+        let [ax, ay] = rates.acceleration(&pair.offset, pair.velocity);
+        let (x, y) = (pair.offset.x * pair.gradient, pair.offset.y * pair.gradient);
+        let [t, f, o, s] =
+            std::array::from_fn(|k| (particle.state[k] - others.state[k]) * rates.mixing);
+        (
+            [ax, ay, x * others.volume, y * others.volume, t, f, o, s],
+            [ax, ay, x * particle.volume, y * particle.volume, t, f, o, s],
+        )
+    }
+
+    #[inline(always)]
+    fn accumulator(block: &mut Block) -> &mut [Lanes; SUMS] {
+        &mut block.sums
+    }
 }
 
 /// The memory of the pass.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Interactions {
-    packed: Vec<PackedParticle>,
-    accumulators: Vec<Accumulator>,
-    /// The neighbours of one particle.
-    others: Vec<u32>,
+    blocks: Vec<Block>,
 }
 
 impl Interactions {
     /// Makes room for so many blocks of particles.
     pub fn reserve(&mut self, blocks: usize) {
-        let particles = LANES * blocks + 1;
-        make_room(&mut self.packed, particles);
-        make_room(&mut self.accumulators, particles);
+        make_room(&mut self.blocks, blocks);
     }
 
     /// Sums acceleration, diffusion and concentration gradient over the pairs.
     pub fn sum(&mut self, gas: &mut Gas, grid: &Grid, neighbours: &Neighbours, context: &Context) {
         let kernel = context.kernel;
         self.pack(gas, grid, 1.0 / kernel.smoothing_length());
-        let Interactions {
-            packed,
-            accumulators,
-            others,
-        } = self;
-        accumulators.clear();
-        accumulators.resize(packed.len(), Accumulator::ZERO);
-
-        let (interactions, eddy_scale) = (list(context), Pair::eddy_scale(context));
-        neighbours.each(others, |here, shift, others| {
-            let particle = packed[here];
-            let broadcast = Broadcast::of(&particle, shift);
-            let mut motion = [Lanes::ZERO; 4];
-            let mut state = Lanes::ZERO;
-            for four in others.chunks_exact(LANES) {
-                let four = [0, 1, 2, 3].map(|k| four[k] as usize);
-                let theirs = four.map(|there| packed[there]);
-                let pair = Pair::new(&broadcast, theirs, eddy_scale);
-                let mut rates = Rates::NONE;
-                interactions.add(&pair, &mut rates);
-                let [ax, ay] = rates.acceleration(&pair.offset, pair.velocity);
-                let (x, y) = (pair.offset.x * pair.gradient, pair.offset.y * pair.gradient);
-                motion[0] += ax;
-                motion[1] += ay;
-                motion[2] += x * pair.volume;
-                motion[3] += y * pair.volume;
-                let lost = transposed([ax, ay, x * broadcast.volume, y * broadcast.volume]);
-                for k in 0..LANES {
-                    let flux = (particle.state - theirs[k].state) * rates.mixing.broadcast(k);
-                    state += flux;
-                    let accumulator = &mut accumulators[four[k]];
-                    accumulator.motion -= lost[k];
-                    accumulator.state -= flux;
-                }
-            }
-            let accumulator = &mut accumulators[here];
-            accumulator.motion += row_sums(motion);
-            accumulator.state += state;
-        });
-
+        let sums = Sums {
+            interactions: list(context),
+            eddy_scale: Pair::eddy_scale(context),
+        };
+        neighbours.sum(&sums, &mut self.blocks);
         let gradient_norm = -kernel.minus_dw_norm() * kernel.smoothing_length();
-        let (fours, _) = accumulators.as_chunks::<LANES>();
-        for (accumulators, members) in fours.iter().zip(grid.members()) {
-            for (accumulator, i) in accumulators.iter().zip(members) {
-                let [ax, ay, x, y] = accumulator.motion.to_array();
+        for (block, members) in self.blocks.iter().zip(grid.members()) {
+            let [ax, ay, x, y, t, f, o, s] = block.sums;
+            let motion = transposed([ax, ay, x * gradient_norm, y * gradient_norm]);
+            let change = transposed([t, f, o, s]);
+            for ((motion, change), i) in motion.into_iter().zip(change).zip(members) {
+                let [ax, ay, x, y] = motion.to_array();
                 gas.acceleration[i] = Vec2::new(ax, ay);
-                gas.concentration_gradient[i] = Vec2::new(x, y) * gradient_norm;
-                gas.change[i] = Vec4::from_array(accumulator.state.to_array());
+                gas.concentration_gradient[i] = Vec2::new(x, y);
+                gas.change[i] = Vec4::from_array(change.to_array());
             }
         }
     }
 
     fn pack(&mut self, gas: &Gas, grid: &Grid, inverse_h: f32) {
-        let packed = &mut self.packed;
-        // The particle after the last one pads the neighbour lists.
-        let count = LANES * grid.block_count() + 1;
-        packed.resize(count, PackedParticle::EMPTY);
-        packed[count - 1] = PackedParticle::EMPTY;
-        let (fours, _) = packed.as_chunks_mut::<LANES>();
-        for (packed, members) in fours.iter_mut().zip(grid.members()) {
-            packed[members.len()..].fill(PackedParticle::EMPTY);
-            for (particle, i) in packed.iter_mut().zip(members) {
+        // Not cleared: the loop overwrites every block.
+        self.blocks.resize(grid.block_count(), Block::EMPTY);
+        for (block, members) in self.blocks.iter_mut().zip(grid.members()) {
+            const EMPTY: [Lanes; 3] = [
+                Lanes::new([FAR_AWAY, FAR_AWAY, 0.0, 0.0]),
+                Lanes::new([1.0, 0.0, 0.0, 0.0]),
+                Lanes::ZERO,
+            ];
+            let [mut motion, mut rest, mut state] = EMPTY.map(|lanes| [lanes; LANES]);
+            for (lane, i) in members.enumerate() {
                 let (at, v) = (gas.position[i] * inverse_h, gas.velocity[i]);
-                *particle = PackedParticle {
-                    motion: Lanes::new([at.x, at.y, v.x, v.y]),
-                    volume_pressure: Lanes::new([
-                        gas.volume[i],
-                        gas.pressure[i],
-                        0.5 * gas.roll_viscosity[i],
-                        0.0,
-                    ]),
-                    state: Lanes::new(gas.state[i].to_array()),
-                };
+                motion[lane] = Lanes::new([at.x, at.y, v.x, v.y]);
+                rest[lane] = Lanes::new([
+                    gas.volume[i],
+                    gas.pressure[i],
+                    0.5 * gas.roll_viscosity[i],
+                    0.0,
+                ]);
+                state[lane] = Lanes::new(gas.state[i].to_array());
             }
+            let [x, y, vx, vy] = transposed(motion);
+            let [volume, pressure, half_roll_viscosity, _] = transposed(rest);
+            *block = Block {
+                position: [x, y],
+                velocity: [vx, vy],
+                volume,
+                pressure,
+                half_roll_viscosity,
+                state: transposed(state),
+                sums: [Lanes::ZERO; SUMS],
+            };
         }
     }
 
-    /// The gas as the last pass packed it, four particles to a block of the grid.
-    pub fn packed(&self) -> &[PackedParticle] {
-        &self.packed
+    /// The gas as the last pass packed it.
+    pub fn blocks(&self) -> &[Block] {
+        &self.blocks
     }
 }
 

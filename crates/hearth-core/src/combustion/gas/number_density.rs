@@ -8,8 +8,6 @@
 //! open air, Ȳ is the density of the air. Pressure below Ȳ attracts particles, and shifting spreads them
 //! again; so shifting cannot be turned off.
 
-use glam::Vec2;
-
 use super::equation_of_state::expansion;
 use super::pair::Context;
 use super::walls::Walls;
@@ -47,14 +45,6 @@ impl neighbours::Block for Block {
     #[inline(always)]
     fn sum(&mut self) -> &mut Lanes {
         &mut self.sum
-    }
-    #[inline(always)]
-    fn moved(self, by: Vec2) -> Block {
-        let [x, y] = self.position;
-        Block {
-            position: [x + by.x, y + by.y],
-            ..self
-        }
     }
 }
 

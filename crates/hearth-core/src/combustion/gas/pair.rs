@@ -6,48 +6,85 @@ use super::Gas;
 use super::speed_limit::artificial_viscosity;
 use crate::interaction::Separation;
 use crate::kernel::{self, Kernel};
-use crate::lanes::{LANES, Lanes, Real, transposed};
-use crate::neighbours::FAR_AWAY;
+use crate::lanes::{Lanes, Real};
+use crate::neighbours::{self, FAR_AWAY};
 use crate::params::Physics;
 
-/// A particle, packed into vectors of four numbers.
+/// Four particles.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct PackedParticle {
-    /// Position, in smoothing lengths, and velocity [m/s].
-    pub motion: Lanes,
-    /// Volume \[m²\], pressure \[Pa\], half of the viscosity of its roll [m²/s] and an unused lane.
-    pub volume_pressure: Lanes,
+pub(crate) struct Block {
+    /// Position, in smoothing lengths.
+    pub position: [Lanes; 2],
+    /// Velocity [m/s].
+    pub velocity: [Lanes; 2],
+    /// Volume \[m²\].
+    pub volume: Lanes,
+    /// Pressure \[Pa\].
+    pub pressure: Lanes,
+    /// Half of the viscosity of its roll [m²/s].
+    pub half_roll_viscosity: Lanes,
     /// Temperature \[K\], fuel, oxygen, soot.
-    pub state: Lanes,
+    pub state: [Lanes; 4],
+    /// Acceleration [m/s²], the concentration gradient without its factor, and the change of the
+    /// state [1/s].
+    pub sums: [Lanes; SUMS],
 }
 
-impl PackedParticle {
-    /// Padding, beyond every support.
-    pub const EMPTY: PackedParticle = PackedParticle {
-        motion: Lanes::new([FAR_AWAY, FAR_AWAY, 0.0, 0.0]),
-        volume_pressure: Lanes::new([1.0, 0.0, 0.0, 0.0]),
-        state: Lanes::ZERO,
+/// Number of sums of a particle.
+pub(crate) const SUMS: usize = 8;
+
+impl Block {
+    /// No particle.
+    pub const EMPTY: Block = Block {
+        position: [Lanes::splat(FAR_AWAY); 2],
+        velocity: [Lanes::ZERO; 2],
+        volume: Lanes::splat(1.0),
+        pressure: Lanes::ZERO,
+        half_roll_viscosity: Lanes::ZERO,
+        state: [Lanes::ZERO; 4],
+        sums: [Lanes::ZERO; SUMS],
     };
 }
 
-/// A particle with each property in all lanes.
+impl neighbours::Block for Block {
+    #[inline(always)]
+    fn position(&self) -> [Lanes; 2] {
+        self.position
+    }
+    #[inline(always)]
+    fn weight(&self) -> Lanes {
+        self.volume
+    }
+    #[inline(always)]
+    fn sum(&mut self) -> &mut Lanes {
+        &mut self.sums[0]
+    }
+}
+
+/// Particles that are paired with those of a block, lane by lane.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Broadcast {
-    motion: [Lanes; 4],
+    position: [Lanes; 2],
+    velocity: [Lanes; 2],
     pub volume: Lanes,
     pressure: Lanes,
     half_roll_viscosity: Lanes,
+    pub state: [Lanes; 4],
 }
 
 impl Broadcast {
-    /// A particle, shifted by smoothing lengths.
     #[inline(always)]
-    pub fn of(particle: &PackedParticle, shift: Vec2) -> Broadcast {
-        let [x, y, vx, vy] = [0, 1, 2, 3].map(|k| particle.motion.broadcast(k));
+    pub fn of(block: &Block, pick: impl Fn(&Lanes) -> Lanes, by: Vec2) -> Broadcast {
         Broadcast {
-            motion: [x - shift.x, y - shift.y, vx, vy],
-            volume: particle.volume_pressure.broadcast(0),
-            pressure: particle.volume_pressure.broadcast(1),
-            half_roll_viscosity: particle.volume_pressure.broadcast(2),
+            position: [
+                pick(&block.position[0]) + by.x,
+                pick(&block.position[1]) + by.y,
+            ],
+            velocity: block.velocity.each_ref().map(&pick),
+            volume: pick(&block.volume),
+            pressure: pick(&block.pressure),
+            half_roll_viscosity: pick(&block.half_roll_viscosity),
+            state: block.state.each_ref().map(&pick),
         }
     }
 }
@@ -83,8 +120,6 @@ pub(crate) struct Pair {
     pub offset: Separation,
     /// Relative velocity [m/s].
     pub velocity: [Lanes; 2],
-    /// Volume of the others \[m²\].
-    pub volume: Lanes,
     /// −∇W/r.
     pub gradient: Lanes,
     /// −∇W/r · 1/(r² + 0.01 h²).
@@ -109,14 +144,14 @@ impl Pair {
     }
 
     #[inline(always)]
-    pub fn new(particle: &Broadcast, others: [PackedParticle; LANES], eddy_scale: Lanes) -> Pair {
-        let [x, y, vx, vy] = transposed(others.map(|other| other.motion));
-        let [volume, pressure, half_roll_viscosity, _] =
-            transposed(others.map(|other| other.volume_pressure));
-        let of_rolls = particle.half_roll_viscosity + half_roll_viscosity;
-        let [own_x, own_y, own_vx, own_vy] = particle.motion;
-        let offset = Separation::between([own_x, own_y], [x, y]);
-        let (vx, vy) = (own_vx - vx, own_vy - vy);
+    pub fn new(particle: &Broadcast, others: &Block, eddy_scale: Lanes) -> Pair {
+        let of_rolls = particle.half_roll_viscosity + others.half_roll_viscosity;
+        let offset = Separation::between(particle.position, others.position);
+        let (vx, vy) = (
+            particle.velocity[0] - others.velocity[0],
+            particle.velocity[1] - others.velocity[1],
+        );
+        let (volume, pressure) = (others.volume, others.pressure);
         // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
         // times q²: both share one division.
         let softened = offset.softened();
@@ -126,7 +161,6 @@ impl Pair {
         Pair {
             offset,
             velocity: [vx, vy],
-            volume,
             gradient: softened_gradient * softened,
             softened_gradient,
             volumes,

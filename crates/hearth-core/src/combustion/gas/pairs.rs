@@ -16,6 +16,9 @@ use crate::neighbours::Neighbours;
 use crate::solids::Solids;
 
 /// The grid and the neighbours of the gas, and the memory of each pass.
+///
+/// No pass is inlined: in one function of all passes, the compilers of browsers keep fewer values in
+/// registers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pairs {
     grid: Grid,
@@ -38,6 +41,7 @@ impl Pairs {
     }
 
     /// Sorts the gas into the cells of the grid.
+    #[inline(never)]
     pub fn sort(&mut self, gas: &mut Gas, bounds: &Bounds, kernel: &Kernel) {
         let positions = gas.position.iter().copied();
         let new_indices = self.grid.sort(positions, bounds, kernel.support());
@@ -51,6 +55,7 @@ impl Pairs {
 
     /// Finds all pairs that no thin solid separates, and sums the number density without that of the
     /// walls. Returns its mean with walls that have this mean.
+    #[inline(never)]
     pub fn find_and_sum(
         &mut self,
         gas: &mut Gas,
@@ -63,22 +68,25 @@ impl Pairs {
     }
 
     /// Finds the viscosity of the rolls of these fires.
+    #[inline(never)]
     pub fn find_rolls(&mut self, gas: &mut Gas, fires: &Fires, context: &Context) {
         let (grid, neighbours) = (&self.grid, &self.neighbours);
         self.rolls.find(gas, grid, neighbours, fires, context);
     }
 
     /// Sums acceleration, diffusion and concentration gradient over the pairs.
+    #[inline(never)]
     pub fn interact(&mut self, gas: &mut Gas, context: &Context) {
         self.interactions
             .sum(gas, &self.grid, &self.neighbours, context);
     }
 
     /// Adds the force that keeps eddies from fading, from what [`interact`](Self::interact) packed.
+    #[inline(never)]
     pub fn confine_vorticity(&mut self, gas: &mut Gas, context: &Context) {
         let (grid, neighbours) = (&self.grid, &self.neighbours);
         let (packed, strength) = (
-            self.interactions.packed(),
+            self.interactions.blocks(),
             context.values.vorticity_confinement,
         );
         self.vorticity_confinement

@@ -57,14 +57,6 @@ impl neighbours::Block for Block {
     fn sum(&mut self) -> &mut Lanes {
         &mut self.rates[0]
     }
-    #[inline(always)]
-    fn moved(self, by: Vec2) -> Block {
-        let [x, y] = self.position;
-        Block {
-            position: [x + by.x, y + by.y],
-            ..self
-        }
-    }
 }
 
 /// Rotation and strain, Σ V ∇W v.
@@ -76,9 +68,17 @@ impl PairSum<3> for VelocityGradient {
     type Broadcast = ([Lanes; 2], Lanes, [Lanes; 2]);
 
     #[inline(always)]
-    fn broadcast(&self, block: &Block, pick: impl Fn(&Lanes) -> Lanes) -> Self::Broadcast {
+    fn broadcast(
+        &self,
+        block: &Block,
+        pick: impl Fn(&Lanes) -> Lanes,
+        by: Vec2,
+    ) -> Self::Broadcast {
         (
-            block.position.each_ref().map(&pick),
+            [
+                pick(&block.position[0]) + by.x,
+                pick(&block.position[1]) + by.y,
+            ],
             pick(&block.volume),
             block.velocity.each_ref().map(&pick),
         )

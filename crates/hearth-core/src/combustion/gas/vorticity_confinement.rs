@@ -8,11 +8,11 @@
 use glam::Vec2;
 
 use super::Gas;
-use super::pair::PackedParticle;
+use super::pair;
 use crate::grid::Grid;
 use crate::interaction::Separation;
 use crate::kernel::{self, Kernel};
-use crate::lanes::{LANES, Lanes, Real, transposed};
+use crate::lanes::{Lanes, Real};
 use crate::neighbours::{self, Neighbours, PairSum};
 
 /// Four particles.
@@ -40,14 +40,6 @@ impl neighbours::Block for Block {
     fn sum(&mut self) -> &mut Lanes {
         &mut self.curl[0]
     }
-    #[inline(always)]
-    fn moved(self, by: Vec2) -> Block {
-        let [x, y] = self.position;
-        Block {
-            position: [x + by.x, y + by.y],
-            ..self
-        }
-    }
 }
 
 /// A particle with each property in all lanes.
@@ -59,9 +51,12 @@ struct Broadcast {
 }
 
 impl Broadcast {
-    fn of(block: &Block, pick: impl Fn(&Lanes) -> Lanes) -> Broadcast {
+    fn of(block: &Block, pick: impl Fn(&Lanes) -> Lanes, by: Vec2) -> Broadcast {
         Broadcast {
-            position: block.position.each_ref().map(&pick),
+            position: [
+                pick(&block.position[0]) + by.x,
+                pick(&block.position[1]) + by.y,
+            ],
             volume: pick(&block.volume),
             velocity: block.velocity.each_ref().map(&pick),
             curl: pick(&block.curl[0]),
@@ -83,8 +78,8 @@ impl PairSum<1> for Curl {
     type Block = Block;
     type Broadcast = Broadcast;
 
-    fn broadcast(&self, block: &Block, pick: impl Fn(&Lanes) -> Lanes) -> Broadcast {
-        Broadcast::of(block, pick)
+    fn broadcast(&self, block: &Block, pick: impl Fn(&Lanes) -> Lanes, by: Vec2) -> Broadcast {
+        Broadcast::of(block, pick, by)
     }
 
     fn pair(&self, particle: &Broadcast, others: &Block) -> ([Lanes; 1], [Lanes; 1]) {
@@ -109,8 +104,8 @@ impl PairSum<2> for CurlGradient {
     type Block = Block;
     type Broadcast = Broadcast;
 
-    fn broadcast(&self, block: &Block, pick: impl Fn(&Lanes) -> Lanes) -> Broadcast {
-        Broadcast::of(block, pick)
+    fn broadcast(&self, block: &Block, pick: impl Fn(&Lanes) -> Lanes, by: Vec2) -> Broadcast {
+        Broadcast::of(block, pick, by)
     }
 
     fn pair(&self, particle: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
@@ -147,7 +142,7 @@ impl VorticityConfinement {
         gas: &mut Gas,
         grid: &Grid,
         neighbours: &Neighbours,
-        packed: &[PackedParticle],
+        packed: &[pair::Block],
         kernel: &Kernel,
         strength: f32,
     ) {
@@ -161,21 +156,16 @@ impl VorticityConfinement {
         gas: &mut Gas,
         grid: &Grid,
         neighbours: &Neighbours,
-        packed: &[PackedParticle],
+        packed: &[pair::Block],
         kernel: &Kernel,
         strength: f32,
     ) {
         self.blocks.clear();
-        let (fours, _) = packed.as_chunks::<LANES>();
-        self.blocks.extend(fours.iter().map(|four| {
-            let [x, y, vx, vy] = transposed(four.map(|particle| particle.motion));
-            let [volume, ..] = transposed(four.map(|particle| particle.volume_pressure));
-            Block {
-                position: [x, y],
-                volume,
-                velocity: [vx, vy],
-                ..Block::default()
-            }
+        self.blocks.extend(packed.iter().map(|packed| Block {
+            position: packed.position,
+            volume: packed.volume,
+            velocity: packed.velocity,
+            ..Block::default()
         }));
         neighbours.sum(&Curl, &mut self.blocks);
         neighbours.sum(&CurlGradient, &mut self.blocks);

@@ -12,7 +12,8 @@ use glam::Vec2;
 
 use super::super::gas::Gas;
 use crate::bounds::Bounds;
-use crate::extremes::{fast_max, fast_min};
+use crate::extremes::fast_min;
+use crate::lanes::{LANES, Lanes, Real};
 
 /// Largest depth that the map distinguishes.
 pub(super) const MAX_DEPTH: f32 = 5.0;
@@ -273,30 +274,43 @@ impl Map {
         self.depth[cell] > 0.0 && cell >= self.layout.columns
     }
 
-    /// The depth at a position, interpolated between the centres of the cells.
+    /// The depth at a position.
     pub fn depth_at(&self, position: Vec2) -> f32 {
-        let Layout {
-            per_metre,
-            columns,
-            rows,
-            left,
-            bottom,
-            ..
-        } = self.layout;
-        let part = |along: f32, count: usize| {
-            let at = fast_max(along * per_metre - 0.5, 0.0);
-            let index = (at as u32 as usize).min(count - 2);
-            (index, fast_min(at - index as f32, 1.0))
+        self.depths_at([position; LANES]).0.to_array()[0]
+    }
+
+    /// The depths at four positions, interpolated between the centres of the cells, and the cells that
+    /// hold them.
+    #[inline(always)]
+    pub fn depths_at(&self, positions: [Vec2; LANES]) -> (Lanes, [u32; LANES]) {
+        let layout = &self.layout;
+        let part = |along: Lanes, count: usize| {
+            // The middle of the border's cells is the outermost place, NaN included.
+            let at = (along * layout.per_metre - 0.5)
+                .fast_max(Lanes::ZERO)
+                .fast_min(Lanes::splat((count - 2) as f32));
+            let nearest = (at - 0.5).fast_max(Lanes::ZERO).nearest_integers();
+            let part = at - Lanes::new(nearest.map(|index| index as f32));
+            (nearest, part)
         };
-        let (column, x) = part(position.x - left, columns);
-        let (row, y) = part(position.y - bottom, rows);
-        let first = row * columns + column;
-        let mix = |cell: usize| {
-            let depth = self.depth[cell];
-            depth + (self.depth[cell + 1] - depth) * x
+        let x = Lanes::new(positions.map(|position| position.x)) - layout.left;
+        let y = Lanes::new(positions.map(|position| position.y)) - layout.bottom;
+        let ((columns, x), (rows, y)) = (part(x, layout.columns), part(y, layout.rows));
+        let first: [usize; LANES] =
+            std::array::from_fn(|k| rows[k] as usize * layout.columns + columns[k] as usize);
+        let corner = |step: usize| Lanes::new(first.map(|first| self.depth[first + step]));
+        let mix = |step: usize| {
+            let depth = corner(step);
+            depth + (corner(step + 1) - depth) * x
         };
-        let (lower, upper) = (mix(first), mix(first + columns));
-        lower + (upper - lower) * y
+        let (lower, upper) = (mix(0), mix(layout.columns));
+        let half = Lanes::splat(0.5);
+        let (right, above) = (half.less_mask(x), half.less_mask(y));
+        let cells = std::array::from_fn(|k| {
+            let aside = (right >> k & 1) as usize + (above >> k & 1) as usize * layout.columns;
+            (first[k] + aside) as u32
+        });
+        (lower + (upper - lower) * y, cells)
     }
 }
 

@@ -9,9 +9,12 @@
 //! births and deaths makes pressure only where w is small. Forces are not damped: suction must
 //! act wherever the pressure has a gradient.
 
+use glam::Vec2;
+
 use super::super::gas::Gas;
-use super::map::{Map, RIM_DEPTH};
-use crate::extremes::{fast_max, fast_min};
+use super::map::Map;
+use crate::extremes::fast_min;
+use crate::lanes::{LANES, Lanes, Real};
 
 /// Depths between which the motion becomes that of the gas.
 const MOTION_DEPTHS: (f32, f32) = (0.75, 1.5);
@@ -48,19 +51,30 @@ impl Rim {
     /// are used.
     pub fn find(&mut self, map: &Map, gas: &Gas) {
         self.near.clear();
-        for (index, &position) in gas.position.iter().enumerate() {
-            let cell = map.layout.at(position);
-            if map.depth[cell] > RIM_DEPTH {
-                continue;
-            }
-            let depth = map.depth_at(position);
-            if depth < PRESSURE_DEPTHS.1 {
-                let weight = share(depth, PRESSURE_DEPTHS);
+        let (fours, rest) = gas.position.as_chunks::<LANES>();
+        for (four, positions) in fours.iter().enumerate() {
+            self.find_four(map, four * LANES, *positions, LANES);
+        }
+        let mut last = [Vec2::ZERO; LANES];
+        last[..rest.len()].copy_from_slice(rest);
+        self.find_four(map, LANES * fours.len(), last, rest.len());
+    }
+
+    /// Finds the first `count` of four particles from an index.
+    #[inline(always)]
+    fn find_four(&mut self, map: &Map, first: usize, positions: [Vec2; LANES], count: usize) {
+        let (depth, cells) = map.depths_at(positions);
+        let weight = share(depth, PRESSURE_DEPTHS);
+        let weight = (weight * weight * (Lanes::splat(3.0) - weight - weight)).to_array();
+        let live = share(depth, MOTION_DEPTHS).to_array();
+        let near = depth.less_mask(Lanes::splat(PRESSURE_DEPTHS.1));
+        for lane in 0..count {
+            if near & (1 << lane) != 0 {
                 self.near.push(Near {
-                    index: index as u32,
-                    cell: cell as u32,
-                    weight: weight * weight * (3.0 - 2.0 * weight),
-                    live: share(depth, MOTION_DEPTHS),
+                    index: (first + lane) as u32,
+                    cell: cells[lane],
+                    weight: weight[lane],
+                    live: live[lane],
                 });
             }
         }
@@ -109,7 +123,8 @@ impl Rim {
 }
 
 /// How far `depth` is between two depths, from 0 to 1.
-#[inline]
-pub(super) fn share(depth: f32, (from, to): (f32, f32)) -> f32 {
-    fast_min(fast_max((depth - from) / (to - from), 0.0), 1.0)
+#[inline(always)]
+pub(super) fn share<R: Real>(depth: R, (from, to): (f32, f32)) -> R {
+    let share = (depth - R::splat(from)) * R::splat(1.0 / (to - from));
+    share.fast_max(R::splat(0.0)).fast_min(R::splat(1.0))
 }

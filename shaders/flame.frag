@@ -208,7 +208,7 @@ void main() {
 
     float glowing = smoothstep(DARK, GLOWING, kilokelvin) * fire_share;
     float covered = 1.0 - exp(-OPTICAL_DEPTH * depth * left);
-    vec3 emitted = radiance(mix(kilokelvin, max(kilokelvin, SHEETS), SHEET_SHARE)) * (gain * covered * glowing) + blue * (gain * fire_share);
+    vec3 emitted = radiance(mix(kilokelvin, max(kilokelvin, SHEETS), SHEET_SHARE), GAS_ROW) * (gain * covered * glowing) + blue * (gain * fire_share);
     float aloft = smoke * smoothstep(ALOFT, HIGH, above / (1.0 + ROUND_HIGH * roundness));
     float hidden = 0.0;
     if (aloft > 0.0) {

@@ -29,12 +29,10 @@ out vec4 pixel;
 
 const float NEAR_LIT = 0.7; // brightness of the light nearby
 const float FAR_LIT = 300.0 / 16.0; // and of the irradiance
-const float PALE = 0.3;    // share of the irradiance that loses its hue, so that materials keep theirs
 const float AROUND = 0.1;   // distance of the irradiance that gives its direction, in heights of the domain
 const float TOUCH = 0.025;  // distance of the light that touches a surface
 const vec3 NIGHT = vec3(0.03, 0.033, 0.045); // bluish light without the fire
 const float BEVEL = 0.3;    // rounded share of a thickness
-const float GREY = 0.333;   // share of each colour in light without its hue
 const float RAISED = 0.05;  // added to the height of a normal, so that one at a rim is defined
 const float DARKEST = 1e-6; // light below which there is no direction
 // The direction to the fire: its height over the slope of the irradiance, and the brightness of a
@@ -173,8 +171,7 @@ vec4 rough(vec2 place) {
 
 vec3 light_at(vec2 side) {
     vec3 root = texture(irradiance, uv + side * AROUND * per_height).rgb;
-    vec3 light = root * root;
-    return mix(light, vec3(dot(light, vec3(GREY))), PALE);
+    return root * root;
 }
 
 // A place in the noise of bark, which is stretched along a trunk and crowds towards its sides, or of a plank. Around
@@ -312,7 +309,7 @@ void main() {
     } else {
         kilokelvin = EMBER_COOLEST + EMBER_RANGE * ember;
     }
-    if (ember > 0.0) seen += radiance(kilokelvin + BREATHING * rough(place * BREATH_PLACE + breath).x) * (gain * ember);
+    if (ember > 0.0) seen += radiance(kilokelvin + BREATHING * rough(place * BREATH_PLACE + breath).x, SOLID_ROW) * (gain * ember);
     cover = max(cover, min(gloss * fire_light.r, GLINT));
     // Nothing of the fire is over a solid before it.
     vec4 fire = front ? vec4(0.0) : texture(shown, uv);

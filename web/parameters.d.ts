@@ -27,6 +27,8 @@ export interface HearthParameters {
   palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
   /** A brighter picture. Exposure in stops, each of which doubles the light. [EV] Default 0, from -4 to 4. */
   exposure: number;
+  /** A whiter, less red fire, and light of it. Temperature of the black body that the camera shows as white; at 6500 the fire has its physical hues. Other palettes keep theirs. [K] Default 3200, from 2000 to 6500. */
+  white_balance: number;
   /** A wider shine around bright places. Share of the light that a lens scatters. Default 0.15, from 0 to 0.6. */
   bloom: number;
   /** Thicker smoke. Opacity of the smoke. Default 0.3, from 0 to 2. */
@@ -213,6 +215,8 @@ export interface HearthProperties {
   palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
   /** A brighter picture. Exposure in stops, each of which doubles the light. [EV] Default 0, from -4 to 4. */
   exposure: number;
+  /** A whiter, less red fire, and light of it. Temperature of the black body that the camera shows as white; at 6500 the fire has its physical hues. Other palettes keep theirs. [K] Default 3200, from 2000 to 6500. */
+  whiteBalance: number;
   /** A wider shine around bright places. Share of the light that a lens scatters. Default 0.15, from 0 to 0.6. */
   bloom: number;
   /** Thicker smoke. Opacity of the smoke. Default 0.3, from 0 to 2. */
@@ -581,6 +585,8 @@ export interface HearthStats {
   time: number;
   /** Power of the combustion [kW/m]; 0 in the classic model. */
   power: number;
+  /** Colour of the light as a whole, as `#rrggbb`: of its palette, to the camera's white balance. */
+  glow: string;
   /** Fuel that is left in solids, as a share; 0 without any. */
   fuelLeft: number;
   /** Whether solids with fuel burn: `burning` if one does. Otherwise `no-oxygen` or `out`, if one went out because it lacked oxygen or heat; `unlit`; `burnt`, if nothing is left; empty without fuel. */

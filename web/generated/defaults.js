@@ -12,6 +12,7 @@ export const DEFAULTS = {
   wind: 0,
   palette: "blackbody",
   exposure: 0,
+  white_balance: 3200,
   bloom: 0.15,
   smoke_opacity: 0.3,
   ember_rate: 40,

@@ -159,9 +159,9 @@ export class OnDemandCode {
 
   /**
    * Sets the custom properties of light, or removes them.
-   * @type {(power?: number, values?: import('../../parameters.js').HearthParameters) => void}
+   * @type {(power?: number, glow?: string) => void}
    */
-  setLight(power, values) {
-    this.#css?.light(power, values);
+  setLight(power, glow) {
+    this.#css?.light(power, glow);
   }
 }

@@ -53,6 +53,7 @@ const float CONTACT = 0.85;
 const float CONTACT_FULL = -0.3;
 const float CONTACT_END = 1.3;
 const float CONTACT_STEP = 0.35;
+const float WITHIN = 1.0; // number of the plane within the fire
 const float GLINT = 0.9; // maximum coverage by a highlight
 
 // Coordinates of the noise are in sizes of the solid. Factors on them decorrelate reads.
@@ -126,8 +127,8 @@ const float JOINT = 0.03;
 const float BRICK_FACE = 0.12;
 const float BRICK_RAGGED = 0.03;
 const vec3 MORTAR = vec3(0.17, 0.16, 0.145);
-const vec3 DARK_CLAY = vec3(0.33, 0.13, 0.08);
-const vec3 PALE_CLAY = vec3(0.48, 0.23, 0.145);
+const vec3 DARK_CLAY = vec3(0.34, 0.15, 0.09);
+const vec3 PALE_CLAY = vec3(0.5, 0.27, 0.17);
 const vec2 CELL_PLACE = vec2(0.173, 0.291); // decorrelates the clay of bricks
 const float CLAY_GRAIN = 0.3;
 const float BRICK_BUMPS = 0.3;
@@ -205,8 +206,8 @@ void main() {
     vec3 at = surface(local, node);
     float material = floor(body.w / MATERIAL_FACTOR);
     float kilokelvin = (body.w - material * MATERIAL_FACTOR) * 1e-3;
-    bool front = material >= FRONT_OFFSET;
-    if (front) material -= FRONT_OFFSET;
+    float plane = floor(material / PLANE_FACTOR);
+    material -= plane * PLANE_FACTOR;
     float inner = min(body.x, body.y);
     float size = inner + body.z;
     float rim = clamp(1.0 + at.z / (body.z + BEVEL * inner), 0.0, 1.0);
@@ -312,7 +313,7 @@ void main() {
     if (ember > 0.0) seen += radiance(kilokelvin + BREATHING * rough(place * BREATH_PLACE + breath).x, SOLID_ROW) * (gain * ember);
     cover = max(cover, min(gloss * fire_light.r, GLINT));
     // Nothing of the fire is over a solid before it.
-    vec4 fire = front ? vec4(0.0) : texture(shown, uv);
+    vec4 fire = plane > WITHIN ? vec4(0.0) : texture(shown, uv);
     vec3 shaded = fire.rgb + displayed(seen) * (1.0 - fire.a);
     pixel = dither(vec4(shaded, 1.0)) * (cover * clamp(0.5 - at.z / pixel_size, 0.0, 1.0));
 }

@@ -457,8 +457,8 @@ export interface HearthSolid {
   mask?: string;
   /** A surface of stone, wood, iron and so on. Material that is drawn; `none` is invisible. Default "stone". */
   material?: "stone" | "wood" | "iron" | "brick" | "coal" | "wax" | "glass" | "none";
-  /** A solid before the fire, which hides the flame behind it. Solids later in the list are before earlier ones. Default false. */
-  front?: boolean;
+  /** A solid behind, within or before the fire. Gas flows around what is within it, and in every plane around a solid that has fuel, moves freely or carries a source; it passes the others, which are lit. One that is before the fire hides it. Solids later in the list are before earlier ones. Default "within". */
+  plane?: "behind" | "within" | "before";
   /** A surface that heats or cools the gas. Adiabatic: no heat passes. Fixed: it keeps its temperature. Conducting: the gas and radiation heat and cool the solid, which has one temperature throughout. Default "adiabatic". */
   thermal?: "adiabatic" | "fixed" | "conducting";
   /** A hotter surface. Temperature of the surface, at first where it conducts heat. [K] Default 293, from 250 to 2500. */

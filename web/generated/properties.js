@@ -45,7 +45,7 @@ export const PROPERTIES = {
     points: {"every":["-0.1,-0.1 0.1,-0.1 0,0.1"]},
     mask: {"every":["16x16:7"]},
     material: {"every":["stone"]},
-    front: {"every":[false]},
+    plane: {"every":["within"]},
     thermal: {"every":["adiabatic"]},
     temperature: {"every":[293,250,2500]},
     heat_capacity: {"every":[100,10,5000]},

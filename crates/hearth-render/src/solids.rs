@@ -7,7 +7,7 @@ use hearth_core::params::{Material, Solid, Thermal};
 use hearth_core::scene::{Field, Pose, RoundedBox};
 use hearth_core::{Charred, CharredSolid, Instance, Scene};
 
-use crate::constants::{FRONT_OFFSET, FUEL_OFFSET, MATERIAL_FACTOR, PARTICLES_PER_ROW};
+use crate::constants::{FUEL_OFFSET, MATERIAL_FACTOR, PARTICLES_PER_ROW, PLANE_FACTOR};
 use crate::gl::Graphics;
 use crate::particles::Particles;
 
@@ -168,7 +168,8 @@ fn record(solid: &Solid, kelvin: f32, shape: &RoundedBox) -> Instance {
         shape.half.x,
         shape.half.y,
         shape.radius,
-        (f32::from(solid.material as u8) + FRONT_OFFSET * f32::from(solid.front)) * MATERIAL_FACTOR
+        (f32::from(solid.material as u8) + PLANE_FACTOR * f32::from(solid.plane as u8))
+            * MATERIAL_FACTOR
             + kelvin,
     ]
 }

@@ -23,7 +23,6 @@ uniform vec2 per_height;   // height of the domain as a share of the picture, ac
 uniform float light_range; // maximum radiance in targets
 uniform float gain;        // brightness of a surface of 1500 K
 uniform vec3 sky;          // light of the background
-uniform float breath;      // tiles by which the noise of embers has moved
 
 out vec4 pixel;
 
@@ -38,6 +37,7 @@ const float DARKEST = 1e-6; // light below which there is no direction
 // The direction to the fire: its height over the slope of the irradiance, and the brightness of a
 // surface that faces it, of one across it, and of one that light enters.
 const float TOWARDS = 0.55;
+const float BACKLIT = -0.35; // that height for a solid before the fire: its face is dark, and edges towards the fire are bright
 const float FACING = 0.6;
 const float ACROSS = 0.2;
 const float INSIDE = 0.7;
@@ -144,6 +144,11 @@ const float COAL_SOFT = 0.3;
 const vec3 WAX_COLOUR = vec3(0.8, 0.72, 0.55);
 const float WAX_SOFT = 0.6; // light spreads in wax
 const float WAX_SHINE = 0.15;
+// Light enters wax at its top and is lost on the way down: the share that is left far below, what the top gains, and the
+// depth over which it is lost [m].
+const float WAX_DARK = 0.45;
+const float WAX_LIT = 1.9;
+const float WAX_DEPTH = 0.022;
 
 // Glass is seen at its rim.
 const vec3 GLASS_COLOUR = vec3(0.8, 0.9, 0.9);
@@ -162,9 +167,9 @@ const float CELL_UNEVEN = 0.15;
 const float RIM_DARK = 0.5;
 const float EMBER_COOLEST = 0.8;
 const float EMBER_RANGE = 0.35;
-// Breathing of embers: amplitude [kK], and the factor on its coordinates.
-const float BREATHING = 0.07;
-const float BREATH_PLACE = 0.07;
+// Embers breathe by the heat of the flame: they are hotter by so much for its light nearby, up to a most [kK].
+const float PER_LIGHT = 0.12;
+const float MOST_HEAT = 0.25;
 
 vec4 rough(vec2 place) {
     return texture(noise, place + turn.z) * 2.0 - 1.0;
@@ -223,7 +228,7 @@ void main() {
     vec3 above = light_at(vec2(0.0, 1.0));
     vec3 fire_light = left + right + below + above;
     vec2 slope = vec2(dot(right - left, vec3(1.0)), dot(above - below, vec3(1.0))) / (0.25 * dot(fire_light, vec3(1.0)) + DARKEST);
-    vec3 towards = normalize(vec3(slope, TOWARDS));
+    vec3 towards = normalize(vec3(slope, plane > WITHIN ? BACKLIT : TOWARDS));
     vec2 nearer = place + RELIEF_STEP * (towards.xy * turned);
     vec4 worn = rough(material == WOOD ? bark_place(place) : place * WORN_PLACE);
     vec4 fine = rough(place * FINE_PLACE);
@@ -261,13 +266,14 @@ void main() {
         float joint = smoothstep(JOINT, BRICK_FACE, min(edge.x, edge.y) + BRICK_RAGGED * fine.w);
         colour = mix(MORTAR, mix(DARK_CLAY, PALE_CLAY, 0.5 + rough(floor(cell) * CELL_PLACE).x) * (1.0 + CLAY_GRAIN * fine.x), joint);
         bump *= BRICK_BUMPS;
+        normal *= rim * rim;
     } else if (material == COAL) {
         colour = COAL_COLOUR * (1.0 + fine.w);
         bump *= COAL_BUMPS;
         ember = (1.0 - smoothstep(0.0, COAL_CRACK, abs(worn.x + RAGGED * fine.w))) * smoothstep(-COAL_DARK, COAL_BRIGHT, worn.y);
         soft = COAL_SOFT;
     } else if (material == WAX) {
-        colour = WAX_COLOUR;
+        colour = WAX_COLOUR * (WAX_DARK + WAX_LIT * exp((local.y - body.y - body.z) / WAX_DEPTH));
         bump *= 0.0;
         soft = WAX_SOFT;
         shine = WAX_SHINE;
@@ -308,9 +314,9 @@ void main() {
         // A solid of a fixed temperature glows everywhere.
         ember = 1.0 - RIM_DARK * rim * rim;
     } else {
-        kilokelvin = EMBER_COOLEST + EMBER_RANGE * ember;
+        kilokelvin = EMBER_COOLEST + EMBER_RANGE * ember + min(PER_LIGHT * nearby.r, MOST_HEAT);
     }
-    if (ember > 0.0) seen += radiance(kilokelvin + BREATHING * rough(place * BREATH_PLACE + breath).x, SOLID_ROW) * (gain * ember);
+    if (ember > 0.0) seen += radiance(kilokelvin, SOLID_ROW) * (gain * ember);
     cover = max(cover, min(gloss * fire_light.r, GLINT));
     // Nothing of the fire is over a solid before it.
     vec4 fire = plane > WITHIN ? vec4(0.0) : texture(shown, uv);

@@ -177,7 +177,7 @@ fn record(solid: &Solid, kelvin: f32, shape: &RoundedBox) -> Instance {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use hearth_core::params::{Choice, Input};
+    use hearth_core::params::{Choice, Input, Plane};
     use hearth_core::scene::Surface;
 
     /// The surface of a solid of that material and temperature, and whether it is drawn.
@@ -196,16 +196,17 @@ mod tests {
     }
 
     #[test]
-    fn a_surface_is_its_material_and_the_temperature_at_which_it_glows() {
+    fn a_surface_is_its_material_plane_and_the_temperature_at_which_it_glows() {
+        let within = f32::from(Plane::Within as u8) * PLANE_FACTOR;
         for (number, name) in Material::NAMES.iter().enumerate() {
-            let material = number as f32 * MATERIAL_FACTOR;
+            let material = (number as f32 + within) * MATERIAL_FACTOR;
             let drawn = (*name != "none").then_some(material);
             assert_eq!(surface(name, 1200.0, "adiabatic"), drawn);
             assert_eq!(surface(name, 500.0, "fixed"), drawn);
             let hot = drawn.map(|material| material + 2500.0);
             assert_eq!(surface(name, 2500.0, "fixed"), hot);
         }
-        assert!(surface("stone", 900.0, "fixed") < Some(MATERIAL_FACTOR));
+        assert!(surface("stone", 900.0, "fixed") < Some((within + 1.0) * MATERIAL_FACTOR));
     }
 
     #[test]

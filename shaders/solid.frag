@@ -273,7 +273,8 @@ void main() {
         ember = (1.0 - smoothstep(0.0, COAL_CRACK, abs(worn.x + RAGGED * fine.w))) * smoothstep(-COAL_DARK, COAL_BRIGHT, worn.y);
         soft = COAL_SOFT;
     } else if (material == WAX) {
-        colour = WAX_COLOUR * (WAX_DARK + WAX_LIT * exp((local.y - body.y - body.z) / WAX_DEPTH));
+        colour = WAX_COLOUR;
+        fire_light *= WAX_DARK + WAX_LIT * exp((local.y - body.y - body.z) / WAX_DEPTH);
         bump *= 0.0;
         soft = WAX_SOFT;
         shine = WAX_SHINE;

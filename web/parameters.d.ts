@@ -103,6 +103,8 @@ export interface HearthParameters {
   hot_colour: string;
   /** Colour behind the fire; with `transparent` the page shows through. Default "transparent". */
   background: string;
+  /** Solids in their own colours, as in a lit room or on a white page. White light of the surroundings on solids, wall and ground. Default 0, from 0 to 1. */
+  ambient_light: number;
   /** A backdrop that shimmers behind the flame. How strongly hot gas refracts the view of the backdrop. The page behind the element is not refracted. Default 0.3, from 0 to 1. */
   heat_haze: number;
   /** Larger, slower swings of the flame. Size of the eddies of the turbulence. [m] Default 0.15, from 0.03 to 0.6. */
@@ -291,6 +293,8 @@ export interface HearthProperties {
   hotColour: string;
   /** Colour behind the fire; with `transparent` the page shows through. Default "transparent". */
   background: string;
+  /** Solids in their own colours, as in a lit room or on a white page. White light of the surroundings on solids, wall and ground. Default 0, from 0 to 1. */
+  ambientLight: number;
   /** A backdrop that shimmers behind the flame. How strongly hot gas refracts the view of the backdrop. The page behind the element is not refracted. Default 0.3, from 0 to 1. */
   heatHaze: number;
   /** Larger, slower swings of the flame. Size of the eddies of the turbulence. [m] Default 0.15, from 0.03 to 0.6. */

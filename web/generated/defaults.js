@@ -50,6 +50,7 @@ export const DEFAULTS = {
   cool_colour: "#8a12ff",
   hot_colour: "#38e8ff",
   background: "transparent",
+  ambient_light: 0,
   heat_haze: 0.3,
   turbulence_scale: 0.15,
   vorticity_confinement: 0,

@@ -194,6 +194,9 @@ parameters! {
         [Look] hot_colour: colour "Hot colour" { Every(Colour::rgb(0x38, 0xe8, 0xff)) } when { palette: &["custom"], display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// Colour behind the fire; with `transparent` the page shows through.
         [Look] background: colour "Background" { Every(Colour::TRANSPARENT) } unless { backdrop: WALL, display_mode: FIRE }
+        /// Solids in their own colours, as in a lit room or on a white page. White light of the surroundings on solids,
+        /// wall and ground.
+        [Look] ambient_light: number "Ambient light" [""] Linear { Every(0.0, 0.0..=1.0) } when { display_mode: FIRE }
         /// A backdrop that shimmers behind the flame. How strongly hot gas refracts the view of
         /// the backdrop. The page behind the element is not refracted.
         [Look] heat_haze: number "Heat haze" [""] Linear { Every(0.3, 0.0..=1.0) } when { backdrop: WALL, display_mode: FIRE }

@@ -155,6 +155,16 @@ const vec3 GLASS_COLOUR = vec3(0.8, 0.9, 0.9);
 const float GLASS_COVER = 0.12;
 const float GLASS_RIM = 0.6;
 
+// Cloth: a sheet hangs in folds, two across a box, whose edges are in them; a line is a rope. Turns of both for each half
+// thickness [rad], their slope and relief, and the light in a fold.
+const vec3 CLOTH_COLOUR = vec3(0.55, 0.44, 0.31);
+const float FOLDS = 6.283;
+const float TWIST = 3.59;
+const float FOLD_SLOPE = 0.75;
+const float TWIST_RELIEF = 0.4;
+const float IN_FOLD = 0.35;
+const float CLOTH_SOFT = 0.3; // light passes through cloth
+
 // A solid with fuel: loss of colour by char, and the char of a full loss, which begins in spots.
 const float CHAR_DARK = 0.9;
 const float FULL_CHAR = 0.3;
@@ -274,10 +284,18 @@ void main() {
         soft = COAL_SOFT;
     } else if (material == WAX) {
         colour = WAX_COLOUR;
-        fire_light *= WAX_DARK + WAX_LIT * exp((local.y - body.y - body.z) / WAX_DEPTH);
+        // What has fuel is thin, as paper and cloth.
+        if (grid.y == 0.0) fire_light *= WAX_DARK + WAX_LIT * exp((local.y - body.y - body.z) / WAX_DEPTH);
         bump *= 0.0;
         soft = WAX_SOFT;
         shine = WAX_SHINE;
+    } else if (material == CLOTH) {
+        float turns = body.z > 0.0 ? TWIST * (place.x + place.y) : FOLDS * (place.x + 0.08 * worn.x);
+        float crest = 0.5 - 0.5 * cos(turns);
+        colour = CLOTH_COLOUR * mix(IN_FOLD, 1.0, crest) * (1.0 + CLAY_GRAIN * fine.w);
+        bump = vec3(0.0, 0.0, TWIST_RELIEF * (crest - 0.5));
+        if (body.z <= 0.0) normal = vec2(FOLD_SLOPE * sin(turns), 0.0);
+        soft = CLOTH_SOFT;
     } else if (material == GLASS) {
         colour = GLASS_COLOUR * rim * rim * rim;
         bump *= 0.0;

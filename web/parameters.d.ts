@@ -53,7 +53,7 @@ export interface HearthParameters {
   source_height: number;
   /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
   source_angle: number;
-  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. A particle leaves a solid at right angles. In the combustion model, a solid has none: it supplies no gas. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. A particle leaves a solid at right angles. In the combustion model, a solid has none: it supplies no gas. [m/s] Default in combustion: 0.6, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   emission_speed: number;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   emission_spread: number;
@@ -243,7 +243,7 @@ export interface HearthProperties {
   sourceHeight: number;
   /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
   sourceAngle: number;
-  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. A particle leaves a solid at right angles. In the combustion model, a solid has none: it supplies no gas. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. A particle leaves a solid at right angles. In the combustion model, a solid has none: it supplies no gas. [m/s] Default in combustion: 0.6, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   emissionSpeed: number;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   emissionSpread: number;
@@ -412,7 +412,7 @@ export interface HearthSource {
   power?: number;
   /** A denser, brighter flame. Particles born per second, limited by the space at the source and by the number of particles. [1/s] Default in classic: 1500, from 50 to 100000. */
   rate?: number;
-  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. A particle leaves a solid at right angles. In the combustion model, a solid has none: it supplies no gas. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. A particle leaves a solid at right angles. In the combustion model, a solid has none: it supplies no gas. [m/s] Default in combustion: 0.6, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   speed?: number;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   spread?: number;
@@ -460,7 +460,7 @@ export interface HearthSolid {
   /** A solid in the shape of a picture. Opacity of the pixels of a mask, which `hearth-fire/mask` makes from a text, a path or an image. Default "16x16:7". */
   mask?: string;
   /** A surface of stone, wood, iron and so on. Material that is drawn; `none` is invisible. Default "stone". */
-  material?: "stone" | "wood" | "iron" | "brick" | "coal" | "wax" | "glass" | "none";
+  material?: "stone" | "wood" | "iron" | "brick" | "coal" | "wax" | "glass" | "cloth" | "none";
   /** A solid behind, within or before the fire. Gas flows around what is within it, and in every plane around a solid that has fuel, moves freely or carries a source; it passes the others, which are lit. One that is before the fire hides it. Solids later in the list are before earlier ones. Default "within". */
   plane?: "behind" | "within" | "before";
   /** A surface that heats or cools the gas. Adiabatic: no heat passes. Fixed: it keeps its temperature. Conducting: the gas and radiation heat and cool the solid, which has one temperature throughout. Default "adiabatic". */

@@ -25,7 +25,7 @@ export const DEFAULTS = {
   source_x: 0,
   source_height: 0.25,
   source_angle: 0,
-  emission_speed: 0.25,
+  emission_speed: 0.6,
   emission_spread: 0.25,
   emission_noise: 0.2,
   taper: 0.8,

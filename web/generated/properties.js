@@ -22,7 +22,7 @@ export const PROPERTIES = {
     width: {"parameter":"source_width","combustion":[0.4,0.01,1],"classic":[0.36,0.05,0.6]},
     power: {"parameter":"fuel_power","combustion":[220,0,600]},
     rate: {"parameter":"emission_rate","classic":[1500,50,100000]},
-    speed: {"parameter":"emission_speed","combustion":[0.25,0,1.5],"classic":[1,0,3]},
+    speed: {"parameter":"emission_speed","combustion":[0.6,0,1.5],"classic":[1,0,3]},
     spread: {"parameter":"emission_spread","classic":[0.25,0,1]},
     noise: {"parameter":"emission_noise","combustion":[0.2,0,1],"classic":[0.5,0,1]},
     temperature: {"parameter":"source_temperature","combustion":[700,500,1200]},

@@ -6,7 +6,7 @@ use crate::constants::{
 };
 
 /// The numbers of the materials that the shader draws, in the order of `Material`; 0 is stone.
-pub const MATERIALS: [&str; 6] = ["WOOD", "IRON", "BRICK", "COAL", "WAX", "GLASS"];
+pub const MATERIALS: [&str; 7] = ["WOOD", "IRON", "BRICK", "COAL", "WAX", "GLASS", "CLOTH"];
 /// The numbers of the grounds that the shader draws after stone, in the order of `Ground`.
 pub const GROUNDS: [&str; 3] = ["EARTH", "SAND", "SNOW"];
 

@@ -123,7 +123,7 @@ impl Tint {
 }
 
 /// The colour of a fire's light as a whole, as `#rrggbb`.
-pub fn glow(parameters: &Parameters) -> String {
+pub fn light_colour(parameters: &Parameters) -> String {
     let [r, g, b] = Tint::of(parameters).glow();
     format!("#{r:02x}{g:02x}{b:02x}")
 }

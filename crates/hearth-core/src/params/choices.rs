@@ -122,6 +122,8 @@ choices! {
         Wax = "wax",
         /// Glass.
         Glass = "glass",
+        /// Cloth: a sheet in folds, or a twisted rope.
+        Cloth = "cloth",
         /// Nothing: the solid is invisible.
         None = "none",
     }

@@ -128,7 +128,7 @@ parameters! {
         /// A flame that shoots up from its source. Speed of a particle at birth, or of the
         /// gas in the burner; upward unless the source is turned. A particle leaves a solid at right
         /// angles. In the combustion model, a solid has none: it supplies no gas.
-        @speed: emission_speed: number "Emission speed" ["m/s"] Linear { Classic(1.0, 0.0..=3.0) Combustion(0.25, 0.0..=1.5) } unless { source_shape: SOLID, model: COMBUSTION }
+        @speed: emission_speed: number "Emission speed" ["m/s"] Linear { Classic(1.0, 0.0..=3.0) Combustion(0.6, 0.0..=1.5) } unless { source_shape: SOLID, model: COMBUSTION }
         /// A frayed flame that sprays to the sides. Random part of the velocity at birth.
         @spread: emission_spread: number "Spread" [""] Linear { Classic(0.25, 0.0..=1.0) }
         /// An uneven flame that flares up here and there. How unevenly the source burns:

@@ -34,7 +34,7 @@ void main() {
         light = vec4(encode_light(WATER), 1.0) * (spark.y * inside);
         return;
     }
-    vec3 emitted = radiance(spark.x) * (spark.y * exp(-DECAY * late));
+    vec3 emitted = radiance(spark.x, GAS_ROW) * (spark.y * exp(-DECAY * late));
     float peak = max(emitted.r, max(emitted.g, emitted.b));
     vec3 hue = emitted / max(peak, 1e-6);
     float outside = max(1.0 - square / (WIDTH * WIDTH), 0.0);

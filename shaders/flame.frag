@@ -98,7 +98,7 @@ const float THIN = 0.55;         // optical depth relative to that of a plane fl
 // Time in which soot forms above the source, and mean time since the soot's fuel burnt in which the fuel in the middle
 // burns [s].
 const float FORMATION = 0.03;
-const float BURNOUT = 0.4;
+const float BURNOUT = 0.2;
 const float GRAVITY = 9.81;      // [m/s²]
 const float ROOT = 0.2;          // height over which the flame begins, in source widths
 // Gas that was mixed with air burns without soot: shares of it that burn in the burn time at the end of the mantle, at the
@@ -208,7 +208,7 @@ void main() {
 
     float glowing = smoothstep(DARK, GLOWING, kilokelvin) * fire_share;
     float covered = 1.0 - exp(-OPTICAL_DEPTH * depth * left);
-    vec3 emitted = radiance(mix(kilokelvin, max(kilokelvin, SHEETS), SHEET_SHARE)) * (gain * covered * glowing) + blue * (gain * fire_share);
+    vec3 emitted = radiance(mix(kilokelvin, max(kilokelvin, SHEETS), SHEET_SHARE), GAS_ROW) * (gain * covered * glowing) + blue * (gain * fire_share);
     float aloft = smoke * smoothstep(ALOFT, HIGH, above / (1.0 + ROUND_HIGH * roundness));
     float hidden = 0.0;
     if (aloft > 0.0) {

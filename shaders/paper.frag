@@ -17,5 +17,5 @@ void main() {
     float distance = length(corner);
     float inside = clamp((1.0 - distance) * pixels + 0.5, 0.0, 1.0);
     float kilokelvin = centre * mix(1.0, RIM, smoothstep(0.0, RIM_AT, distance));
-    pixel = vec4(displayed(radiance(kilokelvin) * gain), 1.0) * inside;
+    pixel = vec4(displayed(radiance(kilokelvin, GAS_ROW) * gain), 1.0) * inside;
 }

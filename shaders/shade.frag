@@ -113,7 +113,7 @@ void main() {
     float covered = (1.0 - exp(-OPTICAL_DEPTH * left * depth)) * smoothstep(DARK, GLOWING, kilokelvin) * fire_share;
     float opaque = covered * smoothstep(DARK, OPAQUE, kilokelvin) * min(DENSE * depth, 1.0);
     float hidden = 1.0 - exp(-smoke * around.w);
-    vec3 emitted = radiance(kilokelvin) * (gain * depth * (THIN_LIGHT + DENSE_LIGHT * depth) * covered);
+    vec3 emitted = radiance(kilokelvin, GAS_ROW) * (gain * depth * (THIN_LIGHT + DENSE_LIGHT * depth) * covered);
     opaque *= opacity_of(emitted);
     vec3 sum = emitted * (1.0 - ABSORBED * hidden);
     float soft = 1.0 - soft_top * smoothstep(LEAVING, GONE, domain_height(uv));

@@ -23,23 +23,21 @@ uniform vec2 per_height;   // height of the domain as a share of the picture, ac
 uniform float light_range; // maximum radiance in targets
 uniform float gain;        // brightness of a surface of 1500 K
 uniform vec3 sky;          // light of the background
-uniform float breath;      // tiles by which the noise of embers has moved
 
 out vec4 pixel;
 
 const float NEAR_LIT = 0.7; // brightness of the light nearby
 const float FAR_LIT = 300.0 / 16.0; // and of the irradiance
-const float PALE = 0.3;    // share of the irradiance that loses its hue, so that materials keep theirs
 const float AROUND = 0.1;   // distance of the irradiance that gives its direction, in heights of the domain
 const float TOUCH = 0.025;  // distance of the light that touches a surface
 const vec3 NIGHT = vec3(0.03, 0.033, 0.045); // bluish light without the fire
 const float BEVEL = 0.3;    // rounded share of a thickness
-const float GREY = 0.333;   // share of each colour in light without its hue
 const float RAISED = 0.05;  // added to the height of a normal, so that one at a rim is defined
 const float DARKEST = 1e-6; // light below which there is no direction
 // The direction to the fire: its height over the slope of the irradiance, and the brightness of a
 // surface that faces it, of one across it, and of one that light enters.
 const float TOWARDS = 0.55;
+const float BACKLIT = -0.35; // that height for a solid before the fire: its face is dark, and edges towards the fire are bright
 const float FACING = 0.6;
 const float ACROSS = 0.2;
 const float INSIDE = 0.7;
@@ -55,6 +53,7 @@ const float CONTACT = 0.85;
 const float CONTACT_FULL = -0.3;
 const float CONTACT_END = 1.3;
 const float CONTACT_STEP = 0.35;
+const float WITHIN = 1.0; // number of the plane within the fire
 const float GLINT = 0.9; // maximum coverage by a highlight
 
 // Coordinates of the noise are in sizes of the solid. Factors on them decorrelate reads.
@@ -128,8 +127,8 @@ const float JOINT = 0.03;
 const float BRICK_FACE = 0.12;
 const float BRICK_RAGGED = 0.03;
 const vec3 MORTAR = vec3(0.17, 0.16, 0.145);
-const vec3 DARK_CLAY = vec3(0.33, 0.13, 0.08);
-const vec3 PALE_CLAY = vec3(0.48, 0.23, 0.145);
+const vec3 DARK_CLAY = vec3(0.34, 0.15, 0.09);
+const vec3 PALE_CLAY = vec3(0.5, 0.27, 0.17);
 const vec2 CELL_PLACE = vec2(0.173, 0.291); // decorrelates the clay of bricks
 const float CLAY_GRAIN = 0.3;
 const float BRICK_BUMPS = 0.3;
@@ -145,11 +144,26 @@ const float COAL_SOFT = 0.3;
 const vec3 WAX_COLOUR = vec3(0.8, 0.72, 0.55);
 const float WAX_SOFT = 0.6; // light spreads in wax
 const float WAX_SHINE = 0.15;
+// Light enters wax at its top and is lost on the way down: the share that is left far below, what the top gains, and the
+// depth over which it is lost [m].
+const float WAX_DARK = 0.45;
+const float WAX_LIT = 1.9;
+const float WAX_DEPTH = 0.022;
 
 // Glass is seen at its rim.
 const vec3 GLASS_COLOUR = vec3(0.8, 0.9, 0.9);
 const float GLASS_COVER = 0.12;
 const float GLASS_RIM = 0.6;
+
+// Cloth: a sheet hangs in folds, two across a box, whose edges are in them; a line is a rope. Turns of both for each half
+// thickness [rad], their slope and relief, and the light in a fold.
+const vec3 CLOTH_COLOUR = vec3(0.55, 0.44, 0.31);
+const float FOLDS = 6.283;
+const float TWIST = 3.59;
+const float FOLD_SLOPE = 0.75;
+const float TWIST_RELIEF = 0.4;
+const float IN_FOLD = 0.35;
+const float CLOTH_SOFT = 0.3; // light passes through cloth
 
 // A solid with fuel: loss of colour by char, and the char of a full loss, which begins in spots.
 const float CHAR_DARK = 0.9;
@@ -163,9 +177,9 @@ const float CELL_UNEVEN = 0.15;
 const float RIM_DARK = 0.5;
 const float EMBER_COOLEST = 0.8;
 const float EMBER_RANGE = 0.35;
-// Breathing of embers: amplitude [kK], and the factor on its coordinates.
-const float BREATHING = 0.07;
-const float BREATH_PLACE = 0.07;
+// Embers breathe by the heat of the flame: they are hotter by so much for its light nearby, up to a most [kK].
+const float PER_LIGHT = 0.12;
+const float MOST_HEAT = 0.25;
 
 vec4 rough(vec2 place) {
     return texture(noise, place + turn.z) * 2.0 - 1.0;
@@ -173,8 +187,7 @@ vec4 rough(vec2 place) {
 
 vec3 light_at(vec2 side) {
     vec3 root = texture(irradiance, uv + side * AROUND * per_height).rgb;
-    vec3 light = root * root;
-    return mix(light, vec3(dot(light, vec3(GREY))), PALE);
+    return root * root;
 }
 
 // A place in the noise of bark, which is stretched along a trunk and crowds towards its sides, or of a plank. Around
@@ -208,8 +221,8 @@ void main() {
     vec3 at = surface(local, node);
     float material = floor(body.w / MATERIAL_FACTOR);
     float kilokelvin = (body.w - material * MATERIAL_FACTOR) * 1e-3;
-    bool front = material >= FRONT_OFFSET;
-    if (front) material -= FRONT_OFFSET;
+    float plane = floor(material / PLANE_FACTOR);
+    material -= plane * PLANE_FACTOR;
     float inner = min(body.x, body.y);
     float size = inner + body.z;
     float rim = clamp(1.0 + at.z / (body.z + BEVEL * inner), 0.0, 1.0);
@@ -225,7 +238,7 @@ void main() {
     vec3 above = light_at(vec2(0.0, 1.0));
     vec3 fire_light = left + right + below + above;
     vec2 slope = vec2(dot(right - left, vec3(1.0)), dot(above - below, vec3(1.0))) / (0.25 * dot(fire_light, vec3(1.0)) + DARKEST);
-    vec3 towards = normalize(vec3(slope, TOWARDS));
+    vec3 towards = normalize(vec3(slope, plane > WITHIN ? BACKLIT : TOWARDS));
     vec2 nearer = place + RELIEF_STEP * (towards.xy * turned);
     vec4 worn = rough(material == WOOD ? bark_place(place) : place * WORN_PLACE);
     vec4 fine = rough(place * FINE_PLACE);
@@ -263,6 +276,7 @@ void main() {
         float joint = smoothstep(JOINT, BRICK_FACE, min(edge.x, edge.y) + BRICK_RAGGED * fine.w);
         colour = mix(MORTAR, mix(DARK_CLAY, PALE_CLAY, 0.5 + rough(floor(cell) * CELL_PLACE).x) * (1.0 + CLAY_GRAIN * fine.x), joint);
         bump *= BRICK_BUMPS;
+        normal *= rim * rim;
     } else if (material == COAL) {
         colour = COAL_COLOUR * (1.0 + fine.w);
         bump *= COAL_BUMPS;
@@ -270,9 +284,18 @@ void main() {
         soft = COAL_SOFT;
     } else if (material == WAX) {
         colour = WAX_COLOUR;
+        // What has fuel is thin, as paper and cloth.
+        if (grid.y == 0.0) fire_light *= WAX_DARK + WAX_LIT * exp((local.y - body.y - body.z) / WAX_DEPTH);
         bump *= 0.0;
         soft = WAX_SOFT;
         shine = WAX_SHINE;
+    } else if (material == CLOTH) {
+        float turns = body.z > 0.0 ? TWIST * (place.x + place.y) : FOLDS * (place.x + 0.08 * worn.x);
+        float crest = 0.5 - 0.5 * cos(turns);
+        colour = CLOTH_COLOUR * mix(IN_FOLD, 1.0, crest) * (1.0 + CLAY_GRAIN * fine.w);
+        bump = vec3(0.0, 0.0, TWIST_RELIEF * (crest - 0.5));
+        if (body.z <= 0.0) normal = vec2(FOLD_SLOPE * sin(turns), 0.0);
+        soft = CLOTH_SOFT;
     } else if (material == GLASS) {
         colour = GLASS_COLOUR * rim * rim * rim;
         bump *= 0.0;
@@ -310,12 +333,12 @@ void main() {
         // A solid of a fixed temperature glows everywhere.
         ember = 1.0 - RIM_DARK * rim * rim;
     } else {
-        kilokelvin = EMBER_COOLEST + EMBER_RANGE * ember;
+        kilokelvin = EMBER_COOLEST + EMBER_RANGE * ember + min(PER_LIGHT * nearby.r, MOST_HEAT);
     }
-    if (ember > 0.0) seen += radiance(kilokelvin + BREATHING * rough(place * BREATH_PLACE + breath).x) * (gain * ember);
+    if (ember > 0.0) seen += radiance(kilokelvin, SOLID_ROW) * (gain * ember);
     cover = max(cover, min(gloss * fire_light.r, GLINT));
     // Nothing of the fire is over a solid before it.
-    vec4 fire = front ? vec4(0.0) : texture(shown, uv);
+    vec4 fire = plane > WITHIN ? vec4(0.0) : texture(shown, uv);
     vec3 shaded = fire.rgb + displayed(seen) * (1.0 - fire.a);
     pixel = dither(vec4(shaded, 1.0)) * (cover * clamp(0.5 - at.z / pixel_size, 0.0, 1.0));
 }

@@ -1,6 +1,6 @@
 // One quad per solid, with a margin for its soft edge. The record of a solid holds the centre and the
 // direction of its width, then half of its box, a radius, and its surface: material × MATERIAL_FACTOR +
-// temperature [K], with FRONT_OFFSET added to the material before the fire. The radius is that of the corners around the box. A negative one is the place of
+// temperature [K], with the plane × PLANE_FACTOR added to the material. The radius is that of the corners around the box. A negative one is the place of
 // a sampled distance in the texture, counted in records: first the number of nodes of a row, the
 // largest depth, which is negative if the solid is round, and the distances between nodes; then, in
 // the next record, the distance at each node. Both constants come from build/values.rs.

@@ -21,6 +21,6 @@ void main() {
     float inside = max(1.0 - dot(corner, corner), 0.0);
     vec4 grain = texture(noise, part.xy + PART * mat2(part.zw, -part.w, part.z) * corner);
     float flake = inside * smoothstep(0.0, FULL, inside + RAGGED * (grain.x + 0.5 * grain.w - MEAN));
-    vec3 colour = displayed(radiance(heat.x * mix(RIM, 1.0, flake)) * gain);
+    vec3 colour = displayed(radiance(heat.x * mix(RIM, 1.0, flake), GAS_ROW) * gain);
     shown = vec4(colour, 1.0) * (heat.y * flake);
 }

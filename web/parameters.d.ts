@@ -27,6 +27,8 @@ export interface HearthParameters {
   palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
   /** A brighter picture. Exposure in stops, each of which doubles the light. [EV] Default 0, from -4 to 4. */
   exposure: number;
+  /** A whiter, less red fire, and light of it. Temperature of the black body that the camera shows as white; at 6500 the fire has its physical hues. Other palettes keep theirs. [K] Default 3200, from 2000 to 6500. */
+  white_balance: number;
   /** A wider shine around bright places. Share of the light that a lens scatters. Default 0.15, from 0 to 0.6. */
   bloom: number;
   /** Thicker smoke. Opacity of the smoke. Default 0.3, from 0 to 2. */
@@ -51,7 +53,7 @@ export interface HearthParameters {
   source_height: number;
   /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
   source_angle: number;
-  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. A particle leaves a solid at right angles. In the combustion model, a solid has none: it supplies no gas. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. A particle leaves a solid at right angles. In the combustion model, a solid has none: it supplies no gas. [m/s] Default in combustion: 0.6, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   emission_speed: number;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   emission_spread: number;
@@ -101,6 +103,8 @@ export interface HearthParameters {
   hot_colour: string;
   /** Colour behind the fire; with `transparent` the page shows through. Default "transparent". */
   background: string;
+  /** Solids in their own colours, as in a lit room or on a white page. White light of the surroundings on solids, wall and ground. Default 0, from 0 to 1. */
+  ambient_light: number;
   /** A backdrop that shimmers behind the flame. How strongly hot gas refracts the view of the backdrop. The page behind the element is not refracted. Default 0.3, from 0 to 1. */
   heat_haze: number;
   /** Larger, slower swings of the flame. Size of the eddies of the turbulence. [m] Default 0.15, from 0.03 to 0.6. */
@@ -213,6 +217,8 @@ export interface HearthProperties {
   palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
   /** A brighter picture. Exposure in stops, each of which doubles the light. [EV] Default 0, from -4 to 4. */
   exposure: number;
+  /** A whiter, less red fire, and light of it. Temperature of the black body that the camera shows as white; at 6500 the fire has its physical hues. Other palettes keep theirs. [K] Default 3200, from 2000 to 6500. */
+  whiteBalance: number;
   /** A wider shine around bright places. Share of the light that a lens scatters. Default 0.15, from 0 to 0.6. */
   bloom: number;
   /** Thicker smoke. Opacity of the smoke. Default 0.3, from 0 to 2. */
@@ -237,7 +243,7 @@ export interface HearthProperties {
   sourceHeight: number;
   /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
   sourceAngle: number;
-  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. A particle leaves a solid at right angles. In the combustion model, a solid has none: it supplies no gas. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. A particle leaves a solid at right angles. In the combustion model, a solid has none: it supplies no gas. [m/s] Default in combustion: 0.6, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   emissionSpeed: number;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   emissionSpread: number;
@@ -287,6 +293,8 @@ export interface HearthProperties {
   hotColour: string;
   /** Colour behind the fire; with `transparent` the page shows through. Default "transparent". */
   background: string;
+  /** Solids in their own colours, as in a lit room or on a white page. White light of the surroundings on solids, wall and ground. Default 0, from 0 to 1. */
+  ambientLight: number;
   /** A backdrop that shimmers behind the flame. How strongly hot gas refracts the view of the backdrop. The page behind the element is not refracted. Default 0.3, from 0 to 1. */
   heatHaze: number;
   /** Larger, slower swings of the flame. Size of the eddies of the turbulence. [m] Default 0.15, from 0.03 to 0.6. */
@@ -404,7 +412,7 @@ export interface HearthSource {
   power?: number;
   /** A denser, brighter flame. Particles born per second, limited by the space at the source and by the number of particles. [1/s] Default in classic: 1500, from 50 to 100000. */
   rate?: number;
-  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. A particle leaves a solid at right angles. In the combustion model, a solid has none: it supplies no gas. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. A particle leaves a solid at right angles. In the combustion model, a solid has none: it supplies no gas. [m/s] Default in combustion: 0.6, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   speed?: number;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   spread?: number;
@@ -452,9 +460,9 @@ export interface HearthSolid {
   /** A solid in the shape of a picture. Opacity of the pixels of a mask, which `hearth-fire/mask` makes from a text, a path or an image. Default "16x16:7". */
   mask?: string;
   /** A surface of stone, wood, iron and so on. Material that is drawn; `none` is invisible. Default "stone". */
-  material?: "stone" | "wood" | "iron" | "brick" | "coal" | "wax" | "glass" | "none";
-  /** A solid before the fire, which hides the flame behind it. Solids later in the list are before earlier ones. Default false. */
-  front?: boolean;
+  material?: "stone" | "wood" | "iron" | "brick" | "coal" | "wax" | "glass" | "cloth" | "none";
+  /** A solid behind, within or before the fire. Gas flows around what is within it, and in every plane around a solid that has fuel, moves freely or carries a source; it passes the others, which are lit. One that is before the fire hides it. Solids later in the list are before earlier ones. Default "within". */
+  plane?: "behind" | "within" | "before";
   /** A surface that heats or cools the gas. Adiabatic: no heat passes. Fixed: it keeps its temperature. Conducting: the gas and radiation heat and cool the solid, which has one temperature throughout. Default "adiabatic". */
   thermal?: "adiabatic" | "fixed" | "conducting";
   /** A hotter surface. Temperature of the surface, at first where it conducts heat. [K] Default 293, from 250 to 2500. */
@@ -581,6 +589,8 @@ export interface HearthStats {
   time: number;
   /** Power of the combustion [kW/m]; 0 in the classic model. */
   power: number;
+  /** Colour of the light as a whole, as `#rrggbb`: of its palette, to the camera's white balance. */
+  glow: string;
   /** Fuel that is left in solids, as a share; 0 without any. */
   fuelLeft: number;
   /** Whether solids with fuel burn: `burning` if one does. Otherwise `no-oxygen` or `out`, if one went out because it lacked oxygen or heat; `unlit`; `burnt`, if nothing is left; empty without fuel. */

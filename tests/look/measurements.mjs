@@ -58,7 +58,7 @@ export const BARS = [
   },
   {
     id: 'locus',
-    words: 'Δxy of luminous pixels from a black body, 99 % below',
+    words: 'Δxy of luminous pixels from a black body to the same camera, 99 % below',
     bar: '≤ 0.01',
     figure: (found) => found.locus.shown,
     holds: (off) => off <= 0.01,

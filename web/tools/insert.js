@@ -90,7 +90,7 @@ export class Inserts {
         {
           ...fields,
           ...(style.burns && GLOWING),
-          front: true,
+          plane: 'before',
           x: rounded(x),
           y: rounded(Math.max(at.y, fields.height / 2)),
         },

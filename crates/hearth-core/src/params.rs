@@ -25,7 +25,7 @@ mod value;
 pub(crate) use check::nearest;
 pub use choices::{
     Backdrop, Choice, DisplayMode, Edges, Floor, Fuel, Ground, Layers, Material, Model, Motion,
-    Palette, Shape, SourceShape, Thermal, Walls,
+    Palette, Plane, Shape, SourceShape, Thermal, Walls,
 };
 pub use entry::{Condition, Description, Domain, Kind, Role, Scale, conditions_text};
 pub use outline::{Mask, Points};

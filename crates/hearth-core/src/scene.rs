@@ -20,7 +20,8 @@ mod tests;
 mod values;
 
 use crate::params::{
-    Fuel, Input, Model, Motion, Name, ParamError, ParamErrorKind, Parameters, Solid, Source, quoted,
+    Fuel, Input, Model, Motion, Name, ParamError, ParamErrorKind, Parameters, Plane, Solid, Source,
+    quoted,
 };
 use std::sync::Arc;
 
@@ -114,6 +115,18 @@ impl Scene {
     /// The solids that are on with their ids and surfaces, in the order of the objects.
     pub fn surfaces(&self) -> impl Iterator<Item = (u32, &Solid, &Surface)> {
         self.objects.iter().filter_map(Stored::surface)
+    }
+
+    /// The same of the solids that gas flows around.
+    pub fn obstacles(&self) -> impl Iterator<Item = (u32, &Solid, &Surface)> {
+        self.surfaces().filter(|(id, solid, _)| {
+            solid.plane == Plane::Within
+                || solid.fuel != Fuel::None
+                || solid.motion == Motion::Free
+                || self
+                    .all_sources()
+                    .any(|source| source.solid_id() == Some(*id))
+        })
     }
 
     /// Whether there is a solid.

@@ -133,7 +133,7 @@ impl Solids {
 
     fn gather(&mut self, scene: &Scene, time: f64, bounds: &Bounds, near: f32) {
         let old = std::mem::take(&mut self.bodies);
-        for (id, solid, surface) in scene.surfaces() {
+        for (id, solid, surface) in scene.obstacles() {
             let frame = surface.frame;
             let burns = solid.fuel != Fuel::None;
             // One that burns has a temperature in each part of it.

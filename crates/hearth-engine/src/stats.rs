@@ -64,6 +64,8 @@ stats! { fire, report, fuels, canvas =>
     "time": "number" = set_number(fire.simulation.time())
     /// Power of the combustion [kW/m]; 0 in the classic model.
     "power": "number" = set_number(fire.pacing.averages.power)
+    /// Colour of the light as a whole, as `#rrggbb`: of its palette, to the camera's white balance.
+    "glow": "string" = set_text(&hearth_render::light_colour(fire.settings().parameters()))
     /// Fuel that is left in solids, as a share; 0 without any.
     "fuelLeft": "number" = set_number(fuels.left)
     /// Whether solids with fuel burn: `burning` if one does. Otherwise `no-oxygen` or `out`, if one went

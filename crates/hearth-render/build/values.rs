@@ -1,12 +1,12 @@
 //! Constants of `src/constants.rs` for shaders.
 
 use crate::constants::{
-    COLOUR_ENTRIES, COOLEST_KELVIN, FRONT_OFFSET, FUEL_OFFSET, HOTTEST_KELVIN, MATERIAL_FACTOR,
-    NOISE_LEVELS, PARTICLES_PER_ROW, QUADS_PER_INSTANCE, TEXELS_PER_PARTICLE,
+    COLOUR_ENTRIES, COOLEST_KELVIN, FUEL_OFFSET, HOTTEST_KELVIN, MATERIAL_FACTOR, NOISE_LEVELS,
+    PARTICLES_PER_ROW, PLANE_FACTOR, QUADS_PER_INSTANCE, TEXELS_PER_PARTICLE,
 };
 
 /// The numbers of the materials that the shader draws, in the order of `Material`; 0 is stone.
-pub const MATERIALS: [&str; 6] = ["WOOD", "IRON", "BRICK", "COAL", "WAX", "GLASS"];
+pub const MATERIALS: [&str; 7] = ["WOOD", "IRON", "BRICK", "COAL", "WAX", "GLASS", "CLOTH"];
 /// The numbers of the grounds that the shader draws after stone, in the order of `Ground`.
 pub const GROUNDS: [&str; 3] = ["EARTH", "SAND", "SNOW"];
 
@@ -22,7 +22,7 @@ pub fn shared() -> Vec<(&'static str, String)> {
         ("TEXELS_PER_PARTICLE", whole(TEXELS_PER_PARTICLE)),
         ("NOISE_LEVELS", real(NOISE_LEVELS as f32)),
         ("MATERIAL_FACTOR", real(MATERIAL_FACTOR)),
-        ("FRONT_OFFSET", real(FRONT_OFFSET)),
+        ("PLANE_FACTOR", real(PLANE_FACTOR)),
         ("FUEL_OFFSET", real(FUEL_OFFSET)),
         ("TABLE_SCALE", real(scale)),
         ("TABLE_OFFSET", real(offset)),

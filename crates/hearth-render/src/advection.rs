@@ -4,13 +4,20 @@
 //! alternate: each is advected for one period, half a period apart, and fades in after its start
 //! and out before its end.
 
-/// Time of advection of a sample without a predecessor \[s\], so that a single picture of a fire
-/// looks as if it had moved.
+/// Time for which a pattern seems to have moved when it starts \[s\]: it has tongues from its first picture on. Its
+/// youth would be round blobs between the tongues of the other pattern.
 pub const INITIAL_SECONDS: f32 = 0.08;
 
-/// Period of a pattern \[s\]: the time in which gas rises by a few widths of the source \[m\].
+/// Period of a pattern \[s\]: twice the turnover time τ = l/u' of eddies of its size l = 0.3 b, with u' = 0.85 √(g b) for
+/// a source of b metres. The factor of √b is fitted to films of wood fires. A pattern of a longer period only carries
+/// light upwards, so the total light of the fire changes too slowly.
 pub fn period(source_width: f32) -> f32 {
-    source_width.sqrt().clamp(0.25, 1.5) * 0.75
+    source_width.sqrt().clamp(0.45, 1.5) * 0.22
+}
+
+/// Time for which a sample moves each pattern \[s\]: that since the sample before, or of a start.
+pub fn seconds_moved(kept: [f32; 2], elapsed: f32) -> [f32; 2] {
+    kept.map(|kept| INITIAL_SECONDS + kept * (elapsed - INITIAL_SECONDS))
 }
 
 /// The phase of the two patterns: periods since the start of the fire.
@@ -79,6 +86,21 @@ mod tests {
         for start in [0.0, 0.3, 0.5, 7.9] {
             assert_eq!(Phase(start + 1.0).kept_since(Phase(start)), [0.0; 2]);
         }
+    }
+
+    #[test]
+    fn a_period_follows_the_turnover_of_eddies() {
+        for width in [0.3, 0.44, 1.0_f32] {
+            let turnover = 0.3 * width / (0.85 * (9.81 * width).sqrt());
+            assert!((period(width) / turnover - 2.0).abs() < 0.06, "{width} m");
+        }
+    }
+
+    #[test]
+    fn a_pattern_that_starts_has_moved_already() {
+        let [starts, kept] = seconds_moved([0.0, 1.0], 1.0 / 30.0);
+        assert_eq!(starts, INITIAL_SECONDS);
+        assert!((kept - 1.0 / 30.0).abs() < 1e-6);
     }
 
     #[test]

@@ -9,11 +9,11 @@ pub const TEXELS_PER_PARTICLE: usize = 2;
 
 /// Factor of a material in the number of a surface, above every temperature \[K\].
 pub const MATERIAL_FACTOR: f32 = 4096.0;
-/// Added to the number of the material of a solid before the fire.
-pub const FRONT_OFFSET: f32 = 16.0;
+/// Factor of a plane in the number of a surface's material.
+pub const PLANE_FACTOR: f32 = 16.0;
 /// Added to the number of the material of a solid with fuel. The place of its cells is then in place
 /// of the temperature.
-pub const FUEL_OFFSET: f32 = 32.0;
+pub const FUEL_OFFSET: f32 = 64.0;
 
 /// Mipmap levels of the noise tile below its finest one.
 pub const NOISE_LEVELS: u32 = 7;

@@ -187,11 +187,11 @@ impl<'a> FrameUniforms<'a> {
         (1.0 - self.wall()) * (1.0 - cover)
     }
 
-    /// Light of the background, which is a sky where no wall hides it.
+    /// Light of the surroundings, and of the background, which is a sky where no wall hides it.
     pub fn sky(&self) -> [f32; 3] {
         let share = SKY_BRIGHTNESS * (1.0 - self.wall());
         let [r, g, b, _] = background(self.parameters.background);
-        [r, g, b].map(|channel| share * channel * channel)
+        [r, g, b].map(|channel| self.parameters.ambient_light + share * channel * channel)
     }
 
     /// The ground: its number in the table, that of stone under a wall without another.

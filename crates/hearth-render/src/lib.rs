@@ -51,12 +51,13 @@ mod targets;
 mod values;
 mod viewport;
 
-pub use blackbody::{Chromaticity, chromaticity, linear_srgb, luminance};
+pub use blackbody::{Chromaticity, NEUTRAL_KELVIN, chromaticity, linear_srgb, luminance};
 pub use camera::{Camera, Fit};
 pub use error::RenderError;
 pub use format::TargetFormat;
 pub use gl::Graphics;
 pub use history::{History, Moment};
+pub use palette::light_colour;
 pub use renderer::{Renderer, View};
 pub use resolution::ResolutionLimits;
 pub use scale::Scale;

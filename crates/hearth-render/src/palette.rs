@@ -7,7 +7,7 @@
 use hearth_core::Parameters;
 use hearth_core::params::{Colour, Palette};
 
-use crate::blackbody;
+use crate::blackbody::{self, NEUTRAL_KELVIN};
 use crate::constants::{COLOUR_ENTRIES, COOLEST_KELVIN, HOTTEST_KELVIN};
 
 /// Temperatures of a palette's cool and hot hue \[K\].
@@ -17,6 +17,8 @@ const HOT_KELVIN: f32 = 1900.0;
 /// saturates to one half.
 const PALE_SHARES: [f32; 2] = [0.35, 0.65];
 const PALE_HALF: f32 = 0.03;
+/// Temperature whose hue is that of the light as a whole \[K\].
+const GLOW_KELVIN: f32 = 1700.0;
 /// Colour to which overexposed soot pales, linear.
 const PALE_SOOT: [f32; 3] = [1.0, 0.92, 0.66];
 
@@ -26,6 +28,8 @@ pub struct Tint {
     palette: Palette,
     /// Cool and hot colour of the custom palette; transparent for other palettes.
     ends: [Colour; 2],
+    /// White balance of the camera \[K\].
+    white: f32,
 }
 
 impl Tint {
@@ -36,11 +40,15 @@ impl Tint {
             Palette::Custom => [parameters.cool_colour, parameters.hot_colour],
             _ => [Colour::TRANSPARENT; 2],
         };
-        Tint { palette, ends }
+        let white = parameters.white_balance;
+        Tint {
+            palette,
+            ends,
+            white,
+        }
     }
 
-    /// Whether the palette is the black body, whose table all fires share.
-    pub fn is_black_body(self) -> bool {
+    fn is_black_body(self) -> bool {
         self.palette == Palette::Blackbody
     }
 
@@ -69,9 +77,34 @@ impl Tint {
         (hot.map(pale), 0.0)
     }
 
-    /// The colour table as a row of texels: chroma and ln(luminance), as [`blackbody::table`].
+    /// The colour of the light as a whole, in sRGB.
+    fn glow(self) -> [u8; 3] {
+        if self.palette == Palette::Custom {
+            let [r, g, b, _] = self.ends[1].rgba;
+            return [r, g, b];
+        }
+        let span = (HOTTEST_KELVIN - COOLEST_KELVIN) / (COLOUR_ENTRIES - 1) as f32;
+        let entry = ((GLOW_KELVIN - COOLEST_KELVIN) / span).round() as usize;
+        let [r, g, b, _] = self.row()[entry];
+        let peak = r.max(g).max(b);
+        [r, g, b].map(|channel| (255.0 * encoded(channel / peak)).round() as u8)
+    }
+
+    /// The colour table as two rows of texels: that of the gas, and that of solids, which glow as a black body in every
+    /// palette.
     pub fn table(self) -> Vec<[f32; 4]> {
-        let mut table = blackbody::table();
+        [self.row(), blackbody::table(self.white.into())].concat()
+    }
+
+    /// The row of the gas: chroma and ln(luminance), as [`blackbody::table`]. A camera adapts to a black body alone:
+    /// other palettes keep their hues.
+    fn row(self) -> Vec<[f32; 4]> {
+        let white = if self.is_black_body() {
+            self.white.into()
+        } else {
+            NEUTRAL_KELVIN
+        };
+        let mut table = blackbody::table(white);
         if !self.is_black_body() {
             let [cool, hot] = self.hues();
             let span = (HOTTEST_KELVIN - COOLEST_KELVIN) / (COLOUR_ENTRIES - 1) as f32;
@@ -86,6 +119,24 @@ impl Tint {
             }
         }
         table
+    }
+}
+
+/// The colour of a fire's light as a whole, as `#rrggbb`.
+pub fn light_colour(parameters: &Parameters) -> String {
+    let [r, g, b] = Tint::of(parameters).glow();
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// The sRGB encoding, by the square roots of `shaders/colour.glsl`.
+fn encoded(linear: f32) -> f32 {
+    let second = linear.sqrt();
+    let fourth = second.sqrt();
+    let power = 0.6620 * second + 0.6841 * fourth - 0.3236 * fourth.sqrt() - 0.0225 * linear;
+    if linear < 0.003_130_8 {
+        12.92 * linear
+    } else {
+        power
     }
 }
 
@@ -110,7 +161,7 @@ mod tests {
     #[test]
     fn brightness_increases_with_temperature_in_every_palette() {
         for name in Palette::NAMES {
-            let table = tint(name).table();
+            let table = tint(name).row();
             let exponent = Parameters::default().luminance_exponent;
             let peaks: Vec<f32> = table
                 .iter()
@@ -123,7 +174,7 @@ mod tests {
     #[test]
     fn each_palette_has_its_hue() {
         let middle = |name: &str| {
-            let table = tint(name).table();
+            let table = tint(name).row();
             let [r, g, b, _] = table[COLOUR_ENTRIES / 2];
             [r, g, b]
         };
@@ -147,12 +198,42 @@ mod tests {
         ];
         let set = parameters.set_all(values.map(|(id, text)| (id, Input::Text(text))));
         assert_eq!(set, Ok(()));
-        let table = Tint::of(&parameters).table();
+        let table = Tint::of(&parameters).row();
         let [first, last] = [table[0], table[COLOUR_ENTRIES - 1]];
         assert!(first[0] == 0.0 && first[1] == 0.0 && first[2] > 0.0);
         assert_eq!(last[2], 0.0);
         // sRGB 128 is 0.216 of linear 1.
         assert!((last[1] / last[0] - 0.216).abs() < 0.005, "{last:?}");
+    }
+
+    #[test]
+    fn the_white_balance_adapts_a_black_body_and_no_other_palette() {
+        let balanced = |palette: &str, kelvin| {
+            let mut parameters = Parameters::new(Model::Combustion);
+            let set = parameters.set("white_balance", Input::Number(kelvin));
+            assert_eq!(set, Ok(()));
+            assert_eq!(parameters.set("palette", Input::Text(palette)), Ok(()));
+            Tint::of(&parameters)
+        };
+        assert_eq!(balanced("blackbody", 6500.0).glow(), [255, 119, 0]);
+        let [_, _, blue] = balanced("blackbody", 2600.0).glow();
+        assert!(blue > 60, "{blue}");
+        for palette in ["gas", "copper", "lithium", "ghost", "custom"] {
+            let [warm, neutral] = [2600.0, 6500.0].map(|kelvin| balanced(palette, kelvin));
+            assert_eq!(warm.row(), neutral.row(), "{palette}");
+            assert_eq!(warm.glow(), neutral.glow(), "{palette}");
+            // Glowing solids are adapted.
+            assert_ne!(warm.table(), neutral.table(), "{palette}");
+        }
+    }
+
+    #[test]
+    fn the_glow_of_a_custom_palette_is_its_hot_colour() {
+        let mut parameters = Parameters::new(Model::Combustion);
+        let values = [("palette", "custom"), ("hot_colour", "#12ab34")];
+        let set = parameters.set_all(values.map(|(id, text)| (id, Input::Text(text))));
+        assert_eq!(set, Ok(()));
+        assert_eq!(Tint::of(&parameters).glow(), [0x12, 0xab, 0x34]);
     }
 
     #[test]

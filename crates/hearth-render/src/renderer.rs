@@ -57,7 +57,7 @@ pub struct Renderer<G: Graphics = glow::Context> {
     paths: Paths,
     solids: Solids<G>,
     targets: Targets<G>,
-    /// Colour table of another palette than the black body, whose table all fires share.
+    /// Colour table of a tint.
     tinted: Option<(Tint, G::Texture)>,
     bounds: ParticleBounds,
     /// Past particles.

@@ -3,7 +3,6 @@
 //! Compiling the shaders takes longer than all other preparations of a fire. A page with thirty
 //! fires does it once.
 
-use crate::blackbody;
 use crate::constants::COLOUR_ENTRIES;
 use crate::error::RenderError;
 use crate::format::TargetFormat;
@@ -23,7 +22,6 @@ pub struct SharedResources<G: Graphics = glow::Context> {
     /// Maximum side of a texture.
     pub(crate) max_side: u32,
     pub(crate) noise: G::Texture,
-    pub(crate) black_body: G::Texture,
     /// A vertex array without attributes, because no pass reads a buffer.
     pub(crate) no_attributes: G::VertexArray,
 }
@@ -66,7 +64,6 @@ impl<G: Graphics> SharedResources<G> {
                 gl.generate_mipmap();
                 noise
             },
-            black_body: colour_table(gl, &blackbody::table())?,
             no_attributes: gl
                 .create_vertex_array()
                 .ok_or(RenderError::Resource { pass: "splat" })?,
@@ -82,7 +79,6 @@ impl<G: Graphics> SharedResources<G> {
     pub fn destroy(self, gl: &G) {
         self.programs.destroy(gl);
         gl.delete_texture(&self.noise);
-        gl.delete_texture(&self.black_body);
         gl.delete_vertex_array(&self.no_attributes);
     }
 }
@@ -91,7 +87,7 @@ impl<G: Graphics> SharedResources<G> {
 pub fn colour_table<G: Graphics>(gl: &G, table: &[[f32; 4]]) -> Result<G::Texture, RenderError> {
     gl.active_texture(0);
     let colours = texture(gl, "shade", glow::CLAMP_TO_EDGE)?;
-    let size = [COLOUR_ENTRIES as u32, 1];
+    let size = [COLOUR_ENTRIES as u32, (table.len() / COLOUR_ENTRIES) as u32];
     let (internal, _) = TargetFormat::Rgba16F.constants();
     gl.allocate_texture(internal, glow::FLOAT, size);
     gl.replace_floats([0, 0], size, table.as_flattened());

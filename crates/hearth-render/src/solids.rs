@@ -7,7 +7,7 @@ use hearth_core::params::{Material, Solid, Thermal};
 use hearth_core::scene::{Field, Pose, RoundedBox};
 use hearth_core::{Charred, CharredSolid, Instance, Scene};
 
-use crate::constants::{FRONT_OFFSET, FUEL_OFFSET, MATERIAL_FACTOR, PARTICLES_PER_ROW};
+use crate::constants::{FUEL_OFFSET, MATERIAL_FACTOR, PARTICLES_PER_ROW, PLANE_FACTOR};
 use crate::gl::Graphics;
 use crate::particles::Particles;
 
@@ -168,7 +168,8 @@ fn record(solid: &Solid, kelvin: f32, shape: &RoundedBox) -> Instance {
         shape.half.x,
         shape.half.y,
         shape.radius,
-        (f32::from(solid.material as u8) + FRONT_OFFSET * f32::from(solid.front)) * MATERIAL_FACTOR
+        (f32::from(solid.material as u8) + PLANE_FACTOR * f32::from(solid.plane as u8))
+            * MATERIAL_FACTOR
             + kelvin,
     ]
 }
@@ -176,7 +177,7 @@ fn record(solid: &Solid, kelvin: f32, shape: &RoundedBox) -> Instance {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use hearth_core::params::{Choice, Input};
+    use hearth_core::params::{Choice, Input, Plane};
     use hearth_core::scene::Surface;
 
     /// The surface of a solid of that material and temperature, and whether it is drawn.
@@ -195,16 +196,17 @@ mod tests {
     }
 
     #[test]
-    fn a_surface_is_its_material_and_the_temperature_at_which_it_glows() {
+    fn a_surface_is_its_material_plane_and_the_temperature_at_which_it_glows() {
+        let within = f32::from(Plane::Within as u8) * PLANE_FACTOR;
         for (number, name) in Material::NAMES.iter().enumerate() {
-            let material = number as f32 * MATERIAL_FACTOR;
+            let material = (number as f32 + within) * MATERIAL_FACTOR;
             let drawn = (*name != "none").then_some(material);
             assert_eq!(surface(name, 1200.0, "adiabatic"), drawn);
             assert_eq!(surface(name, 500.0, "fixed"), drawn);
             let hot = drawn.map(|material| material + 2500.0);
             assert_eq!(surface(name, 2500.0, "fixed"), hot);
         }
-        assert!(surface("stone", 900.0, "fixed") < Some(MATERIAL_FACTOR));
+        assert!(surface("stone", 900.0, "fixed") < Some((within + 1.0) * MATERIAL_FACTOR));
     }
 
     #[test]

@@ -32,7 +32,7 @@ impl Surroundings {
         let values = scene.world();
         let sources: Vec<_> = scene.sources().map(|source| [source.x, source.y]).collect();
         let free = !first.on_solid
-            && !scene.surfaces().any(|(id, solid, _)| {
+            && !scene.obstacles().any(|(id, solid, _)| {
                 let pose = poses.iter().find(|pose| pose.id == id);
                 solid.material != Material::None
                     && pose.is_some_and(|pose| is_in_flame(pose, first))

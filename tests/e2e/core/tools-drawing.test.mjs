@@ -58,7 +58,7 @@ for (const size of [WIDE, ...PHONES]) {
     await tab.page.keyboard.type('OK');
     await tab.key('Enter');
     const [, , , word] = await until(tab, 'a word that burns', (all) => all.length === 5);
-    assert.deepEqual([word.shape, word.material, word.front], ['mask', 'iron', true]);
+    assert.deepEqual([word.shape, word.material, word.plane], ['mask', 'iron', 'before']);
     assert.ok(close(word.x, 0) && close(word.y, 0.8));
     await tool(tab, 'erase');
     await drag(tab, [-0.3, 1.05], [0.05, 1.05], touch);

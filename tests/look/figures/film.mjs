@@ -70,9 +70,9 @@ export class Film {
    * @param {import('../painter.mjs').PictureRequest} request
    */
   static async of(painter, request) {
-    const [values, bodies, start] = await Promise.all([
-      painter.ask('values', request),
-      painter.ask('locus', { kelvins: KELVINS }),
+    const values = await painter.ask('values', request);
+    const [bodies, start] = await Promise.all([
+      painter.ask('locus', { kelvins: KELVINS, white: Number(values.white_balance) }),
       painter.ask('film', { ...request, width: WIDTH, height: HEIGHT }),
     ]);
     return new Film(painter, start, values, bodies);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use hearth_core::params::{Kind, PARAMETERS, Param};
 use hearth_core::preset::Preset;
-use hearth_render::{Chromaticity, Renderer, chromaticity};
+use hearth_render::{Chromaticity, NEUTRAL_KELVIN, Renderer, chromaticity};
 use serde_json::{Value, json};
 
 use crate::fire::Fire;
@@ -172,11 +172,12 @@ fn modes() -> impl Iterator<Item = &'static str> {
     names.iter().copied()
 }
 
-/// Where black bodies of these temperatures \[K\] stand in CIE's chart: x, y.
+/// Where black bodies of these temperatures \[K\] stand in CIE's chart to a camera with this white balance: x, y.
 fn locus(request: &Request) -> Value {
+    let white = request.0["white"].as_f64().unwrap_or(NEUTRAL_KELVIN);
     let kelvins = request.0["kelvins"].as_array().into_iter().flatten();
     let places = kelvins.filter_map(Value::as_f64).map(|kelvin| {
-        let Chromaticity { x, y } = chromaticity(kelvin);
+        let Chromaticity { x, y } = chromaticity(kelvin, white);
         json!([x, y])
     });
     places.collect()

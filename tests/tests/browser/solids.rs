@@ -255,14 +255,14 @@ fn an_outline_is_drawn_again_when_it_changes_and_moves_without_an_upload() -> Re
 }
 
 #[wasm_bindgen_test]
-fn a_solid_in_front_hides_the_flame() -> Result<(), JsValue> {
+fn a_solid_before_the_fire_hides_it() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let gas = puff((0.0, 0.6), 1900.0);
-    let at = |front: bool| -> Result<[u8; 4], JsValue> {
-        let fields = [&circle(0.0, 0.6)[..], &[("front", Input::Flag(front))]].concat();
+    let at = |plane: &str| -> Result<[u8; 4], JsValue> {
+        let fields = [&circle(0.0, 0.6)[..], &[("plane", Input::Text(plane))]].concat();
         Ok(painted(&canvas, &with_one(&fields)?, &gas)?.at(0.0, 0.6))
     };
-    let (before, behind) = (at(true)?, at(false)?);
+    let (before, behind) = (at("before")?, at("behind")?);
     assert!(
         light(before) + 40 < light(behind) && before[3] == 255,
         "{before:?} and {behind:?}"

@@ -177,9 +177,9 @@ export class OnDemandCode {
 
   /**
    * Sets the custom properties of light, or removes them.
-   * @type {(power?: number, values?: import('../../parameters.js').HearthParameters) => void}
+   * @type {(power?: number, glow?: string) => void}
    */
-  setLight(power, values) {
-    this.#use(HOOKS, () => this.#css?.light(power, values));
+  setLight(power, glow) {
+    this.#use(HOOKS, () => this.#css?.light(power, glow));
   }
 }

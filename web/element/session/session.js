@@ -365,7 +365,7 @@ export class FireSession {
       const { state } = this;
       state.stats = { ...stats, engine: engineThread };
       this.#policies.measure(state.params.display_mode, stats.scale);
-      this.code.setLight(stats.scale ? 0 : stats.power, state.params);
+      this.code.setLight(stats.scale ? 0 : stats.power, stats.glow);
       this.reports.emit('stats', { ...state.stats });
     },
     quality: ({ requested, quality, reason }) => {

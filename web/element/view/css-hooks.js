@@ -3,15 +3,6 @@
  * properties.
  */
 
-/** The mean colour of each palette's light at full brightness. @type {{[palette: string]: string}} */
-const GLOW = {
-  blackbody: '#ff7728',
-  gas: '#89adff',
-  copper: '#93ffb9',
-  lithium: '#ff637e',
-  ghost: '#c2f8ff',
-};
-
 /** The weight of a new measurement in the mean power. There are about four measurements a second. */
 const GAIN = 1 / 40;
 
@@ -51,16 +42,16 @@ export class CssHooks {
   /**
    * Sets the custom properties from the power against its mean; removes them without power.
    * @param {number} [power]
-   * @param {import('../../parameters.js').HearthParameters} [values]
+   * @param {string} [glow]  The colour of the light.
    */
-  light(power, values) {
-    if (!power || !values) {
+  light(power, glow) {
+    if (!power || !glow) {
       this.#mean = 0;
       this.#view.declare('');
       return;
     }
     this.#mean += (power - this.#mean) * (this.#mean ? GAIN : 1);
     const light = Math.min(power / this.#mean / 2, 1).toFixed(3);
-    this.#view.declare(`--hearth-light:${light};--hearth-glow:${GLOW[values.palette] ?? values.hot_colour}`);
+    this.#view.declare(`--hearth-light:${light};--hearth-glow:${glow}`);
   }
 }

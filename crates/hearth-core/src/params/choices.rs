@@ -122,8 +122,20 @@ choices! {
         Wax = "wax",
         /// Glass.
         Glass = "glass",
+        /// Cloth: a sheet in folds, or a twisted rope.
+        Cloth = "cloth",
         /// Nothing: the solid is invisible.
         None = "none",
+    }
+
+    /// The place of a solid in the depth of the fire.
+    Plane {
+        /// Behind the fire, which it does not touch.
+        Behind = "behind",
+        /// Within the fire, which flows around it.
+        Within = "within",
+        /// Before the fire, which it hides and does not touch.
+        Before = "before",
     }
 
     /// The thermal boundary condition at a solid.

@@ -6,7 +6,7 @@ use crate::params::{Solid, Source};
 
 impl Scene {
     /// All sources, also those that are off, in the order of the objects.
-    fn all_sources(&self) -> impl Iterator<Item = SceneSource<'_>> {
+    pub(super) fn all_sources(&self) -> impl Iterator<Item = SceneSource<'_>> {
         let own = self
             .objects
             .iter()

@@ -64,11 +64,11 @@ impl FreeBodies {
         let before = std::mem::take(&mut free.all);
         let ids = before.iter().filter(|body| !body.is_part());
         let ids = ids.map(|body| body.id);
-        if !ids.eq(scene.surfaces().map(|(id, ..)| id)) {
+        if !ids.eq(scene.obstacles().map(|(id, ..)| id)) {
             free.contacts.clear();
             free.old.clear();
         }
-        for (id, solid, surface) in scene.surfaces() {
+        for (id, solid, surface) in scene.obstacles() {
             let mut body = body::Rigid::of(id, solid, surface, values);
             if let Some(known) = before.iter().find(|body| body.id == id) {
                 body.continue_from(known);

@@ -48,6 +48,30 @@ fn a_motion_has_the_speed_of_its_path_over_its_time_and_ends() {
 }
 
 #[test]
+fn gas_passes_a_solid_behind_or_before_the_fire_unless_it_burns_moves_freely_or_carries_a_source() {
+    let is_obstacle = |fields: &[(&str, Input)]| {
+        let mut scene = scene(0.0);
+        assert_eq!(scene.change(2, fields), Ok(()));
+        !Solids::of(&scene, &BOX, 0.1).bodies.is_empty()
+    };
+    assert!(is_obstacle(&[("plane", Input::Text("within"))]));
+    for plane in ["behind", "before"] {
+        let plane = ("plane", Input::Text(plane));
+        assert!(!is_obstacle(&[plane]));
+        assert!(is_obstacle(&[plane, ("fuel", Input::Text("wood"))]));
+        assert!(is_obstacle(&[plane, ("motion", Input::Text("free"))]));
+        let mut scene = scene(0.0);
+        assert_eq!(scene.change(2, &[plane]), Ok(()));
+        let source = [
+            ("shape", Input::Text("solid")),
+            ("solid", Input::Number(2.0)),
+        ];
+        assert_eq!(scene.change(1, &source), Ok(()));
+        assert_eq!(Solids::of(&scene, &BOX, 0.1).bodies.len(), 1);
+    }
+}
+
+#[test]
 fn a_solid_at_a_periodic_edge_has_an_image() {
     assert_eq!(Solids::of(&scene(0.0), &BOX, 0.1).bodies.len(), 1);
     let solids = Solids::of(&scene(0.95), &BOX, 0.1);

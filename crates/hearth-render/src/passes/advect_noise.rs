@@ -1,5 +1,6 @@
 //! Advects the noise with the flow.
 
+use crate::advection::seconds_moved;
 use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::pass::{Draw, Pass, Per};
@@ -25,7 +26,9 @@ impl Pass for AdvectNoise {
         uniforms::AdvectNoise {
             before_scale,
             before_offset,
-            step_time: frame.viewport.metres.map(|side| advected.elapsed / side),
+            per_metre: frame.viewport.metres.map(|side| 1.0 / side),
+            seconds: seconds_moved(advected.kept, advected.elapsed),
+            elapsed: advected.elapsed,
             kept: advected.kept,
         }
     }

@@ -1,6 +1,6 @@
 //! Draws solids in the light of the fire.
 
-use crate::frame_uniforms::{FrameUniforms, wrapped};
+use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::palette::Tint;
 use crate::pass::{Blend, Draw, Pass};
@@ -8,8 +8,6 @@ use crate::shaders::uniforms;
 
 /// Brightness of a surface relative to gas of the same temperature, which is thin.
 const RELATIVE_BRIGHTNESS: f32 = 1.0;
-/// Speed at which the noise of embers moves [tiles/s].
-const EMBER_NOISE_SPEED: f64 = 0.015;
 
 /// Luminance exponent of glowing solids and embers. The flame's is a parameter and larger; with it, coal
 /// would be dark.
@@ -46,7 +44,6 @@ impl Pass for Solid {
             luminance_exponent: SOLID_LUMINANCE_EXPONENT,
             gain: RELATIVE_BRIGHTNESS * frame.gain(),
             sky: frame.sky(),
-            breath: wrapped(frame.time * EMBER_NOISE_SPEED),
             pale,
             yellow,
         }

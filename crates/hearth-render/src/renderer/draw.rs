@@ -151,11 +151,7 @@ impl<G: Graphics> Renderer<G> {
             Image::Particles if frame.particles.row.is_some() => self.ring.texture(),
             Image::Particles => Some(self.particles.texture()),
             Image::Noise => Some(&self.shared.noise),
-            Image::Palette => Some(match &self.tinted {
-                // A solid glows as a black body in every palette.
-                Some((_, colours)) if draw != Draw::Solids => colours,
-                _ => &self.shared.black_body,
-            }),
+            Image::Palette => self.tinted.as_ref().map(|(_, colours)| colours),
             _ => self.target(frame, image, level).map(Target::texture),
         }
     }

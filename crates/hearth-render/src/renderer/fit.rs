@@ -25,9 +25,7 @@ impl<G: Graphics> Renderer<G> {
         if let Some((_, old)) = self.tinted.take() {
             gl.delete_texture(&old);
         }
-        if !tint.is_black_body() {
-            self.tinted = Some((tint, colour_table(gl, &tint.table())?));
-        }
+        self.tinted = Some((tint, colour_table(gl, &tint.table())?));
         Ok(())
     }
 

@@ -29,7 +29,7 @@ const PILOT_FACTOR: f32 = 1.02;
 /// Lattice cells of the emission noise across the burner.
 const NOISE_CELLS: f32 = 5.0;
 /// Lattice cells of the emission noise per second.
-const NOISE_PER_SECOND: f64 = 3.0;
+const NOISE_PER_SECOND: f64 = 8.0;
 
 /// A particle at a burner.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! THE table of a solid's properties, with entries as those of the parameters.
 
-use crate::params::choices::{Choice, Fuel, Material, Motion, Shape, Thermal};
+use crate::params::choices::{Choice, Fuel, Material, Motion, Plane, Shape, Thermal};
 use crate::params::declare::{parameters, properties};
 use crate::params::entry::{Description, Domain, Kind, Role, Scale};
 use crate::params::outline::{Mask, Points};
@@ -60,9 +60,10 @@ properties! {
     mask: (text Mask) "Mask" { () } when { shape: MASKED }
     /// A surface of stone, wood, iron and so on. Material that is drawn; `none` is invisible.
     [Look] material: (choice Material) "Material" { (Stone) }
-    /// A solid before the fire, which hides the flame behind it. Solids later in the list are before
-    /// earlier ones.
-    [Look] front: flag "In front" { (false) }
+    /// A solid behind, within or before the fire. Gas flows around what is within it, and in every plane around a
+    /// solid that has fuel, moves freely or carries a source; it passes the others, which are lit. One that is before the
+    /// fire hides it. Solids later in the list are before earlier ones.
+    plane: (choice Plane) "Plane" { (Within) }
     /// A surface that heats or cools the gas. Adiabatic: no heat passes. Fixed: it keeps its
     /// temperature. Conducting: the gas and radiation heat and cool the solid, which has one
     /// temperature throughout.

@@ -115,11 +115,16 @@ function piecesOf(element) {
     if (css.visibility !== 'visible' || (parent !== element && parent.offsetWidth <= 1)) continue;
     const lang = parent.closest('[lang]')?.getAttribute('lang') ?? '';
     const text = node.nodeValue ?? '';
-    for (const { 0: word, index } of text.matchAll(/\S+/g)) {
+    // Browsers differ in what begins a word, and tell the text that they show.
+    const isAlone = css.textTransform !== 'none' && parent.childNodes.length === 1;
+    const words = isAlone ? parent.innerText.match(/\S+/g) : undefined;
+    for (const [number, { 0: word, index }] of [...text.matchAll(/\S+/g)].entries()) {
       let at = index;
+      const told = words?.[number]?.length === word.length ? words[number] : undefined;
       const parts = partsOf(node, index, word, css).flatMap((part) => {
         const before = text[at - 1] ?? '';
-        const shown = part === BREAK ? hyphenOf(css) : transformed(part, css, lang, before);
+        const own = told?.slice(at - index, at - index + part.length) ?? transformed(part, css, lang, before);
+        const shown = part === BREAK ? hyphenOf(css) : own;
         const rects = rectsOf(node, at, part);
         const one = rectOf(node, at, part);
         at += part.length;

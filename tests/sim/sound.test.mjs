@@ -87,11 +87,13 @@ test('the level follows the power of a fire that is lit, grows, is sprayed and g
   }
   const powers = windows.map(({ power }) => power);
   assert.ok(Math.max(...powers) > 200 && powers.at(-1) < 20, powers.map(Math.round).join());
-  const correlation = correlated(
-    powers,
-    windows.map(({ level }) => level),
-  );
-  assert.ok(correlation >= 0.8, `${correlation}`);
+  // A quick change of the power is louder than either, as when water puts the fire out.
+  const levelFrom = (/** @type {number} */ start, /** @type {number} */ end) => {
+    const levels = windows.slice(Math.round(start / WINDOW), Math.round(end / WINDOW)).map(({ level }) => level);
+    return levels.reduce((sum, level) => sum + level, 0) / levels.length;
+  };
+  const [weak, strong, out] = [levelFrom(0.6, 1.4), levelFrom(2, 3), levelFrom(4.4, 4.8)];
+  assert.ok(strong > 4 * weak && out < 0.1 * weak, `${weak} ${strong} ${out}`);
 });
 
 test('the example writes the same samples twice, and other scenes others', () => {
@@ -113,12 +115,3 @@ test('the example writes the same samples twice, and other scenes others', () =>
     rmSync(folder, { recursive: true });
   }
 });
-
-/** Pearson's correlation. @type {(x: number[], y: number[]) => number} */
-function correlated(x, y) {
-  const mean = (/** @type {number[]} */ all) => all.reduce((sum, value) => sum + value, 0) / all.length;
-  const [meanX, meanY] = [mean(x), mean(y)];
-  const sum = (/** @type {(at: number) => number} */ of) => x.reduce((all, _, at) => all + of(at), 0);
-  const covariance = sum((at) => (x[at] - meanX) * (y[at] - meanY));
-  return covariance / Math.sqrt(sum((at) => (x[at] - meanX) ** 2) * sum((at) => (y[at] - meanY) ** 2));
-}

@@ -33,7 +33,9 @@ const overlaps = () => {
   const names =
     '.play, .speaker, .scale, .hearth-fold, .hearth-toolbar, .hearth-status, .hearth-inside:not(.hearth-folded), #panel, #head > :not(.hearth-sound), #hint, #scenes';
   const all = [inside, document].flatMap((root) => [...root.querySelectorAll(names)]);
-  const shown = all.filter((part) => part.checkVisibility({ opacityProperty: true, visibilityProperty: true }) && part.innerHTML);
+  const shown = all.filter(
+    (part) => part.checkVisibility({ opacityProperty: true, visibilityProperty: true }) && part.innerHTML,
+  );
   const boxes = shown.map((part) => {
     const { left, right, top, bottom } = part.getBoundingClientRect();
     return { name: part.id || part.className || part.localName, left, right, top, bottom };

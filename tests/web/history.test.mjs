@@ -112,6 +112,10 @@ describe('a step', () => {
     assert.equal(history.source('property'), 'property');
     assert.throws(() => history.step(null), { name: 'TypeError', message: 'act must be a function, not null' });
     assert.throws(() => history.step(() => {}, Symbol('key')), { message: 'key must be a text, not symbol' });
+    assert.throws(() => history.step(() => assert.fail(), 'k'.repeat(1001)), {
+      name: 'RangeError',
+      message: 'key must have at most 1000 characters, not 1001',
+    });
   });
 
   test('needs a change: there is none of a drag there and back, the same value, a rejection', async () => {

@@ -174,8 +174,14 @@ test('reading a value needs the id of a parameter', async () => {
 
 test('a message of a wrong form is refused with the reason', async () => {
   const { received, send } = bridge();
+  const cyclic = /** @type {any} */ ({});
+  cyclic.itself = cyclic;
   /** @type {[unknown, unknown, RegExp][]} */
   const wrong = [
+    [{ hearth: 1, id: 'f', method: 7n }, 'f', /no method “a value of the type bigint”/],
+    [{ hearth: 1, id: 'g', method: cyclic }, 'g', /no method “a value of the type object”/],
+    [{ hearth: 1, id: 'h', method: 'subscribe', args: [[7n]] }, 'h', /no event “a value of the type bigint”/],
+    [{ hearth: 1, id: 'i', method: 'get', args: [cyclic] }, 'i', /must be the id of a parameter/],
     [{ hearth: 1, id: 'a' }, 'a', /no method “undefined”/],
     [{ hearth: 1, id: 'b', method: 7 }, 'b', /no method “7”/],
     [{ hearth: 1, id: 'c', method: ['play'] }, 'c', /no method/],

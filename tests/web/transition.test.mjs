@@ -196,3 +196,12 @@ test('other options are refused by name, and nothing moves', async () => {
     await assert.rejects(to({ wind: 1 }, how), { message: words });
   assert.equal(params.wind, 0);
 });
+
+test('a call with odd arguments passes, and leaves the transitions alone', async () => {
+  const { params, session, to, at } = burning();
+  const done = to({ wind: 1 });
+  await at(0.5);
+  for (const odd of [{ toString: 1 }, null, 7, [{ toString: 1 }]]) session.call('changeObject', odd, { toString: 1 });
+  await at(1);
+  assert.deepEqual([await done, params.wind], [true, 1]);
+});

@@ -264,7 +264,12 @@ function option(fire, name, value) {
 
 /** @param {unknown} value */
 function quoted(value) {
-  const text = typeof value === 'string' ? value : String(JSON.stringify(value));
+  let text = `a value of the type ${typeof value}`;
+  try {
+    text = typeof value === 'string' ? value : String(JSON.stringify(value));
+  } catch {
+    // It refers to itself, or has a number that JSON does not know.
+  }
   return `“${text.length > 40 ? `${text.slice(0, 40)}…` : text}”`;
 }
 

@@ -156,6 +156,29 @@ test('a drag on the lower flame moves its source', async () => {
   assert.deepEqual(tab.problems, []);
 });
 
+test('a fire takes drags and has its panel after its document is gone', async () => {
+  const tab = await browser.show(`<iframe srcdoc="<!doctype html><body>" style="width: 90px; height: 60px"></iframe>
+    <hearth-fire ${CALM} controls style="width: 300px; height: 300px"></hearth-fire>`);
+  await listens(tab);
+  await tab.evaluate(async () => {
+    const [fire, frame] = [document.querySelector('hearth-fire'), document.querySelector('iframe')];
+    const loaded = () => new Promise((resolve) => frame.addEventListener('load', resolve, { once: true }));
+    frame.contentDocument.body.append(fire);
+    frame.remove();
+    document.body.append(frame);
+    await loaded();
+    document.body.append(fire);
+  });
+  await tab.frames(4);
+  await tab.until('its panel', () => document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.hearth-fold'));
+  const at = await source(tab);
+  await tab.drag(at, { x: at.x + 30, y: at.y });
+  await tab.until(
+    'it has moved',
+    () => /** @type {any} */ (document.querySelector('hearth-fire')).params.source_x > 0.02,
+  );
+});
+
 test('a drag of a campfire moves its logs and stones with it, and nothing else', async () => {
   const tab = await browser.show(
     recording('<hearth-fire preset="fireside" warm interactive ember-rate="0" style="width: 400px"></hearth-fire>'),

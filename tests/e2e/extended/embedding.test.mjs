@@ -81,6 +81,24 @@ test('the reference names the attributes, properties, methods and parts of the e
   assert.deepEqual(sorted(described), sorted(parts));
 });
 
+test('a pointer reaches the play button of each fire that something lies above or below, and it hides no words', async () => {
+  const layered = EXAMPLES.filter(({ html }) => /position: absolute/.test(html) && html.includes('<hearth-fire'));
+  assert.ok(layered.length >= 4);
+  for (const { heading, html } of layered) {
+    const tab = await browser.open(html, { width: 800, height: 600, reducedMotion: true });
+    await tab.until(`the button is reached: ${heading}`, () => {
+      const fire = document.querySelector('hearth-fire');
+      const button = fire?.shadowRoot?.querySelector('.play:not([hidden])')?.getBoundingClientRect();
+      if (!button) return false;
+      const { left, right, top, bottom } = button;
+      const words = document.querySelector('h1')?.getBoundingClientRect();
+      const isApart =
+        !words || words.top >= bottom || words.bottom <= top || words.left >= right || words.right <= left;
+      return isApart && document.elementFromPoint((left + right) / 2, (top + bottom) / 2) === fire;
+    });
+  }
+});
+
 /** How many examples run beside each other, in iframes of one page. */
 const FRAMES = 9;
 

@@ -79,6 +79,14 @@ export class PagePolicies {
     this.#control();
   }
 
+  /** The element has lost its listeners: those of the panel are new with it. */
+  listenAgain() {
+    this.#listen();
+    this.#controls = null;
+    this.#panel?.abort();
+    this.#control();
+  }
+
   /** The fire is gone. */
   end() {
     this.measure();

@@ -27,6 +27,9 @@ const ACTIONS = {
   pause: ['M5 3h5v18H5zM14 3h5v18h-5z', 'Pause the fire'],
 };
 
+/** The views that have the styles of the button. @type {WeakSet<import('../view/view.js').FireView>} */
+const STYLED = new WeakSet();
+
 /** The button of one element. */
 export class PlaybackButton {
   #button = iconButton('', { class: 'play', part: 'play' });
@@ -37,8 +40,13 @@ export class PlaybackButton {
    */
   constructor(view, press) {
     this.#button.addEventListener('click', press);
-    view.style(STYLES);
+    if (!STYLED.has(view)) view.style(STYLES);
+    STYLED.add(view);
     view.root.append(this.#button);
+  }
+
+  remove() {
+    this.#button.remove();
   }
 
   /** Offers an action, or none. @param {string} action */

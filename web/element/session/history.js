@@ -20,6 +20,9 @@ const MOVE = ' move';
 /** The maximum number of steps. */
 const MAX_STEPS = 200;
 
+/** The most characters of a key: the engine gets it with each change. */
+const MAX_KEY = 1000;
+
 /** @type {(value: unknown) => boolean} */
 const hasFields = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
@@ -93,12 +96,15 @@ export class FireHistory {
    * @param {string} [key]  Changes with the key of the last step belong to it.
    * @returns {T}
    * @throws {TypeError} an argument is neither
+   * @throws {RangeError} the key is too long
    */
   step(act, key) {
     if (typeof act !== 'function')
       throw new TypeError(`act must be a function, not ${act === null ? 'null' : typeof act}`);
     if (!['string', 'undefined'].includes(typeof key))
       throw new TypeError(`key must be a text, not ${key === null ? 'null' : typeof key}`);
+    if (key !== undefined && key.length > MAX_KEY)
+      throw new RangeError(`key must have at most ${MAX_KEY} characters, not ${key.length}`);
     const outer = this.#key;
     this.#steps += 1;
     this.#key = outer ?? key ?? `step ${this.#steps}`;

@@ -56,6 +56,16 @@ export class Playback {
     (await this.#button?.catch(() => (this.#button = undefined)))?.show(action);
   }
 
+  /** The button has lost its listener: another takes its place. */
+  listenAgain() {
+    this.#button?.then(
+      (button) => button.remove(),
+      () => {},
+    );
+    this.#button = undefined;
+    this.offer();
+  }
+
   /** Whether the fire is paused, and moves at once instead of gradually, for reduced motion. */
   prefersStill(reduced = motionIsReduced()) {
     return reduced && this.#fire.reducedMotion !== 'ignore';

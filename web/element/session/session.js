@@ -36,6 +36,9 @@ const WARMTH = 3;
 /** How long an element that is removed keeps its fire: frameworks insert it again after some tasks [ms]. */
 const GRACE_MS = 500;
 
+/** How long an element may have no box before a warning names it [ms]. */
+const BOX_MS = 3000;
+
 /** The types of the events that answer calls. */
 const ANSWERS = ['ready', 'changed', 'done', 'refused'];
 
@@ -58,6 +61,10 @@ export class FireSession {
   #file = new SourceFile(this);
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #leaving;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #boxed;
+  /** Whether the element was ever on a page. */
+  #attached = false;
   code = new OnDemandCode(this);
   /** The last report of the engine. */
   state = new FireState();
@@ -82,7 +89,20 @@ export class FireSession {
 
   /** Settles when the fire is presented, or cannot be. @returns {Promise<void>} */
   get ready() {
+    this.#checkBox();
     return this.#ready.promise;
+  }
+
+  /** Warns once of an element that has no box after a while, or is on no page though someone waits for its fire. */
+  #checkBox() {
+    this.#boxed ??= setTimeout(() => {
+      const { fire } = this;
+      if (fire.isConnected ? fire.offsetWidth * fire.offsetHeight : this.#attached) return;
+      import('../view/box.js').then(
+        ({ warnOfBox }) => warnOfBox(fire),
+        () => {},
+      );
+    }, BOX_MS);
   }
 
   /** Calls the engine. @type {(...call: Call) => Promise<any>} */
@@ -122,6 +142,8 @@ export class FireSession {
 
   /** The element is on a page. */
   attach() {
+    this.#attached = true;
+    this.#checkBox();
     this.#policies.checkNames();
     // A fire that failed tries again.
     if (this.#connection && this.#ready.failed) this.close();
@@ -138,6 +160,9 @@ export class FireSession {
   replaceCanvas() {
     this.view.applyStyles();
     if (this.#connection) this.#connection.watch(this.view.replaceCanvas());
+    // Some documents take the listeners of their elements along.
+    this.#policies.listenAgain();
+    this.playback.listenAgain();
   }
 
   /** Whether the engine has the fire. */

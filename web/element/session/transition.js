@@ -71,7 +71,8 @@ class Transitions {
       this.#all.set(answer, { to: given, ids: new Set(Object.keys(given ?? {})), held: [], whole: true, end() {} });
       return 0;
     }
-    if (/^to\b/.test(rest[0]) || !['set', 'preset', 'import', 'restore'].includes(method)) return 0;
+    // Of these alone, the next argument is a text, the source.
+    if (!['set', 'preset', 'import', 'restore'].includes(method) || /^to\b/.test(rest[0])) return 0;
     const named = method === 'set' ? Object.keys(given) : method === 'restore' && Object.keys(given[0].values ?? {});
     // Another model has other values.
     const all = !named || named.includes('model');

@@ -27,8 +27,6 @@ export interface HearthParameters {
   palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
   /** A brighter picture. Exposure in stops, each of which doubles the light. [EV] Default 0, from -4 to 4. */
   exposure: number;
-  /** A whiter, less red fire, and light of it. Temperature of the black body that the camera shows as white; at 6500 the fire has its physical hues. Other palettes keep theirs. [K] Default 3200, from 2000 to 6500. */
-  white_balance: number;
   /** A wider shine around bright places. Share of the light that a lens scatters. Default 0.15, from 0 to 0.6. */
   bloom: number;
   /** Thicker smoke. Opacity of the smoke. Default 0.3, from 0 to 2. */
@@ -103,6 +101,8 @@ export interface HearthParameters {
   hot_colour: string;
   /** Colour behind the fire; with `transparent` the page shows through. Default "transparent". */
   background: string;
+  /** A whiter, less red fire, and light of it. Temperature of the black body that the camera shows as white; at 6500 the fire has its physical hues. Other palettes keep theirs. [K] Default 3200, from 2000 to 6500. */
+  white_balance: number;
   /** Solids in their own colours, as in a lit room or on a white page. White light of the surroundings on solids, wall and ground. Default 0, from 0 to 1. */
   ambient_light: number;
   /** A backdrop that shimmers behind the flame. How strongly hot gas refracts the view of the backdrop. The page behind the element is not refracted. Default 0.3, from 0 to 1. */
@@ -217,8 +217,6 @@ export interface HearthProperties {
   palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
   /** A brighter picture. Exposure in stops, each of which doubles the light. [EV] Default 0, from -4 to 4. */
   exposure: number;
-  /** A whiter, less red fire, and light of it. Temperature of the black body that the camera shows as white; at 6500 the fire has its physical hues. Other palettes keep theirs. [K] Default 3200, from 2000 to 6500. */
-  whiteBalance: number;
   /** A wider shine around bright places. Share of the light that a lens scatters. Default 0.15, from 0 to 0.6. */
   bloom: number;
   /** Thicker smoke. Opacity of the smoke. Default 0.3, from 0 to 2. */
@@ -293,6 +291,8 @@ export interface HearthProperties {
   hotColour: string;
   /** Colour behind the fire; with `transparent` the page shows through. Default "transparent". */
   background: string;
+  /** A whiter, less red fire, and light of it. Temperature of the black body that the camera shows as white; at 6500 the fire has its physical hues. Other palettes keep theirs. [K] Default 3200, from 2000 to 6500. */
+  whiteBalance: number;
   /** Solids in their own colours, as in a lit room or on a white page. White light of the surroundings on solids, wall and ground. Default 0, from 0 to 1. */
   ambientLight: number;
   /** A backdrop that shimmers behind the flame. How strongly hot gas refracts the view of the backdrop. The page behind the element is not refracted. Default 0.3, from 0 to 1. */

@@ -27,7 +27,9 @@ fn the_first_examples_burn_a_scene_with_its_solids() {
         );
     }
     let campfire = Preset::find("campfire").expect("the scene").scene();
-    assert_eq!(Simulation::new(campfire).poses().len(), 6);
+    let solids = campfire.solids().count();
+    assert!(solids >= 6, "{solids}");
+    assert_eq!(Simulation::new(campfire).poses().len(), solids);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::untrusted::{Untrusted, ValidationError, Values};
 use hearth_core::params::{AnyValue, Input, Param, ParamError};
 use hearth_core::preset::Preset;
-use hearth_core::scene::{Object, Scene};
+use hearth_core::scene::{MAX_ID, Object, Scene};
 
 /// The id of the model.
 pub(crate) const MODEL: &str = "model";
@@ -152,4 +152,15 @@ pub fn preset(name: &str) -> Result<&'static Preset, ValidationError> {
         message: format!("{error}"),
         range: None,
     })
+}
+
+/// The smallest id from this one on that is larger than those of a scene. Beyond the largest id, ids of gone objects are
+/// given again.
+pub(crate) fn free_id(scene: &Scene, from: u32) -> u32 {
+    let next = scene.ids().fold(from, |next, id| next.max(id + 1));
+    let is_free = |id: &u32| scene.object(*id).is_none();
+    match next <= MAX_ID {
+        true => next,
+        false => (1..MAX_ID).find(is_free).unwrap_or(MAX_ID),
+    }
 }

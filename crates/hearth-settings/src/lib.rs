@@ -20,6 +20,7 @@ mod children;
 mod delta;
 mod export;
 pub mod file;
+mod particles;
 mod resolution;
 mod settings;
 pub mod untrusted;

@@ -1,6 +1,8 @@
 //! All that is set of a fire, and the one function that changes it.
 
-use crate::apply::{self, fields, is_of_other_model, of_object, set_values, starts_with_model};
+use crate::apply::{
+    self, fields, free_id, is_of_other_model, of_object, set_values, starts_with_model,
+};
 use crate::change::Change;
 use crate::children::child::Child;
 use crate::children::compose::compose;
@@ -10,7 +12,6 @@ use crate::resolution::StatedResolution;
 use crate::untrusted::{Argument, Untrusted, ValidationError, Values};
 use hearth_core::params::Input;
 use hearth_core::preset::Preset;
-use hearth_core::scene::MAX_ID;
 use hearth_core::{Parameters, Scene};
 
 /// Settings: the preset that they started from, the scene, which parameter states the resolution, and the children of
@@ -278,16 +279,5 @@ impl Settings {
         let set = base.set(apply::MODEL, Input::Text(self.page.model().name()));
         debug_assert_eq!(set, Ok(()));
         base
-    }
-}
-
-/// The smallest id from this one on that is larger than those of a scene. Beyond the largest id, ids of gone objects are
-/// given again.
-pub(crate) fn free_id(scene: &Scene, from: u32) -> u32 {
-    let next = scene.ids().fold(from, |next, id| next.max(id + 1));
-    let is_free = |id: &u32| scene.object(*id).is_none();
-    match next <= MAX_ID {
-        true => next,
-        false => (1..MAX_ID).find(is_free).unwrap_or(MAX_ID),
     }
 }

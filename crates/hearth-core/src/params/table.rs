@@ -89,9 +89,6 @@ parameters! {
         [Look] palette: (choice Palette) "Palette" { Every(Blackbody) } when { display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// A brighter picture. Exposure in stops, each of which doubles the light.
         [Look] exposure: number "Brightness" ["EV"] Linear { Every(0.0, -4.0..=4.0) } when { display_mode: LIGHT }
-        /// A whiter, less red fire, and light of it. Temperature of the black body that the camera shows as white; at
-        /// 6500 the fire has its physical hues. Other palettes keep theirs.
-        [Look] white_balance: number "White balance" ["K"] Linear { Every(3200.0, 2000.0..=6500.0) } when { display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// A wider shine around bright places. Share of the light that a lens scatters.
         [Look] bloom: number "Glow" [""] Linear { Every(0.15, 0.0..=0.6) } when { display_mode: FIRE, layers: LIT }
         /// Thicker smoke. Opacity of the smoke.
@@ -194,6 +191,9 @@ parameters! {
         [Look] hot_colour: colour "Hot colour" { Every(Colour::rgb(0x38, 0xe8, 0xff)) } when { palette: &["custom"], display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// Colour behind the fire; with `transparent` the page shows through.
         [Look] background: colour "Background" { Every(Colour::TRANSPARENT) } unless { backdrop: WALL, display_mode: FIRE }
+        /// A whiter, less red fire, and light of it. Temperature of the black body that the camera shows as white; at
+        /// 6500 the fire has its physical hues. Other palettes keep theirs.
+        [Look] white_balance: number "White balance" ["K"] Linear { Every(3200.0, 2000.0..=6500.0) } when { display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// Solids in their own colours, as in a lit room or on a white page. White light of the surroundings on solids,
         /// wall and ground.
         [Look] ambient_light: number "Ambient light" [""] Linear { Every(0.0, 0.0..=1.0) } when { display_mode: FIRE }

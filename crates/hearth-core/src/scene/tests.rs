@@ -214,7 +214,7 @@ fn an_error_names_object_property_value_and_range_and_changes_nothing() {
         (
             &[SOLID, ("material", text("straw"))],
             "objects[1].material = \"straw\" is refused: it must be one of stone, wood, iron, brick, \
-             coal, wax, glass, none",
+             coal, wax, glass, cloth, none",
         ),
         (
             &[SOLID, ("power", number(7.0))],

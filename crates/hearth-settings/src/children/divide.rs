@@ -2,9 +2,8 @@
 
 use super::child::{Child, State, get, put};
 use super::compose::{compose, first_source, object_of};
-use crate::apply::OBJECTS;
+use crate::apply::{OBJECTS, free_id};
 use crate::change::Change;
-use crate::settings::free_id;
 use crate::untrusted::Untrusted;
 use hearth_core::Scene;
 use hearth_core::params::{Input, Param};

@@ -60,7 +60,9 @@ fn lifetimes_and_sizes_are_in_their_ranges() {
             shortest = shortest.min(ember.lifetime);
             longest = longest.max(ember.lifetime);
             assert!(ember.age < ember.lifetime, "{ember:?}");
-            assert!(ember.size > 0.0 && ember.size <= 0.01, "{ember:?}");
+            // A pop throws one of twice the size, which lives as long as any.
+            let largest = if ember.lifetime == 0.8 { 0.02 } else { 0.01 };
+            assert!(ember.size > 0.0 && ember.size <= largest, "{ember:?}");
         }
     });
     // All of the range is used, and nothing beyond.
@@ -75,7 +77,9 @@ fn embers_cool_rise_with_the_flow_and_die() {
     let mut fire = burn(combustion(&[&lives[..], &rate].concat()), 1.0);
     let (mut first, mut last) = (HashMap::new(), HashMap::new());
     watch(&mut fire, 2.0, |fire| {
-        for ember in fire.embers() {
+        // Those of pops have one size and lifetime, and so one name.
+        let others = |ember: &&Ember| ember.lifetime < 1.0;
+        for ember in fire.embers().iter().filter(others) {
             first.entry(name(ember)).or_insert(*ember);
             if let Some(before) = last.insert(name(ember), *ember) {
                 assert!(ember.temperature < before.temperature, "{ember:?}");

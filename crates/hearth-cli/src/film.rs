@@ -2,7 +2,7 @@
 
 mod apng;
 mod archive;
-pub mod ffmpeg;
+mod ffmpeg;
 mod gif;
 pub mod seam;
 pub mod sound;

@@ -12,7 +12,6 @@ use signal_hook::iterator::Signals;
 use signal_hook::low_level;
 
 use crate::error::{Error, shown};
-use crate::film::ffmpeg;
 
 const EXISTS: &str = "the file exists; --force replaces it";
 
@@ -35,6 +34,14 @@ pub enum Output {
 /// While it is locked, a file is written. An interrupt waits for that.
 static WRITING: Mutex<()> = Mutex::new(());
 
+/// What a signal does before it ends the process.
+static AT_END: Mutex<Option<fn()>> = Mutex::new(None);
+
+/// From now on, a signal does this before it ends the process.
+pub fn at_end(act: fn()) {
+    *AT_END.lock().unwrap_or_else(PoisonError::into_inner) = Some(act);
+}
+
 fn writing() -> MutexGuard<'static, ()> {
     WRITING.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -53,7 +60,10 @@ pub fn end_between_files_on_signals() {
     thread::spawn(move || {
         if signals.forever().any(|signal| signal != SIGXFSZ) {
             let _no_file = writing();
-            ffmpeg::abandon();
+            let at_end = *AT_END.lock().unwrap_or_else(PoisonError::into_inner);
+            if let Some(at_end) = at_end {
+                at_end();
+            }
             // The driver's destructors would run under the thread that draws.
             low_level::exit(INTERRUPTED);
         }

@@ -13,6 +13,7 @@ use crate::random::Random;
 use crate::series::StepRecord;
 use air::{Air, Levels};
 use cracks::{Breaking, Cracks};
+use filters::{decay, power_of};
 use roar::Roar;
 use room::Room;
 
@@ -393,15 +394,4 @@ fn limited(sample: f64) -> f64 {
 /// A number of at most that magnitude. `clamp` panics for some, with words that are larger than the synthesis.
 fn within(number: f64, most: f64) -> f64 {
     number.min(most).max(-most)
-}
-
-/// Share that is left after a time of one, with that decay time.
-fn decay(time: f64) -> f64 {
-    f64::from(libm::expf((-1.0 / time) as f32))
-}
-
-/// `base`, which is above 0, to the power of `exponent`. `powf` has 1.7 KB.
-#[inline(never)]
-fn power_of(base: f64, exponent: f64) -> f64 {
-    f64::from(libm::expf(exponent as f32 * libm::logf(base as f32)))
 }

@@ -3,7 +3,7 @@
 mod playback;
 mod presentation;
 mod sound;
-mod tick;
+pub mod tick;
 
 use hearth_bindings::memory;
 use hearth_core::resolution::{Level, ParticleCount};
@@ -14,10 +14,9 @@ use hearth_settings::Settings;
 use crate::commands::Start;
 use crate::events::Events;
 use crate::pacing::Pacing;
+use crate::sound::Sound;
 use playback::Playback;
 use presentation::Presentation;
-use sound::Sound;
-pub use tick::FrameTime;
 
 /// Memory of the largest map of open air, in particles.
 const MAP_MEMORY_IN_PARTICLES: usize = 4096;

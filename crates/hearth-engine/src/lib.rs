@@ -29,6 +29,8 @@ mod pass_times;
 #[cfg(target_arch = "wasm32")]
 mod shared_canvas;
 #[cfg(target_arch = "wasm32")]
+mod sound;
+#[cfg(target_arch = "wasm32")]
 mod wall_clock;
 #[cfg(target_arch = "wasm32")]
 mod webgl;

@@ -31,6 +31,7 @@ const PARTS: [Part; 4] = [
             "hearth_core::simulation::series::",
             "hearth_core::sound::",
             "hearth_engine::fire::sound::",
+            "hearth_engine::sound::",
         ],
     },
 ];

@@ -63,7 +63,7 @@ export class Playback {
       () => {},
     );
     this.#button = undefined;
-    this.offer();
+    this.showButton();
   }
 
   /** Whether the fire is paused, and moves at once instead of gradually, for reduced motion. */

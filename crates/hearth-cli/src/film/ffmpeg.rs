@@ -11,7 +11,7 @@ use hearth_core::params::printable;
 
 use super::{Encoder, Format, Header};
 use crate::error::Error;
-use crate::output::Output;
+use crate::output::{self, Output};
 use crate::picture::Picture;
 
 const PROGRAM: &str = "ffmpeg";
@@ -26,7 +26,7 @@ fn running() -> MutexGuard<'static, Option<(Child, [PathBuf; 2])>> {
 }
 
 /// Ends the program, and removes what it has written.
-pub fn abandon() {
+fn abandon() {
     if let Some((mut child, files)) = running().take() {
         // Both have happened already after a film that is whole.
         let _ = child.kill();
@@ -130,6 +130,7 @@ impl Ffmpeg {
                 ))
             })?;
         let (input, errors) = (child.stdin.take(), child.stderr.take());
+        output::at_end(abandon);
         *running() = Some((child, [part, heard]));
         Ok(Ffmpeg {
             output,

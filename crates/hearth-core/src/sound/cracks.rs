@@ -1,8 +1,7 @@
 //! Crackle: snaps at random times, in clusters, whose sizes follow a power law. Each rings with the modes of a piece of
 //! wood. The many small ones are the bed of the sound, the few large ones stand out of it.
 
-use super::filters::circle;
-use super::{decay, power_of as power};
+use super::filters::{circle, decay, power_of as power};
 use crate::random::Random;
 
 /// Amplitude of the smallest snap, relative to full scale, and that of the largest over it.

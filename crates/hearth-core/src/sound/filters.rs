@@ -97,3 +97,14 @@ pub(super) fn section(pole: f64, zero: Option<f64>) -> Coefficients {
         0.0,
     ]
 }
+
+/// Share that is left after a time of one, with that decay time.
+pub fn decay(time: f64) -> f64 {
+    f64::from(libm::expf((-1.0 / time) as f32))
+}
+
+/// `base`, which is above 0, to the power of `exponent`. `powf` has 1.7 KB.
+#[inline(never)]
+pub fn power_of(base: f64, exponent: f64) -> f64 {
+    f64::from(libm::expf(exponent as f32 * libm::logf(base as f32)))
+}

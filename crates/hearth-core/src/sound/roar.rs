@@ -1,8 +1,7 @@
 //! The roar of a flame: the low band, which is the time derivative of its power, and the noise above it, whose level
 //! follows the low band (Chadwick and James 2011).
 
-use super::filters::{Filter, high_pass, low_pass, section};
-use super::power_of as power;
+use super::filters::{Filter, high_pass, low_pass, power_of as power, section};
 
 /// Highest frequency of the low band \[Hz\], and its highest share of the rate of steps.
 const CUTOFF: f64 = 180.0;

@@ -1,6 +1,6 @@
 //! A short reverberation: four delays that feed each other, as before a wall.
 
-use super::decay;
+use super::filters::decay;
 
 /// Lengths of the delays \[s\].
 const DELAYS: [f64; 4] = [0.0113, 0.0167, 0.0209, 0.0277];

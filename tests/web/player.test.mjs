@@ -79,7 +79,9 @@ async function click() {
 function burning() {
   const fire = Object.assign(new EventTarget(), {
     sound: 0.5,
+    roar: 1,
     crackle: 0.5,
+    hiss: 1,
     muted: false,
     paused: false,
     params: { seed: 1, domain_width: 1 },
@@ -117,7 +119,7 @@ test('a fire that is refused a context burns silently with one warning, and soun
   refusal = '';
   await click();
   assert.deepEqual([states.at(-1), later.states.at(-1)], ['playing', 'playing']);
-  assert.deepEqual(sent, [['series', true]]);
+  assert.deepEqual(sent, [['sound', 8000, 1, 0.5, 1]]);
 });
 
 test('a fire whose context is closed sounds again with the next gesture, in another context', async () => {
@@ -130,8 +132,8 @@ test('a fire whose context is closed sounds again with the next gesture, in anot
   assert.equal(states.at(-1), 'playing');
   assert.notEqual(player.audio?.context, first);
   assert.deepEqual(sent.slice(-3), [
-    ['series', true],
-    ['series', false],
-    ['series', true],
+    ['sound', 8000, 1, 0.5, 1],
+    ['sound', undefined, 1, 0.5, 1],
+    ['sound', 8000, 1, 0.5, 1],
   ]);
 });

@@ -219,7 +219,7 @@ fn an_error_names_object_property_value_and_range_and_changes_nothing() {
         (
             &[SOLID, ("power", number(7.0))],
             "objects[1].property = \"power\" is refused: it must be one of name, enabled, shape, x, y, angle, \
-             width, height, corner, points, mask, material, front, thermal, temperature, \
+             width, height, corner, points, mask, material, plane, thermal, temperature, \
              heat_capacity, fuel, load, moisture, motion, sway, heading, period, spin, density, hangs_from, \
              friction, restitution",
         ),

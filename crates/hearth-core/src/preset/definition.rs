@@ -91,7 +91,7 @@ impl Preset {
     /// use hearth_fire::{Simulation, preset::Preset};
     ///
     /// let campfire = Simulation::new(Preset::find("campfire")?.scene());
-    /// assert_eq!(campfire.scene().objects().count(), 7);
+    /// assert_eq!(campfire.scene().objects().count(), 8);
     /// # Ok::<(), hearth_fire::preset::UnknownPreset>(())
     /// ```
     pub fn scene(&self) -> Scene {

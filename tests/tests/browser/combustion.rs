@@ -232,7 +232,7 @@ fn fine_structure_moves_with_the_gas() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let parameters = with(&[("bloom", Input::Number(0.0))])?;
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-    let speed = 1.0;
+    let speed = 3.0;
     let gas = block([1400.0, 0.4, speed], &parameters);
     let mut history = History::default();
     let mut pictures = Vec::new();
@@ -243,9 +243,10 @@ fn fine_structure_moves_with_the_gas() -> Result<(), JsValue> {
         pictures.push(canvas.paint_after(&mut history, renderer, time, gas, &parameters)?);
     }
     renderer.destroy(&canvas.gl);
-    let (before, after) = (&pictures[1], &pictures[5]);
-    let way = speed * 4.0 / 60.0;
-    // How little a place looks like that place, so much lower, four frames before.
+    // A pattern lives for 0.14 s, so only what is a frame ago is alike.
+    let (before, after) = (&pictures[4], &pictures[5]);
+    let way = speed / 60.0;
+    // How little a place looks like that place, so much lower, a frame before.
     let change = |way: f32| -> f32 {
         after
             .all()

@@ -7,6 +7,7 @@ import { describe, test } from 'node:test';
 import { PARAMETERS, PRESETS } from '../../web/parameters.js';
 import { readUrlParameters } from '../../web/pages/url-parameters.js';
 import { MAX_QUERY, elementCode, fromFragment, fromQuery, iframeCode, pageLink, toQuery } from '../../web/share.js';
+import { parametersOf } from '../../web/share/strangers.js';
 
 const SCRIPT = 'https://fire.example/web/hearth-fire.js';
 const EMBED = 'https://fire.example/web/embed.html';
@@ -183,6 +184,16 @@ test('objects are JSON in an address and in HTML', () => {
   assert.deepEqual(JSON.parse(fromQuery(query).others.get('objects')), objects);
   assert.match(elementCode({ objects }), /objects="\[\{&quot;kind&quot;:&quot;source&quot;\}/);
   assert.equal(toQuery({ hearth: 3, values: {}, objects: [] }), 'objects=%5B%5D');
+});
+
+test('what follows an address is no part of its last value, and brackets that the value closes are', () => {
+  for (const [query, background] of [
+    ['?background=rgb(1%2C2%2C3)', 'rgb(1,2,3)'],
+    ['?background=rgb(1%2C2%2C3)).', 'rgb(1,2,3)'],
+    ['?background=gold).', 'gold'],
+    ['?background=gold%3E', 'gold'],
+  ])
+    assert.equal(parametersOf(query).get('background'), background, query);
 });
 
 /** A stroke of a brush, as a drawing has it. */

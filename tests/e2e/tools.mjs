@@ -11,7 +11,12 @@ export const PHONES = [
 ];
 
 export const toolStatus = (tab) => tab.evaluate(() => document.querySelector('.hearth-status')?.textContent ?? '');
-export const tool = (tab, name) => tab.page.click(`[data-tool="${name}"]`);
+export async function tool(tab, name) {
+  const button = `[data-tool="${name}"]`;
+  // The ends of a row that scrolls lie over what is behind them.
+  await tab.page.$eval(button, (found) => found.scrollIntoView({ block: 'nearest', inline: 'center' }));
+  await tab.page.click(button);
+}
 
 /** The page with its toolbar. */
 export async function openTools(browser, size = WIDE, query = 'scene=default&paused') {

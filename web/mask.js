@@ -12,6 +12,7 @@
  */
 
 import { contextOf, opacityOf } from './mask/opacity.js';
+import { cut } from './quoted.js';
 
 /** The pixels of the longer side. */
 const PIXELS = 256;
@@ -119,9 +120,5 @@ function maskOf(id, value, [left, top, across, up], width, draw) {
 /** @param {string} id @param {unknown} value @param {string} allowed @param {unknown} [cause] */
 function refused(id, value, allowed, cause) {
   const shown = typeof value === 'object' && value ? 'something of type object' : String(value);
-  const words = shown.length > 40 ? `${shown.slice(0, 40)}…` : shown;
-  return Object.assign(
-    new RangeError(`${id} = ${JSON.stringify(words)} is refused: it must be ${allowed}`, { cause }),
-    { id },
-  );
+  return Object.assign(new RangeError(`${id} = "${cut(shown)}" is refused: it must be ${allowed}`, { cause }), { id });
 }

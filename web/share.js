@@ -20,6 +20,7 @@
  */
 
 import { DEFAULTS, OWN_ATTRIBUTES } from './generated/defaults.js';
+import { cut } from './quoted.js';
 
 /** The URL of this file, or of the bundle that contains it. */
 export const FILE = import.meta.url;
@@ -112,7 +113,7 @@ async function urlOf(name, base, config, otherwise = '') {
   try {
     url = new URL(text);
   } catch {
-    throw new TypeError(`${name} must be an absolute URL, not ${JSON.stringify(shortened(text))}`);
+    throw new TypeError(`${name} must be an absolute URL, not "${cut(text)}"`);
   }
   url.search = isShort ? query || otherwise : '';
   url.hash = isShort ? '' : await (await import('./share/fragment.js')).fragmentOf(config);
@@ -132,7 +133,7 @@ export function elementCode(config, scriptUrl, shown) {
   const named = attributes.map(([name, value]) => {
     const id = name.replaceAll('-', '_');
     if (!Object.keys(DEFAULTS).includes(id) && id !== 'objects') {
-      throw new RangeError(`${JSON.stringify(shortened(name))} is not a parameter of a fire`);
+      throw new RangeError(`"${cut(name)}" is not a parameter of a fire`);
     }
     return value === 'true' ? name : attribute(name, value);
   });
@@ -194,8 +195,7 @@ function checked(shown = {}) {
   if (!isObject(own)) throw new TypeError(`shown.attributes must be an object, not ${kindOf(own)}`);
   const named = Object.entries(own);
   for (const [name, value] of named) {
-    if (!OWN.includes(name))
-      throw new RangeError(`shown.attributes: ${JSON.stringify(shortened(name))} is no attribute`);
+    if (!OWN.includes(name)) throw new RangeError(`shown.attributes: "${cut(name)}" is no attribute`);
     if (!isPrimitive(value))
       throw new TypeError(`shown.attributes.${name} must be a number, a text or a flag, not ${kindOf(value)}`);
   }
@@ -219,7 +219,7 @@ function settingsOf(config) {
   const named = Object.entries(values ?? {});
   for (const [id, value] of named)
     if (!isPrimitive(value))
-      throw new TypeError(`config.values.${shortened(id)} must be a number, a text or a flag, not ${kindOf(value)}`);
+      throw new TypeError(`config.values.${cut(id)} must be a number, a text or a flag, not ${kindOf(value)}`);
   if (objects !== undefined) {
     if (!Array.isArray(objects)) throw new TypeError(`config.objects must be a list, not ${kindOf(objects)}`);
     named.push(['objects', JSON.stringify(objects)]);
@@ -251,9 +251,4 @@ function textOf(name, address) {
 function kindOf(value) {
   if (['number', 'boolean', 'undefined'].includes(typeof value) || value === null) return String(value);
   return Array.isArray(value) ? 'a list' : typeof value === 'string' ? 'a text' : `something of type ${typeof value}`;
-}
-
-/** @param {string} name */
-function shortened(name) {
-  return name.length > 40 ? `${name.slice(0, 40)}…` : name;
 }

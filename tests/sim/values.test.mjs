@@ -146,7 +146,7 @@ test('one invalid value changes nothing, and the error lists all', async () => {
 test('options are checked as values are', async () => {
   const wrong = [
     [{ preset: 'sed' }, RangeError, /did you mean "seed"/],
-    [{ preset: '__proto__' }, RangeError, /there are default, .*classic, .*seed/],
+    [{ preset: '__proto__' }, RangeError, /there are default, .{10,200} and \d+ more$/],
     [{ preset: 5 }, TypeError, /preset must be a text, not 5/],
     [{ model: 'fire' }, RangeError, /classic, combustion/],
     [{ seed: -1 }, RangeError, /0 to 4294967295/],

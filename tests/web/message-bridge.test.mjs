@@ -167,7 +167,7 @@ test('reading a value needs the id of a parameter', async () => {
   for (const id of ['vind', 'constructor', '__proto__']) {
     const { error } = (await ask('get', id)) ?? {};
     assert.deepEqual([error.name, error.id], ['RangeError', id]);
-    assert.match(error.message, /\bwind\b/);
+    assert.match(error.message, id === 'vind' ? /did you mean wind\b/ : /\.$/);
   }
   assert.equal((await ask('get', 'wind'))?.value, 1);
 });

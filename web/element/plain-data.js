@@ -9,11 +9,8 @@ const MAX_FIELDS = 1000;
 const MAX_OUTLINE = 66_000;
 const OUTLINES = ['points', 'mask'];
 
-/** The maximum length of a text in a refusal, and of the name of a field. */
-const MAX_SHOWN = 100;
-
-/** The start of a long text: a refusal repeats no more of it. @param {string} text */
-export const cut = (text) => (text.length > MAX_SHOWN ? `${text.slice(0, MAX_SHOWN)}…` : text);
+/** The maximum length of the name of a field. */
+const MAX_NAME = 100;
 
 /**
  * A copy of a value as plain data, which can be posted, without fields that are undefined. A value that is no plain data becomes a
@@ -31,7 +28,7 @@ export function postable(value, depth = 0, longest = MAX_FIELDS) {
     if (given.length > MAX_FIELDS) return 'an object of more than a thousand fields';
     const fields = given.map(([name, field]) => {
       const most = OUTLINES.includes(name) ? MAX_OUTLINE : MAX_FIELDS;
-      return [cut(name), postable(field, depth - 1, most)];
+      return [name.slice(0, MAX_NAME), postable(field, depth - 1, most)];
     });
     // A field without a value states nothing.
     return Object.fromEntries(fields.filter(([, field]) => field !== undefined));

@@ -8,6 +8,7 @@
 
 import { applyFragment } from '../pages/fragment.js';
 import { applyUrlParameters, readUrlParameters } from '../pages/url-parameters.js';
+import { cut } from '../quoted.js';
 import { allowedOrigins, answer } from './message-bridge.js';
 import '../hearth-fire.js';
 
@@ -25,7 +26,7 @@ const parameters = readUrlParameters(location.search, ['allow', 'color-scheme'])
 const { origins, refused } = allowedOrigins(parameters.others.getAll('allow'));
 for (const name of parameters.others.getAll('color-scheme')) {
   if (Object.hasOwn(SCHEMES, name)) scheme.content = SCHEMES[name];
-  else refused.push(`“color-scheme” must be light, dark or auto, not “${name.slice(0, 40)}”.`);
+  else refused.push(`“color-scheme” must be light, dark or auto, not “${cut(name)}”.`);
 }
 const warn = (/** @type {string} */ message) => console.warn(`Hearth: ${message}`);
 [...parameters.refused, ...refused].forEach(warn);

@@ -15,6 +15,8 @@
  */
 
 import { POSTED_EVENTS, POSTED_MEMBERS } from '../generated/iframe-methods.js';
+import { suggestion } from '../element/attributes/spelling.js';
+import { cut, listed } from '../quoted.js';
 import { OPTIONS as OF_ADDRESSES } from '../pages/url-parameters.js';
 
 /** The version of these messages. */
@@ -68,7 +70,7 @@ function originOf(text) {
 
 /** @type {(name: string, origin: string | undefined) => string} */
 function whyNot(name, origin) {
-  const shown = `“${name.slice(0, 80)}”`;
+  const shown = `“${cut(name, 80)}”`;
   return origin ? `use ${origin} instead of ${shown}.` : `${shown} is not an origin.`;
 }
 
@@ -216,7 +218,7 @@ function eventsOf(names) {
   const list = Array.isArray(names) ? names : [names];
   const unknown = list.find((name) => !POSTED_EVENTS.includes(name));
   if (list.length === 0 || unknown !== undefined || list.includes(undefined)) {
-    throw new TypeError(`there is no event ${quoted(unknown)}; the events are: ${POSTED_EVENTS.join(', ')}`);
+    throw new TypeError(`there is no event ${quoted(unknown)}; the events are: ${listed(POSTED_EVENTS)}`);
   }
   return list;
 }
@@ -227,7 +229,7 @@ function eventsOf(names) {
  */
 function execute(fire, method, args) {
   const name = POSTED_MEMBERS.find((member) => member === method);
-  if (!name) throw new TypeError(`there is no method ${quoted(method)}; the methods are: ${allMethods().join(', ')}`);
+  if (!name) throw new TypeError(`there is no method ${quoted(method)}; the methods are: ${listed(allMethods())}`);
   const member = /** @type {any} */ (fire)[name];
   return typeof member === 'function' ? member.apply(fire, args) : member;
 }
@@ -241,8 +243,9 @@ function parameter(fire, id) {
   const params = { ...fire.params };
   if (typeof id !== 'string') throw new TypeError(`“id” must be the id of a parameter, a string, not ${quoted(id)}`);
   if (Object.hasOwn(params, id)) return params[id];
-  const all = Object.keys(params).join(', ');
-  throw Object.assign(new RangeError(`there is no parameter ${quoted(id)}; the parameters are: ${all}`), { id });
+  throw Object.assign(new RangeError(`there is no parameter ${quoted(id)}${suggestion(id, Object.keys(params))}`), {
+    id,
+  });
 }
 
 /**
@@ -254,7 +257,7 @@ function parameter(fire, id) {
  */
 function option(fire, name, value) {
   if (!OPTIONS.includes(name)) {
-    throw new TypeError(`there is no option ${quoted(name)}; the options are: ${OPTIONS.join(', ')}`);
+    throw new TypeError(`there is no option ${quoted(name)}; the options are: ${listed(OPTIONS)}`);
   }
   const text = value === false && name === 'autoplay' ? 'false' : value;
   if (text === null || text === false) fire.removeAttribute(name);
@@ -270,7 +273,7 @@ function quoted(value) {
   } catch {
     // It refers to itself, or has a number that JSON does not know.
   }
-  return `“${text.length > 40 ? `${text.slice(0, 40)}…` : text}”`;
+  return `“${cut(text)}”`;
 }
 
 /** An error as plain data. @param {unknown} error */

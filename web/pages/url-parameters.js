@@ -15,6 +15,7 @@
 
 import { DEFAULTS, OWN_ATTRIBUTES } from '../generated/defaults.js';
 import { alike } from '../element/attributes/spelling.js';
+import { cut } from '../quoted.js';
 import { fromQuery } from '../share.js';
 import { parametersOf } from '../share/strangers.js';
 
@@ -78,11 +79,11 @@ export function readUrlParameters(search, names = []) {
         const isWord = KNOWN.some((known) => known.split('-').includes(name));
         const [meant] = isWord ? [] : alike(name, KNOWN, Math.floor(name.length / 5));
         if (meant === undefined) unknown.push([name, value]);
-        else refused.push(`The URL parameter ${shortened(name)} is unknown; did you mean “${meant}”?`);
+        else refused.push(`The URL parameter “${cut(name)}” is unknown; did you mean “${meant}”?`);
         continue;
       }
       if (known.has(same) && !names.includes(name)) {
-        refused.push(`The URL names ${shortened(name)} more than once; the first one applies.`);
+        refused.push(`The URL names “${cut(name)}” more than once; the first one applies.`);
       } else {
         once.append(name, value);
       }
@@ -96,7 +97,7 @@ export function readUrlParameters(search, names = []) {
     if (names.includes(name)) continue;
     others.delete(name);
     if (OPTIONS.some((option) => option === name)) options.push([name, value]);
-    else refused.push(`The URL parameters cannot set ${shortened(name)}.`);
+    else refused.push(`The URL parameters cannot set “${cut(name)}”.`);
   }
   const values = Object.entries(config.values).map(
     ([id, value]) => /** @type {[string, string]} */ ([id, String(value)]),
@@ -113,16 +114,11 @@ export function readUrlParameters(search, names = []) {
  */
 export function applyUrlParameters(fire, { scene, values, options, unknown }) {
   if (unknown.length > 0) {
-    const names = unknown.map(([name]) => shortened(name)).join(', ');
+    const names = unknown.map(([name]) => `“${cut(name)}”`).join(', ');
     console.info(`Hearth: the URL parameters ${names} are not for the fire.`);
   }
   for (const [name, value] of options) fire.setAttribute(name, value);
   // A preset replaces the values, so it is set first.
   if (scene !== undefined) fire.setAttribute('preset', scene);
   for (const [id, value] of values) fire.set(/** @type {any} */ (id), value);
-}
-
-/** @param {string} name */
-function shortened(name) {
-  return `“${name.length > 40 ? `${name.slice(0, 40)}…` : name}”`;
 }

@@ -1,5 +1,7 @@
 /** Values of a caller, checked before wasm copies them. */
 
+import { cut, listed } from '../quoted.js';
+
 /** Most fields of an object and elements of a list, far more than there are parameters. */
 const MAX_FIELDS = 1000;
 
@@ -79,7 +81,7 @@ export function refusal(errors, values) {
  */
 export function known(what, name, names) {
   if (names.includes(name)) return;
-  throw new TypeError(`there is no ${what} ${words(name)}; there are ${names.join(', ')}`);
+  throw new TypeError(`there is no ${what} ${words(name)}; there are ${listed(names)}`);
 }
 
 /**
@@ -113,17 +115,11 @@ export function text(name, value) {
   if (typeof value !== 'string') throw new TypeError(`${name} must be a text, not ${words(value)}`);
 }
 
-/** Characters that control a terminal, have no width or turn a text around, and that JSON does not escape. */
-const UNSEEN = /[\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff]/g;
-
 /** Any value in a few words. No code of the value runs. */
 export function words(/** @type {unknown} */ value) {
   switch (typeof value) {
     case 'string':
-      return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value).replace(
-        UNSEEN,
-        (letter) => `\\u${letter.charCodeAt(0).toString(16).padStart(4, '0')}`,
-      );
+      return `"${cut(value)}"`;
     case 'number':
     case 'boolean':
     case 'undefined':

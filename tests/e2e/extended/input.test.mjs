@@ -71,7 +71,7 @@ test('a rejection without a handler is no uncaught exception', async () => {
   );
 });
 
-test('a panel that fails to load shows a message, and the fire burns without it', async () => {
+test('a panel that fails to load shows a message, the fire burns without it, and Try again shows the panel', async () => {
   const tab = await browser.open('index.html', {
     width: 1000,
     height: 600,
@@ -85,5 +85,12 @@ test('a panel that fails to load shows a message, and the fire burns without it'
   assert.deepEqual(
     tab.problems.filter((problem) => problem.startsWith('uncaught')),
     [],
+  );
+  browser.server.replace({});
+  await tab.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('.hearth-panel-message button')).click());
+  await tab.until('the panel in the place of the words', () =>
+    Boolean(
+      document.querySelector('#panel .hearth-panel-stage canvas') && !document.querySelector('.hearth-panel-message'),
+    ),
   );
 });

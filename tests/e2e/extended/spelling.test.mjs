@@ -120,3 +120,17 @@ test('`controls` names the parameters of the panel, and unknown names are report
   });
   assert.deepEqual(set, ['wind', '']);
 });
+
+test('an element without a box causes one warning that names it, and one that is hidden or has a box causes none', async () => {
+  const tab = await browser.show(`
+    <hearth-fire id="boxless" style="display: contents"></hearth-fire>
+    <hearth-fire id="flat" style="width: 0; height: 40px"></hearth-fire>
+    <div hidden><hearth-fire id="hidden"></hearth-fire></div>
+    <hearth-fire id="seen" ${SMALL}></hearth-fire>`);
+  await warnings(tab, 2);
+  await tab.frames(5);
+  const [first, second, ...more] = tab.problems.toSorted();
+  assert.match(first, /<hearth-fire id="boxless"> has display: contents/);
+  assert.match(second, /<hearth-fire id="flat"> is 0 × 40 pixels large/);
+  assert.deepEqual(more, []);
+});

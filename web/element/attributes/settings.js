@@ -4,7 +4,8 @@
  */
 
 import { timely } from '../../engine/time-limit.js';
-import { cut, postable } from '../plain-data.js';
+import { cut } from '../../quoted.js';
+import { postable } from '../plain-data.js';
 
 /** The maximum length of JSON text in characters, and of a file in bytes: the same in `share/fragment.js`. */
 const MAX_LENGTH = 400_000;
@@ -60,7 +61,7 @@ export function reportedSettings(config, id, reports) {
  */
 export async function settingsOfFile(src, reports, cancelled) {
   if (!src) return undefined;
-  const id = `src = "${cut(src)}"`;
+  const id = `src = "${cut(src, 100)}"`;
   try {
     const { textOf } = await timely(import('./settings-file.js'));
     return settings(await textOf(src, MAX_LENGTH, id, cancelled), id);

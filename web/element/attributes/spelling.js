@@ -4,6 +4,7 @@
  */
 
 import { DEFAULTS, OWN_ATTRIBUTES } from '../../generated/defaults.js';
+import { cut } from '../../quoted.js';
 
 /** Maximum number of suggestions. */
 const MAX_SUGGESTIONS = 3;
@@ -38,7 +39,7 @@ export function warnOnce(name, element = 'hearth-fire', known = KNOWN) {
   if (WARNED.has(key) || FOREIGN.test(name)) return;
   WARNED.add(key);
   const size = ['width', 'height'].includes(name) ? ' Its style sets its size.' : '';
-  console.warn(`<${element}>: it has no attribute ${name.slice(0, 40)}${suggestion(name, known)}${size}`);
+  console.warn(`<${element}>: it has no attribute ${cut(name)}${suggestion(name, known)}${size}`);
 }
 
 /** The fires that have been warned about. @type {WeakSet<Element>} */
@@ -56,7 +57,7 @@ export function warnOfContent(fire) {
   );
   if (!lost || LOSING.has(fire)) return;
   LOSING.add(fire);
-  const name = lost.localName.slice(0, 40);
+  const name = cut(lost.localName);
   const near = name.startsWith('hearth-') && name !== 'hearth-fire' ? alike(name, objects.split(','), 3) : [];
   const remedy =
     near.length > 0

@@ -7,6 +7,7 @@
  */
 
 import { PROPERTIES } from '../../generated/properties.js';
+import { cut } from '../../quoted.js';
 import { TARGET_PROPERTIES, boxOf, inMetres, solidOf, sourceOf, targetOf } from './child-box.js';
 import { Look } from './child-look.js';
 
@@ -29,7 +30,6 @@ const REFERENCES = { source: 'solid', solid: 'hangs_from' };
 const WITHOUT_SOLID = 'no <hearth-solid> of this fire has that id';
 
 /** The maximum length of an id in a message. */
-const MAX_SHOWN = 40;
 
 /** The maximum length of a value, and of one that draws an outline; wasm would keep the memory of longer ones. */
 const MAX_VALUE = 1000;
@@ -88,12 +88,12 @@ export class Child {
   /** The element as messages name it. */
   get name() {
     const { localName, id } = this.element;
-    return id ? `<${localName} id="${id.slice(0, MAX_SHOWN)}">` : `<${localName}>`;
+    return id ? `<${localName} id="${cut(id)}">` : `<${localName}>`;
   }
 
   /** The value of `of` as messages show it. */
   get #shownTarget() {
-    return `#${this.of.slice(0, MAX_SHOWN)}`;
+    return `#${cut(this.of)}`;
   }
 
   /** What the engine knows of it. @returns {{state: string} | undefined} */
@@ -128,7 +128,7 @@ export class Child {
     const text = this.element.getAttribute(TARGET_ATTRIBUTE);
     const id = text === null ? '' : /^\s*#(\S+)\s*$/.exec(text)?.[1];
     if (id === undefined) {
-      const message = `${this.name}: ${TARGET_ATTRIBUTE} = ${String(text).slice(0, MAX_SHOWN)} is refused: it must be # and the id of an element`;
+      const message = `${this.name}: ${TARGET_ATTRIBUTE} = ${cut(String(text))} is refused: it must be # and the id of an element`;
       this.#owner.session.reports.refused([{ id: TARGET_ATTRIBUTE, value: text, message }]);
       this.#placed ??= {};
       return false;
@@ -192,7 +192,7 @@ export class Child {
     const name = this.#solidName;
     const id = name ? (this.#owner.childWith('solid', name)?.number ?? 0) : undefined;
     if (id === 0 && document.readyState !== 'loading')
-      this.#warnOnce(`#${name}`, `${attributeOf(this.#reference)} = #${name?.slice(0, MAX_SHOWN)}`, WITHOUT_SOLID);
+      this.#warnOnce(`#${name}`, `${attributeOf(this.#reference)} = #${cut(name ?? '')}`, WITHOUT_SOLID);
     const isOther = id !== undefined && id !== this.#solid;
     if (isOther) this.changed.add(this.#reference);
     this.#solid = id;

@@ -3,6 +3,7 @@
  */
 
 import { countdown } from '../../engine/time-limit.js';
+import { cut } from '../../quoted.js';
 
 /** Maximum time until a fire has a picture [s]. */
 const PICTURE_S = 10;
@@ -36,7 +37,7 @@ export async function toBlob(session, how, share) {
     throw new Error('there is no frame while the graphics context is lost; it is restored with the event `restored`');
   const encode = () =>
     new Promise((/** @type {(blob: Blob) => void} */ resolve, reject) => {
-      const refused = new Error(`this browser cannot encode the frame as ${type.slice(0, 100)}`);
+      const refused = new Error(`this browser cannot encode the frame as ${cut(type)}`);
       canvas.toBlob((blob) => (blob ? resolve(blob) : reject(refused)), type, quality);
     });
   if (width === undefined && background === undefined) return encode();

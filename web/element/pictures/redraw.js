@@ -6,6 +6,7 @@
  */
 
 import { countdown } from '../../engine/time-limit.js';
+import { cut } from '../../quoted.js';
 
 /** Maximum time until the frame is drawn [s]. */
 const FRAME_S = 10;
@@ -49,7 +50,7 @@ async function draw(session, canvas, { width = canvas.width, background = 'scene
   const fits = [width, height].every((side) => side >= MIN_SIDE && side <= MAX_SIDE) && width * height <= MAX_PIXELS;
   if (!fits || width % 1 !== 0) {
     throw new RangeError(
-      `width ${String(width).slice(0, 40)}: a picture has whole sides from ${MIN_SIDE} to ${MAX_SIDE} pixels, and at most ${MAX_PIXELS} pixels`,
+      `width ${cut(String(width))}: a picture has whole sides from ${MIN_SIDE} to ${MAX_SIDE} pixels, and at most ${MAX_PIXELS} pixels`,
     );
   }
   const { fire, view } = session;

@@ -7,7 +7,7 @@
 import { timely } from '../../engine/time-limit.js';
 import { VERSION } from '../../generated/version.js';
 import { DEFAULTS } from '../attributes/attributes.js';
-import { cut } from '../plain-data.js';
+import { cut } from '../../quoted.js';
 import { refusal } from './requests.js';
 
 /** The reports of one element. */

@@ -2,7 +2,7 @@
  * Why an element has no box, so that its fire draws no picture. This code is loaded when that is so for a while.
  */
 
-import { cut } from '../plain-data.js';
+import { cut } from '../../quoted.js';
 
 /** @param {HTMLElement} fire */
 export function whyNoBox(fire) {

@@ -138,11 +138,12 @@ impl fmt::Display for UnknownPreset {
         if let Some(nearest) = self.nearest {
             return write!(f, "did you mean \"{nearest}\"?");
         }
-        f.write_str("there are ")?;
-        for (at, preset) in Preset::all().iter().enumerate() {
-            write!(f, "{}{}", if at == 0 { "" } else { ", " }, preset.name)?;
-        }
-        Ok(())
+        // All names are longer than what a message may be.
+        const SHOWN: usize = 12;
+        let names = Preset::all().iter().map(|preset| preset.name);
+        let shown: Vec<_> = names.clone().take(SHOWN).collect();
+        let more = names.len().saturating_sub(SHOWN);
+        write!(f, "there are {} and {more} more", shown.join(", "))
     }
 }
 

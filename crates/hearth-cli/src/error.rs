@@ -54,6 +54,11 @@ impl Error {
         Error::Failed(format!("{}: {error}", shown(place)))
     }
 
+    /// A refusal of what a place has.
+    pub fn at_use(place: impl AsRef<Path>, error: impl fmt::Display) -> Error {
+        Error::Use(format!("{}: {error}", shown(place)))
+    }
+
     /// The refusal of a scene: the place, then a line for each invalid value, of which only some are shown.
     pub fn refused(place: impl AsRef<Path>, errors: &[ValidationError]) -> Error {
         let first = errors.iter().take(MAX_REFUSALS);

@@ -2,6 +2,7 @@
 
 mod apng;
 mod archive;
+pub mod checkpoint;
 mod ffmpeg;
 mod gif;
 pub mod seam;
@@ -72,7 +73,7 @@ impl Format {
 }
 
 /// What a film is: the same in each part of it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Header {
     /// Width and height \[pixels\].
     pub size: [u32; 2],
@@ -86,6 +87,8 @@ pub struct Header {
     pub plays: Plays,
     /// Whether colours are exact in WebP, WebM and MP4.
     pub is_lossless: bool,
+    /// A text about the fire.
+    pub text: Option<String>,
 }
 
 /// How often a film plays.
@@ -171,7 +174,7 @@ pub fn encoder(
         return match format {
             Format::Png | Format::Rgba => {
                 Output::new(name, replace)?;
-                Ok(Box::new(Pipe(format)))
+                Ok(Box::new(Pipe(format, header.text)))
             }
             Format::WebM | Format::Mp4 => Err(Error::Use(
                 "ffmpeg writes WebM and MP4 into a file: name one".to_owned(),
@@ -215,12 +218,12 @@ fn file(
 }
 
 /// Pictures one after another on standard output.
-struct Pipe(Format);
+struct Pipe(Format, Option<String>);
 
 impl Encoder for Pipe {
     fn add(&mut self, picture: &Picture) -> Result<(), Error> {
         match self.0 {
-            Format::Png => output::print(&picture.png()?),
+            Format::Png => output::print(&picture.png(self.1.as_deref())?),
             _ => output::print(&picture.straight()),
         }
     }

@@ -2,12 +2,16 @@
 
 use hearth_core::params::DisplayMode;
 use hearth_core::resolution::{CountInputs, Level, ParticleCount, SizeLimit};
+use hearth_core::state::{Bytes, State};
 use hearth_core::warm_up::WarmUp;
 use hearth_core::{Charred, Instance, Scene, Simulation, Vec2};
 use hearth_render::{Camera, History, Viewport};
 use hearth_settings::Settings;
 
+use crate::film::sound::Sound;
+
 /// A fire and what it shows.
+#[derive(Clone)]
 pub struct Fire {
     settings: Settings,
     level: Level,
@@ -17,6 +21,8 @@ pub struct Fire {
     pub(crate) instances: Vec<Instance>,
     pub(crate) embers: Vec<Instance>,
     pub(crate) charred: Charred,
+    /// Its sound, if it is recorded.
+    pub(crate) sound: Option<Sound>,
 }
 
 impl Fire {
@@ -32,6 +38,7 @@ impl Fire {
             instances: Vec::new(),
             embers: Vec::new(),
             charred: Charred::default(),
+            sound: None,
         };
         let scene = fire.scene();
         fire.warm_up.begin(&mut fire.simulation, scene);
@@ -52,6 +59,11 @@ impl Fire {
             is_coarse: self.warm_up.is_coarse(),
         });
         self.settings.at(count.number)
+    }
+
+    /// What is set of the fire.
+    pub(crate) fn settings(&self) -> &Settings {
+        &self.settings
     }
 
     /// The simulation.
@@ -92,6 +104,9 @@ impl Fire {
             let before = self.simulation.time();
             step(&mut self.simulation);
             self.history.follow(&self.simulation);
+            if let Some(sound) = &mut self.sound {
+                sound.listen(&mut self.simulation);
+            }
             let now = self.simulation.time();
             if self.warm_up.is_on() && self.warm_up.advance(now - before) {
                 let scene = self.scene();
@@ -99,6 +114,36 @@ impl Fire {
             }
             on_step(now);
         }
+    }
+
+    /// Records the sound from now on, unless it is recorded already.
+    pub(crate) fn record_sound(&mut self) -> &mut Sound {
+        let fire = &mut self.simulation;
+        self.sound.get_or_insert_with(|| Sound::of(fire))
+    }
+
+    /// Records no sound.
+    pub(crate) fn forget_sound(&mut self) {
+        self.sound = None;
+        self.simulation.record_series(false);
+    }
+
+    /// Appends all that a picture or a sample reads; the settings are not in it.
+    pub(crate) fn save(&self, out: &mut Vec<u8>) {
+        self.warm_up.save(out);
+        self.simulation.save_state(out);
+        self.history.save(out);
+        self.sound.save(out);
+    }
+
+    /// Continues from the state of a fire with the same settings; `None` if the bytes end.
+    pub(crate) fn load(&mut self, bytes: &mut Bytes<'_>) -> Option<()> {
+        self.warm_up = State::load(bytes)?;
+        self.simulation = Simulation::new(self.scene());
+        self.simulation.load_state(bytes)?;
+        self.history = State::load(bytes)?;
+        self.sound = State::load(bytes)?;
+        Some(())
     }
 
     /// Writes what the renderer gets.

@@ -34,6 +34,25 @@ pub fn read(mut source: impl Read) -> Result<Untrusted, String> {
     value.map_err(|error| format!("the scene is no valid JSON: {error}"))
 }
 
+/// A value as JSON. Scenes have no others.
+pub fn write(value: &Untrusted) -> serde_json::Value {
+    match value {
+        // Whole numbers have no point.
+        Untrusted::Number(number) if (*number as i64) as f64 == *number => (*number as i64).into(),
+        Untrusted::Number(number) => (*number).into(),
+        Untrusted::Text(text) => text.clone().into(),
+        Untrusted::Flag(flag) => (*flag).into(),
+        Untrusted::List(items) => items.iter().map(write).collect(),
+        Untrusted::Object(fields) => {
+            let fields = fields.iter();
+            fields
+                .map(|(name, value)| (name.clone(), write(value)))
+                .collect()
+        }
+        _ => serde_json::Value::Null,
+    }
+}
+
 /// A value inside that many lists and objects.
 #[derive(Clone, Copy)]
 struct Value {

@@ -1,5 +1,7 @@
 //! Pictures in memory, and as PNG.
 
+use std::io;
+
 use crate::error::Error;
 
 /// Distance to which the colour of the fire continues where nothing is seen \[pixels\].
@@ -154,22 +156,18 @@ impl Picture {
         Picture::premultiplied(width, height, rgba)
     }
 
-    /// A PNG file, which states that its colours are sRGB. Its alpha is straight, as the format asks;
-    /// an opaque picture has none.
+    /// A PNG file, which states that its colours are sRGB, with a text about the fire. Its alpha is straight, as the
+    /// format asks; an opaque picture has none.
     ///
     /// # Errors
     /// The picture is too large for memory.
-    pub fn png(&self) -> Result<Vec<u8>, Error> {
+    pub fn png(&self, text: Option<&str>) -> Result<Vec<u8>, Error> {
+        let size = [self.width, self.height];
         if self.pixels().all(|pixel| pixel[3] == 255) {
             let rgb: Vec<u8> = self.pixels().flat_map(|[r, g, b, _]| [r, g, b]).collect();
-            return png(self.width, self.height, png::ColorType::Rgb, &rgb);
+            return png(size, png::ColorType::Rgb, &rgb, text);
         }
-        png(
-            self.width,
-            self.height,
-            png::ColorType::Rgba,
-            &self.straight(),
-        )
+        png(size, png::ColorType::Rgba, &self.straight(), text)
     }
 }
 
@@ -178,24 +176,41 @@ impl Picture {
 /// # Errors
 /// The picture is too large for memory.
 pub fn png_of_rgb(width: u32, height: u32, rgb: &[u8]) -> Result<Vec<u8>, Error> {
-    png(width, height, png::ColorType::Rgb, rgb)
+    png([width, height], png::ColorType::Rgb, rgb, None)
 }
 
 /// Bytes of red, green, blue and alpha as PNG.
 ///
 /// # Errors
 /// The picture is too large for memory.
-pub fn png_of_rgba([width, height]: [u32; 2], rgba: &[u8]) -> Result<Vec<u8>, Error> {
-    png(width, height, png::ColorType::Rgba, rgba)
+pub fn png_of_rgba(size: [u32; 2], rgba: &[u8]) -> Result<Vec<u8>, Error> {
+    png(size, png::ColorType::Rgba, rgba, None)
 }
 
-fn png(width: u32, height: u32, colours: png::ColorType, data: &[u8]) -> Result<Vec<u8>, Error> {
+/// Adds a text about the fire to a PNG, under the keyword `hearth`.
+pub fn describe<W: io::Write>(
+    encoder: &mut png::Encoder<'_, W>,
+    text: Option<&str>,
+) -> Result<(), png::EncodingError> {
+    text.map_or(Ok(()), |text| {
+        encoder.add_itxt_chunk("hearth".to_owned(), text.to_owned())
+    })
+}
+
+fn png(
+    [width, height]: [u32; 2],
+    colours: png::ColorType,
+    data: &[u8],
+    text: Option<&str>,
+) -> Result<Vec<u8>, Error> {
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, width, height);
     encoder.set_color(colours);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    let written = encoder.write_header().and_then(|mut writer| {
+    let described = describe(&mut encoder, text);
+    let written = described.and_then(|()| encoder.write_header());
+    let written = written.and_then(|mut writer| {
         writer.write_image_data(data)?;
         writer.finish()
     });

@@ -16,6 +16,8 @@ pub(crate) struct Bounds {
     pub periodic_y: bool,
 }
 
+crate::state! { Bounds: bottom width height periodic_x periodic_y }
+
 impl Bounds {
     /// Whether `position` is inside. NaN is outside.
     #[inline]

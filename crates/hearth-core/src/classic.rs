@@ -59,6 +59,8 @@ pub(crate) struct Classic {
     cut: Option<f32>,
 }
 
+crate::state! { Classic: particles emitters solids motion substeps cut; pairs }
+
 impl Classic {
     /// No particles yet.
     pub fn new(scene: &Scene) -> Classic {

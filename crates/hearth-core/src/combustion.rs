@@ -85,6 +85,8 @@ pub(crate) struct Combustion {
     water: Option<Box<Water>>,
 }
 
+crate::state! { Combustion: gas domain pairs fires obstacles reaction motion fuels water }
+
 impl Combustion {
     /// Air at rest, or in the wind.
     pub fn new(scene: &Scene, random: &mut Random) -> Combustion {

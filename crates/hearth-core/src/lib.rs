@@ -49,6 +49,7 @@ mod solids;
 mod solver;
 pub mod sound;
 mod source;
+pub mod state;
 mod time_step;
 pub mod warm_up;
 

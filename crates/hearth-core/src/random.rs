@@ -9,6 +9,8 @@ pub struct Random {
     state: u64,
 }
 
+crate::state! { Random: state }
+
 const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
 const INCREMENT: u64 = 1_442_695_040_888_963_407;
 

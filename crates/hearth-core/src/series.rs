@@ -110,6 +110,8 @@ pub(crate) struct Recorder {
     before: Totals,
 }
 
+crate::state! { Totals: load place moment grown, Recorder: numbers before }
+
 impl Recorder {
     /// No steps, of a fire with these totals.
     pub fn new(before: Totals) -> Recorder {

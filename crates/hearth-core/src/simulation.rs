@@ -8,6 +8,7 @@ mod model;
 mod place;
 mod readers;
 mod series;
+mod state;
 mod water;
 
 use glam::Vec2;

@@ -115,6 +115,12 @@ pub(crate) struct Solids {
     pub free: Option<Box<free::FreeBodies>>,
 }
 
+crate::state! {
+    Body: id rest angle image drive driven surface reach temperature burns is_free force torque store velocity
+        spin left since,
+    Solids: bodies free; spare
+}
+
 impl Solids {
     /// The solids of a scene at the start of the fire, those that a caller moves at rest.
     pub fn of(scene: &Scene, bounds: &Bounds, near: f32) -> Solids {

@@ -190,6 +190,13 @@ pub struct Synthesis {
     mix: [Ramp; 4],
 }
 
+crate::state! {
+    Segment: duration slope roar least breaking levels wall pops strikes,
+    Ramp: value target,
+    Synthesis: rate random roar cracks air room segments ahead last square power fuel_snaps spark_snaps snaps
+        step_rate presence wall mix
+}
+
 impl Synthesis {
     /// The sound of a fire that has not begun, with a sample rate \[Hz\].
     pub fn new(rate: f64, seed: u32, mix: Mix) -> Synthesis {

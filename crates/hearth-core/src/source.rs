@@ -17,6 +17,8 @@ pub struct SourcePlace {
     pub on_solid: bool,
 }
 
+crate::state! { SourcePlace: base width on_solid }
+
 /// The argument of the noise of the emission at a place on a solid: how far along its width
 /// and height together, so that no side of the solid has the same noise throughout.
 pub(crate) fn along(local: Vec2) -> f32 {

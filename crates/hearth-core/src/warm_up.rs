@@ -17,7 +17,7 @@ const FINE_SECONDS: f64 = 0.9;
 const PAST_SECONDS: f64 = 0.5;
 
 /// The warm-up of a fire.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct WarmUp {
     duration: f64,
     /// Remaining duration [s of fire].
@@ -25,6 +25,8 @@ pub struct WarmUp {
     /// A saved fire.
     saved: Vec<u8>,
 }
+
+crate::state! { WarmUp: duration left saved }
 
 impl WarmUp {
     /// A warm-up of that duration [s of fire], or a saved fire if its settings match.

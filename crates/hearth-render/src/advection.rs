@@ -24,6 +24,8 @@ pub fn seconds_moved(kept: [f32; 2], elapsed: f32) -> [f32; 2] {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Phase(pub f64);
 
+hearth_core::state! { Phase(periods) }
+
 impl Phase {
     /// For each pattern: 0 if it restarts after an earlier phase, else 1.
     pub fn kept_since(self, before: Phase) -> [f32; 2] {

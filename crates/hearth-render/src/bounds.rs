@@ -20,9 +20,13 @@ pub struct ParticleBounds {
     hot: Gas,
 }
 
+hearth_core::state! { ParticleBounds: edges alive hot }
+
 /// Sums over gas: of its weights, and weighted of height \[m\] and upward speed [m/s].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Gas([f32; 3]);
+
+hearth_core::state! { Gas(sums) }
 
 impl Gas {
     fn add(&mut self, weight: f32, height: f32, speed: f32) {

@@ -93,6 +93,11 @@ pub struct History {
     particles: Vec<Instance>,
 }
 
+hearth_core::state! {
+    Sample: number time texels count length bounds phase period source stirred,
+    History: samples next surroundings stirred fades rise limit; particles
+}
+
 impl Default for History {
     fn default() -> History {
         History {

@@ -25,6 +25,8 @@ pub struct Rise {
     distance: f64,
 }
 
+hearth_core::state! { Rise: time height speed distance }
+
 impl Rise {
     /// Advances to `time` \[s\] with the particles of `model`.
     pub fn advance(&mut self, particles: &ParticleBounds, time: f64, model: Model) {

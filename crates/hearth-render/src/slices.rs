@@ -85,6 +85,8 @@ pub struct Fade {
     arrangement: Arrangement,
 }
 
+hearth_core::state! { Fade: weight rate arrangement, Arrangement: mirrors spreads }
+
 impl Fade {
     /// Advances by the time since the last sample \[s\]. `wanted`: the arrangement of the scene, or
     /// `None` while the slice must not be seen. The arrangement changes while the slice is invisible.

@@ -26,6 +26,8 @@ pub struct Surroundings {
     free: bool,
 }
 
+hearth_core::state! { Surroundings: sources poses wind width symmetric free }
+
 impl Surroundings {
     /// Those of a scene whose solids are at `poses`, with its first source.
     pub fn of(scene: &Scene, poses: &[Pose], first: &SourcePlace) -> Surroundings {

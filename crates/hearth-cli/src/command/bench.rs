@@ -17,7 +17,7 @@ use crate::{Fire, Offscreen};
 /// Arguments of `hearth bench`.
 #[derive(Args)]
 pub struct Bench {
-    /// A preset, a settings file, or - for one on standard input.
+    /// A preset, a settings file, a page's link, or - for a file on standard input.
     #[arg(default_value = "fireside")]
     scene: OsString,
     /// Age of the fire in seconds.

@@ -3,18 +3,19 @@
 use std::collections::VecDeque;
 use std::ffi::OsString;
 use std::ops::{Range, RangeInclusive};
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::thread;
 
 use clap::Args;
-use hearth_core::params::Colour;
-use hearth_settings::Settings;
+use hearth_settings::{Settings, export};
 
-use super::options::{DriverOptions, FireOptions, age, background, named, size};
+use super::options::{DriverOptions, FireOptions, PictureOfFire, age, named, size};
 use super::progress::{Counter, Progress};
 use crate::Fire;
 use crate::error::{Error, shown};
 use crate::film::seam::{self, Loop};
-use crate::film::sound;
 use crate::film::{self, Clock, Encoder, Format, Header, Plays, Rate};
+use crate::film::{checkpoint, sound};
 use crate::output::Output;
 use crate::painter::Painter;
 use crate::picture::Picture;
@@ -29,6 +30,9 @@ const SHUTTER: f64 = 0.5;
 /// Time over which the fine structure of a picture is carried on from earlier ones, its longest period \[s\].
 const CARRIED_SECONDS: f64 = 1.5;
 
+/// Most moments that wait to be drawn, and most pictures that wait to be encoded.
+const MOST_WAITING: usize = 2;
+
 /// Length of a loop \[s\].
 const LOOP_SECONDS: RangeInclusive<f64> = 1.0..=10.0;
 /// Width and height of the pictures in which the beginning of a loop is looked for \[pixels\].
@@ -38,11 +42,24 @@ const SEEN_SIDE: u32 = 64;
 #[derive(Args)]
 #[command(after_help = FORMATS)]
 pub struct Film {
-    /// A preset (`hearth scenes` lists them), a settings file, or - for one on standard input.
+    /// A preset (`hearth scenes` lists them), a settings file, a page's link, or - for a file on standard input.
     scene: OsString,
     /// The new file, whose ending is the format; a folder for PNG files; or - for standard output.
-    #[arg(long, short, value_name = "FILE")]
+    #[arg(
+        long,
+        short,
+        value_name = "FILE",
+        required_unless_present = "checkpoint",
+        default_value = "",
+        hide_default_value = true
+    )]
     out: OsString,
+    /// Writes the state of the fire at the end of the part, from which later parts resume. Without --out, nothing is drawn.
+    #[arg(long, value_name = "FILE", conflicts_with = "is_loop")]
+    checkpoint: Option<OsString>,
+    /// Begins from such a state instead of from the seed.
+    #[arg(long, value_name = "FILE", conflicts_with = "is_loop")]
+    resume: Option<OsString>,
     /// The format, where the name has no such ending.
     #[arg(long = "as", value_name = "FORMAT", value_parser = named(Format::ALL.to_vec()))]
     film_format: Option<Format>,
@@ -82,20 +99,28 @@ pub struct Film {
     /// Colours are exact in WebP and WebM, whose files are some four times as large.
     #[arg(long)]
     lossless: bool,
-    /// What is behind the fire: #rrggbb, black, white or transparent [default: that of the scene].
-    #[arg(long, value_name = "COLOUR", value_parser = background)]
-    background: Option<(String, Colour)>,
+    #[command(flatten)]
+    picture: PictureOfFire,
     #[command(flatten)]
     fire: FireOptions,
     #[command(flatten)]
     driver: DriverOptions,
 }
 
+/// A fire at a moment of a picture.
+struct Shot {
+    fire: Fire,
+    /// Whether it is seen, or only prepares a picture that is.
+    is_kept: bool,
+    is_last: bool,
+}
+
 const FORMATS: &str = "\
 Formats: a folder or .zip of PNG files, .png or .apng, .webp, .gif; .webm and .mp4 by the program ffmpeg;
 .wav, which is the sound alone.
 With --out - the pictures go to another program, --as png or rgba (straight alpha, rows from the top).
---frames draws the same pictures as the whole film has there, so several machines can share it.";
+--frames draws the same pictures as the whole film has there, so several machines can share it. A part that begins from
+the checkpoint of an earlier one has the same bits, too.";
 
 impl Film {
     /// Writes the film.
@@ -103,13 +128,35 @@ impl Film {
     /// # Errors
     /// A value is refused, or the driver, the disk or the encoder fails.
     pub fn run(&self) -> Result<(), Error> {
-        let background = self.background.iter();
-        let background: Vec<_> = background
-            .map(|(_, colour)| ("background".to_owned(), colour.to_string()))
-            .collect();
-        let settings = self.fire.settings(&self.scene, &background)?;
-        let format = self.format()?;
+        let settings = self.fire.settings(&self.scene, &self.picture.values())?;
         let part = self.part()?;
+        let kept = self.checkpoint.as_ref();
+        let kept = kept.map(|name| Output::new(name, self.force)).transpose()?;
+        let progress = Progress::new(self.clock(&settings).age(part.end));
+        progress.name(&shown(&self.scene));
+        let mut state = None;
+        if !self.out.is_empty() {
+            state = self.write(&settings, &part, &progress)?;
+        }
+        if let Some(output) = kept {
+            let state = match state {
+                Some(state) => Some(state),
+                None => self.burn(self.begin(&settings, &part)?, &part, &progress, None),
+            };
+            progress.finish();
+            output.write(&state.unwrap_or_default())?;
+        }
+        Ok(())
+    }
+
+    /// Writes the pictures or the sound. Returns the state for a checkpoint, if one burns beside the pictures.
+    fn write(
+        &self,
+        settings: &Settings,
+        part: &Range<u32>,
+        progress: &Progress,
+    ) -> Result<Option<Vec<u8>>, Error> {
+        let format = self.format()?;
         let header = Header {
             size: self.size,
             rate: self.fps,
@@ -120,75 +167,195 @@ impl Film {
                 false => Plays::Forever,
             },
             is_lossless: self.lossless,
+            text: self.picture.text(settings),
         };
-        let clock = self.clock(&settings);
-        let progress = Progress::new(clock.age(part.end));
-        progress.name(&shown(&self.scene));
         if format == Format::Wav {
             if self.is_loop {
                 return Err(Error::Use("--loop: a loop has no sound".to_owned()));
             }
             let output = Output::new(&self.out, self.force)?;
-            return output.write(&self.wav(&settings, &part, &progress));
+            output.write(&self.wav(settings, part, progress)?)?;
+            return Ok(None);
         }
         let sound = match (self.sound, format) {
             (false, _) => None,
-            (_, Format::WebM | Format::Mp4) => Some(self.wav(&settings, &part, &progress)),
+            (_, Format::WebM | Format::Mp4) => Some(self.wav(settings, part, progress)?),
             _ => {
                 let words = "--sound: only WebM and MP4 have sound; a name that ends with .wav is the sound alone";
                 return Err(Error::Use(words.to_owned()));
             }
         };
         let mut encoder = film::encoder(format, &self.out, self.force, header, sound)?;
+        if self.is_loop {
+            let (offscreen, shared) = self.driver.open()?;
+            self.driver.warn(&shared);
+            let [large, small] = [(self.size, self.supersample), ([SEEN_SIDE; 2], 1)]
+                .map(|(size, samples)| self.fire.picture(size, samples));
+            let painters = [
+                &mut Painter::new(&offscreen, &shared, large)?,
+                &mut Painter::new(&offscreen, &shared, small)?,
+            ];
+            let fire = || self.fire.fire(settings, self.size);
+            self.draw_loop(self.clock(settings), &fire, painters, part, &mut *encoder)?;
+            encoder.finish()?;
+            return Ok(None);
+        }
+        let begun = self.begin(settings, part)?;
+        // The fire burns, is drawn and is encoded at the same time.
+        let state = thread::scope(|scope| {
+            let (burnt, shots) = sync_channel(MOST_WAITING);
+            let burning = scope.spawn(move || self.burn(begun, part, progress, Some(burnt)));
+            let (drawn, pictures) = sync_channel(MOST_WAITING);
+            let drawing = scope.spawn(move || self.draw(shots, drawn));
+            for picture in pictures {
+                encoder.add(&picture)?;
+            }
+            let failed = |_| Error::Failed("a thread of the film has failed".to_owned());
+            drawing.join().map_err(failed)??;
+            burning.join().map_err(failed)
+        })?;
+        progress.finish();
+        encoder.finish()?;
+        Ok(state)
+    }
+
+    /// Draws what burns, until nobody takes the pictures any more.
+    fn draw(&self, shots: Receiver<Shot>, drawn: SyncSender<Picture>) -> Result<(), Error> {
         let (offscreen, shared) = self.driver.open()?;
         self.driver.warn(&shared);
         let options = self.fire.picture(self.size, self.supersample);
         let mut painter = Painter::new(&offscreen, &shared, options)?;
-        let fire = || self.fire.fire(&settings, self.size);
-        if self.is_loop {
-            let options = self.fire.picture([SEEN_SIDE; 2], 1);
-            let mut small = Painter::new(&offscreen, &shared, options)?;
-            self.draw_loop(
-                clock,
-                &fire,
-                [&mut painter, &mut small],
-                &part,
-                &mut *encoder,
-            )?;
-            return encoder.finish();
-        }
-        let mut fire = fire();
-        let mut counter = Counter::new(&progress);
-        for number in 0..part.end {
-            let is_kept = number >= part.start;
-            let is_drawn = is_kept || clock.elapsed(part.start - number) <= CARRIED_SECONDS;
-            let mut moments = Vec::new();
-            for moment in 1..=self.motion_blur {
-                let open = f64::from(self.motion_blur - moment) / f64::from(self.motion_blur);
-                let before = SHUTTER * open * clock.elapsed(1);
-                let time = clock.age(number) - before;
-                fire.advance(time, &mut |age| counter.at(age));
-                if is_kept {
-                    moments.push(painter.paint(&mut fire)?);
-                } else if is_drawn {
-                    painter.draw(&mut fire, &mut |_| {})?;
-                }
+        let mut moments = Vec::new();
+        for mut shot in shots {
+            if !shot.is_kept {
+                painter.draw(&mut shot.fire, &mut |_| {})?;
+                continue;
             }
-            if let Some(picture) = Picture::mean(&moments) {
-                encoder.add(&picture)?;
+            moments.push(painter.paint(&mut shot.fire)?);
+            if shot.is_last
+                && let Some(picture) = Picture::mean(&std::mem::take(&mut moments))
+                && drawn.send(picture).is_err()
+            {
+                break;
             }
         }
-        progress.finish();
-        encoder.finish()
+        Ok(())
     }
 
-    /// The sound of a part of the film.
-    fn wav(&self, settings: &Settings, part: &Range<u32>, progress: &Progress) -> Vec<u8> {
+    /// The fire before its picture of that number: at its start, or from a checkpoint.
+    fn begin(&self, settings: &Settings, part: &Range<u32>) -> Result<(Fire, u32), Error> {
         let mut fire = self.fire.fire(settings, self.size);
+        let Some(name) = &self.resume else {
+            return Ok((fire, 0));
+        };
+        let number = checkpoint::read(name, self.hash(settings), &mut fire)?;
+        let earliest = (number..=part.end).find(|&start| self.lead(settings, start) >= number);
+        match earliest {
+            Some(earliest) if earliest <= part.start => Ok((fire, number)),
+            _ => Err(Error::Use(format!(
+                "{}: the checkpoint is for the pictures from {} on, and the first one is {}",
+                shown(name),
+                earliest.unwrap_or(part.end),
+                part.start
+            ))),
+        }
+    }
+
+    /// Burns a part of the film, and shows what is drawn. Returns the state at its end if that becomes a checkpoint.
+    fn burn(
+        &self,
+        (mut fire, first): (Fire, u32),
+        part: &Range<u32>,
+        progress: &Progress,
+        shots: Option<SyncSender<Shot>>,
+    ) -> Option<Vec<u8>> {
+        let settings = fire.settings().clone();
+        let clock = self.clock(&settings);
+        match self.checkpoint {
+            Some(_) => drop(fire.record_sound()),
+            None => fire.forget_sound(),
+        }
+        let [drawn, kept] = [part.start, part.end].map(|number| self.lead(&settings, number));
         let mut counter = Counter::new(progress);
+        let mut state = None;
+        for number in first..part.end {
+            if number == kept && self.checkpoint.is_some() {
+                state = Some(checkpoint::write(self.hash(&settings), number, &fire));
+                if shots.is_none() {
+                    break;
+                }
+            }
+            let is_kept = number >= part.start;
+            for moment in 1..=self.motion_blur {
+                fire.advance(self.moment(clock, number, moment), &mut |age| {
+                    counter.at(age);
+                });
+                let shot = (is_kept || number >= drawn).then(|| Shot {
+                    fire: fire.clone(),
+                    is_kept,
+                    is_last: moment == self.motion_blur,
+                });
+                if let (Some(shots), Some(shot)) = (&shots, shot)
+                    && shots.send(shot).is_err()
+                {
+                    // Nobody draws any more.
+                    return None;
+                }
+            }
+        }
+        state
+    }
+
+    /// The first picture that is drawn before that of a number: what is seen follows from those before it.
+    fn lead(&self, settings: &Settings, number: u32) -> u32 {
+        let pictures = CARRIED_SECONDS / self.clock(settings).elapsed(1).max(1e-6);
+        number.saturating_sub(pictures as u32)
+    }
+
+    /// Age of the fire at a moment of a picture \[s\]. Of so many moments, the last one is the picture's own.
+    fn moment(&self, clock: Clock, number: u32, moment: u32) -> f64 {
+        let open = f64::from(self.motion_blur - moment) / f64::from(self.motion_blur);
+        clock.age(number) - SHUTTER * open * clock.elapsed(1)
+    }
+
+    /// A hash of all that the fire of the film follows from.
+    fn hash(&self, settings: &Settings) -> u64 {
+        let values = (
+            export(settings),
+            self.size,
+            self.from,
+            self.fps,
+            self.motion_blur,
+        );
+        checkpoint::hash(format!("{values:?} {:?}", self.fire.burning()).as_bytes())
+    }
+
+    /// The sound of a part of the film, whose fire stops at the same moments as that of the pictures.
+    fn wav(
+        &self,
+        settings: &Settings,
+        part: &Range<u32>,
+        progress: &Progress,
+    ) -> Result<Vec<u8>, Error> {
+        let (mut fire, first) = self.begin(settings, part)?;
         let clock = self.clock(settings);
-        let ages = [part.start, part.end].map(|number| clock.age(number));
-        sound::wav(&sound::samples(&mut fire, ages, &mut |age| counter.at(age)))
+        let sound = fire.record_sound();
+        let [start, end] = [part.start, part.end].map(|number| sound.sample_at(clock.age(number)));
+        sound.keep_from(start);
+        let mut counter = Counter::new(progress);
+        for number in first.. {
+            for moment in 1..=self.motion_blur {
+                fire.advance(self.moment(clock, number, moment), &mut |age| {
+                    counter.at(age);
+                });
+            }
+            if number >= part.end
+                && let Some(samples) = fire.record_sound().until(end)
+            {
+                return Ok(sound::wav(samples));
+            }
+        }
+        Err(Error::Failed("the fire has no end".to_owned()))
     }
 
     /// Draws a part of a loop: once small, to find its beginning, and then what it shows.

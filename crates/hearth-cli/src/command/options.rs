@@ -9,12 +9,12 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use hearth_core::params::Colour;
 use hearth_core::resolution::Level;
 use hearth_render::{Camera, Fit, SharedResources, TargetFormat};
-use hearth_settings::Settings;
+use hearth_settings::{Settings, export};
 
 use crate::error::Error;
 use crate::painter::{PictureOptions, resources};
 use crate::scene::Setting;
-use crate::{Fire, Offscreen, scene};
+use crate::{Fire, Offscreen, json, scene};
 
 /// Longest age of a fire, that of a call of the element [s of fire].
 const MAX_SECONDS: f64 = 1000.0;
@@ -39,6 +39,33 @@ pub struct FireOptions {
     /// How the domain fits the picture.
     #[arg(long, default_value = "height", value_parser = fits())]
     fit: Fit,
+}
+
+/// What is behind the fire of a picture, and what the picture says of it.
+#[derive(Args, Clone)]
+pub struct PictureOfFire {
+    /// What is behind the fire: #rrggbb, black, white or transparent [default: that of the scene].
+    #[arg(long, value_name = "COLOUR", value_parser = background)]
+    background: Option<(String, Colour)>,
+    /// Writes scene and seed into the file, as a text that is a settings file.
+    #[arg(long)]
+    describe: bool,
+}
+
+impl PictureOfFire {
+    /// The values that it sets.
+    pub fn values(&self) -> Vec<Setting> {
+        let colour = self.background.iter();
+        colour
+            .map(|(_, colour)| ("background".to_owned(), colour.to_string()))
+            .collect()
+    }
+
+    /// The text of a file.
+    pub fn text(&self, settings: &Settings) -> Option<String> {
+        self.describe
+            .then(|| json::write(&export(settings)).to_string())
+    }
 }
 
 /// Where it is drawn.
@@ -81,6 +108,11 @@ impl FireOptions {
         let seed = seed.map(|seed| ("seed".to_owned(), seed.clone()));
         let values: Vec<_> = self.set.iter().chain(others).cloned().chain(seed).collect();
         scene::settings(scene, &values)
+    }
+
+    /// What the bits of a fire follow from, besides its settings.
+    pub fn burning(&self) -> impl std::fmt::Debug {
+        (self.quality.name(), self.warm, self.camera())
     }
 
     /// A fire of these settings before its first step, for pictures of that size.

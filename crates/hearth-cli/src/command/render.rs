@@ -3,9 +3,8 @@
 use std::ffi::OsString;
 
 use clap::Args;
-use hearth_core::params::Colour;
 
-use super::options::{DriverOptions, FireOptions, age, background, size};
+use super::options::{DriverOptions, FireOptions, PictureOfFire, age, size};
 use super::progress::{Counter, Progress};
 use crate::error::{Error, shown};
 use crate::output::Output;
@@ -14,7 +13,7 @@ use crate::painter::Painter;
 /// Arguments of `hearth render`.
 #[derive(Args)]
 pub struct Render {
-    /// A preset (`hearth scenes` lists them), a settings file, or - for one on standard input.
+    /// A preset (`hearth scenes` lists them), a settings file, a page's link, or - for a file on standard input.
     scene: OsString,
     /// Age of the fire in seconds.
     #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = age, allow_negative_numbers = true)]
@@ -28,9 +27,8 @@ pub struct Render {
     /// Replaces an existing file.
     #[arg(long)]
     force: bool,
-    /// What is behind the fire: #rrggbb, black, white or transparent [default: that of the scene].
-    #[arg(long, value_name = "COLOUR", value_parser = background)]
-    background: Option<(String, Colour)>,
+    #[command(flatten)]
+    picture: PictureOfFire,
     /// Draws so many pixels for one along each side, and takes the mean of their light.
     #[arg(long, value_name = "1..4", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=4), allow_negative_numbers = true)]
     supersample: u32,
@@ -46,11 +44,7 @@ impl Render {
     /// # Errors
     /// A value is refused, or the driver or the disk fails.
     pub fn run(&self) -> Result<(), Error> {
-        let background = self.background.iter();
-        let background: Vec<_> = background
-            .map(|(_, colour)| ("background".to_owned(), colour.to_string()))
-            .collect();
-        let settings = self.fire.settings(&self.scene, &background)?;
+        let settings = self.fire.settings(&self.scene, &self.picture.values())?;
         let output = Output::of_png(&self.out, self.force)?;
         let (offscreen, shared) = self.driver.open()?;
         self.driver.warn(&shared);
@@ -63,6 +57,6 @@ impl Render {
         fire.burn(self.at, &mut |age| counter.at(age));
         let picture = painter.paint(&mut fire)?;
         progress.finish();
-        output.write(&picture.png()?)
+        output.write(&picture.png(self.picture.text(&settings).as_deref())?)
     }
 }

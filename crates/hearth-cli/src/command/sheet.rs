@@ -35,7 +35,7 @@ const INK: [u8; 3] = [235, 235, 235];
 /// Arguments of `hearth sheet`.
 #[derive(Args)]
 pub struct Sheet {
-    /// Presets or settings files [default: all presets].
+    /// Presets, settings files or links of pages [default: all presets].
     scenes: Vec<OsString>,
     /// Ages of the fires in seconds.
     #[arg(long, value_name = "SECONDS,…", value_delimiter = ',', default_value = "5", value_parser = age, allow_negative_numbers = true)]

@@ -1,7 +1,7 @@
 //! `hearth sprites`: a sheet of pictures for game engines.
 
-use std::ffi::OsString;
-use std::path::Path;
+use std::ffi::{OsStr, OsString};
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use hearth_settings::Settings;
@@ -27,11 +27,11 @@ const MAX_TILES: i64 = 1024;
 #[derive(Args)]
 #[command(after_help = SHEETS)]
 pub struct Sprites {
-    /// A preset (`hearth scenes` lists them), a settings file, or - for one on standard input.
+    /// A preset (`hearth scenes` lists them), a settings file, a page's link, or - for a file on standard input.
     scene: OsString,
     /// The new PNG file; further sheets and the atlas stand beside it.
     #[arg(long, short, value_name = "FILE.png")]
-    out: String,
+    out: OsString,
     /// Replaces existing files.
     #[arg(long)]
     force: bool,
@@ -142,12 +142,12 @@ impl Sprites {
     /// # Errors
     /// A value is refused, or the driver or the disk fails.
     pub fn run(&self) -> Result<(), Error> {
-        let Some(stem) = self
-            .out
-            .strip_suffix(".png")
-            .filter(|stem| !stem.is_empty())
-        else {
-            return Err(Error::Use(format!("{}: a sheet ends with .png", self.out)));
+        let out = Path::new(&self.out);
+        let stem = out
+            .file_stem()
+            .filter(|_| out.extension() == Some("png".as_ref()));
+        let Some(stem) = stem else {
+            return Err(Error::at_use(out, "a sheet ends with .png"));
         };
         let mut grid = Grid {
             count: self.count,
@@ -213,13 +213,10 @@ impl Sprites {
         }
         if let Some((atlas, output)) = atlas {
             let image = self.file(stem, None, &grid, "png");
-            let name = |path: &str| {
-                let file = Path::new(path).file_name();
-                file.map_or(String::new(), |file| file.to_string_lossy().into_owned())
-            };
+            let image = image.file_name().unwrap_or_default().to_string_lossy();
             let description = Description {
-                image: &name(&image),
-                name: &name(stem),
+                image: &image,
+                name: &stem.to_string_lossy(),
                 grid,
                 size,
                 rate: self.fps,
@@ -243,13 +240,15 @@ impl Sprites {
     }
 
     /// The name of a file beside that of `--out`.
-    fn file(&self, stem: &str, layer: Option<&str>, grid: &Grid, ending: &str) -> String {
+    fn file(&self, stem: &OsStr, layer: Option<&str>, grid: &Grid, ending: &str) -> PathBuf {
         let layer = layer.map(|layer| format!("-{layer}")).unwrap_or_default();
         let tiles = match self.grid_in_name {
             true => format!("_{}x{}", grid.columns, grid.rows()),
             false => String::new(),
         };
-        format!("{stem}{layer}{tiles}.{ending}")
+        let mut name = stem.to_owned();
+        name.push(format!("{layer}{tiles}.{ending}"));
+        Path::new(&self.out).with_file_name(name)
     }
 
     /// The bytes of a tile.

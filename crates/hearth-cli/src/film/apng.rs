@@ -5,7 +5,7 @@ use std::io;
 use super::{Encoder, Header, Plays};
 use crate::error::Error;
 use crate::output::Output;
-use crate::picture::Picture;
+use crate::picture::{Picture, describe};
 
 /// Writes the film into memory, and then the file.
 pub struct Apng {
@@ -41,6 +41,7 @@ impl Apng {
         encoder.set_color(png::ColorType::Rgba);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        describe(&mut encoder, header.text.as_deref()).map_err(failed)?;
         let plays = match header.plays {
             Plays::Once => 1,
             Plays::Forever => 0,

@@ -23,6 +23,7 @@ pub struct Folder {
     path: PathBuf,
     replace: bool,
     next: u32,
+    text: Option<String>,
 }
 
 impl Folder {
@@ -33,6 +34,7 @@ impl Folder {
             path: path.to_owned(),
             replace,
             next: header.first,
+            text: header.text,
         };
         // A film that would end at a file begins with none.
         for number in header.first..header.first.saturating_add(header.count) {
@@ -51,7 +53,7 @@ impl Encoder for Folder {
     fn add(&mut self, picture: &Picture) -> Result<(), Error> {
         let output = self.output(self.next)?;
         self.next += 1;
-        output.write(&picture.png()?)
+        output.write(&picture.png(self.text.as_deref())?)
     }
 
     fn finish(self: Box<Self>) -> Result<(), Error> {
@@ -64,6 +66,7 @@ pub struct Archive {
     output: Output,
     zip: ZipWriter<Cursor<Vec<u8>>>,
     next: u32,
+    text: Option<String>,
 }
 
 impl Archive {
@@ -72,13 +75,14 @@ impl Archive {
             output,
             zip: ZipWriter::new(Cursor::default()),
             next: header.first,
+            text: header.text,
         }
     }
 }
 
 impl Encoder for Archive {
     fn add(&mut self, picture: &Picture) -> Result<(), Error> {
-        let png = picture.png()?;
+        let png = picture.png(self.text.as_deref())?;
         // A PNG is compressed already.
         let options = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
         let started = self.zip.start_file(name(self.next), options);

@@ -46,7 +46,7 @@ pub struct Ffmpeg {
 }
 
 /// The arguments: a list, which no shell reads.
-fn arguments(format: Format, header: Header, part: &Path, sound: Option<&Path>) -> Vec<OsString> {
+fn arguments(format: Format, header: &Header, part: &Path, sound: Option<&Path>) -> Vec<OsString> {
     let [width, height] = header.size;
     let rate = format!("{}/{}", header.rate.pictures, header.rate.seconds);
     let size = format!("{width}x{height}");
@@ -80,6 +80,8 @@ fn arguments(format: Format, header: Header, part: &Path, sound: Option<&Path>) 
         name
     };
     let sound = sound.map(|path| [words("-i"), vec![file(path)]].concat());
+    let text = header.text.iter();
+    let text = text.flat_map(|text| ["-metadata".into(), format!("comment={text}").into()]);
     [
         words(&input),
         sound.unwrap_or_default(),
@@ -87,6 +89,7 @@ fn arguments(format: Format, header: Header, part: &Path, sound: Option<&Path>) 
         words(codec),
         words(audio),
         words(exact),
+        text.collect(),
         vec![file(part)],
     ]
     .concat()
@@ -117,7 +120,7 @@ impl Ffmpeg {
         }
         let heard_path = sound.is_some().then_some(&*heard);
         let mut child = Command::new(PROGRAM)
-            .args(arguments(format, header, &part, heard_path))
+            .args(arguments(format, &header, &part, heard_path))
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
             .stderr(Stdio::piped())

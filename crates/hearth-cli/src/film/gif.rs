@@ -1,7 +1,7 @@
 //! Animated GIF: one palette of all pictures, and an ordered dither, which does not crawl from picture to picture as
 //! diffused errors do.
 
-use gif::{DisposalMethod, Encoder as GifEncoder, Frame, Repeat};
+use gif::{DisposalMethod, Encoder as GifEncoder, Extension, Frame, Repeat};
 use quantette::deps::palette::Srgb;
 use quantette::{PaletteSize, Pipeline};
 
@@ -62,6 +62,11 @@ impl Encoder for Gif {
             GifEncoder::new(&mut file, width, height, &palette.colours.concat()).map_err(failed)?;
         if self.header.plays == Plays::Forever {
             encoder.set_repeat(Repeat::Infinite).map_err(failed)?;
+        }
+        if let Some(text) = &self.header.text {
+            let comment = Extension::Comment.into();
+            let written = encoder.write_raw_extension(comment, &[text.as_bytes()]);
+            written.map_err(|error| Error::at("GIF", error))?;
         }
         let time = |number: usize| self.header.rate.ticks(number as u32, PER_SECOND);
         for (number, picture) in self.pictures.iter().enumerate() {

@@ -60,6 +60,33 @@ impl WebP {
     }
 }
 
+/// A file with a text: XMP, whose flag is in the first chunk.
+fn described(mut file: Vec<u8>, text: &str) -> Vec<u8> {
+    const FLAGS: usize = 20;
+    let escaped = text.replace('&', "&amp;").replace('<', "&lt;");
+    let mut chunk = format!(
+        "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\"><rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">\
+         <rdf:Description xmlns:dc=\"http://purl.org/dc/elements/1.1/\"><dc:description>{escaped}</dc:description>\
+         </rdf:Description></rdf:RDF></x:xmpmeta>"
+    )
+    .into_bytes();
+    let length = chunk.len() as u32;
+    if chunk.len() % 2 == 1 {
+        chunk.push(0);
+    }
+    if let Some(flags) = file.get_mut(FLAGS) {
+        *flags |= 4;
+    }
+    file.extend(b"XMP ");
+    file.extend(length.to_le_bytes());
+    file.extend(chunk);
+    let size = (file.len() as u32 - 8).to_le_bytes();
+    file.get_mut(4..8)
+        .into_iter()
+        .for_each(|field| field.copy_from_slice(&size));
+    file
+}
+
 impl Encoder for WebP {
     fn add(&mut self, picture: &Picture) -> Result<(), Error> {
         let time = self.time(self.next);
@@ -72,6 +99,9 @@ impl Encoder for WebP {
     fn finish(self: Box<Self>) -> Result<(), Error> {
         let end = self.time(self.next);
         let file = self.encoder.finalize(end).map_err(failed)?;
-        self.output.write(&file)
+        self.output.write(&match &self.header.text {
+            None => file.to_vec(),
+            Some(text) => described(file.to_vec(), text),
+        })
     }
 }

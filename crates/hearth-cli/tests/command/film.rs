@@ -55,6 +55,91 @@ fn a_part_has_the_pictures_of_the_whole_and_their_numbers() {
 }
 
 #[test]
+fn a_part_from_a_checkpoint_has_the_pictures_and_the_sound_of_the_whole() {
+    let folder = Folder::new("film-checkpoint");
+    // The part begins later than pictures take to forget those before them.
+    let film = |others: &[&str]| {
+        let film = [
+            "film",
+            "torch",
+            "--quality",
+            "low",
+            "--size",
+            "48x32",
+            "--from",
+            "0.5",
+        ];
+        let run = folder.run(&[&film[..], &["--seconds", "2.2", "--fps", "20"], others].concat());
+        assert_eq!((run.code, &*run.errors), (0, ""));
+        run.out
+    };
+    let part = ["--frames", "40..44"];
+    film(&["--frames", "0..40", "--checkpoint", "at.state"]);
+    assert_eq!(folder.names(), ["at.state"]);
+    for format in ["rgba", "wav"] {
+        let out = ["--as", format, "--out", "-"];
+        let whole = film(&[&out[..], &part].concat());
+        let resumed = film(&[&out[..], &part, &["--resume", "at.state"]].concat());
+        assert!(whole == resumed, "{format}");
+    }
+    // A part that draws and resumes writes the state that one from the seed writes.
+    let other = ["--frames", "38..44", "--checkpoint"];
+    film(&[&other[..], &["seed.state"]].concat());
+    let resumed = [
+        "resumed.state",
+        "--resume",
+        "at.state",
+        "--as",
+        "rgba",
+        "--out",
+        "-",
+    ];
+    let run = folder.run(&[
+        "film", "torch", "--resume", "at.state", "--out", "-", "--as", "rgba",
+    ]);
+    run.refuses(&["at.state", "another film", "--size"]);
+    let part = ["--frames", "40..44", "--checkpoint"];
+    film(&[&part[..], &resumed].concat());
+    assert!(folder.read("seed.state") == folder.read("resumed.state"));
+
+    let state = folder.read("at.state");
+    let cheap = [
+        "film",
+        "torch",
+        "--quality",
+        "low",
+        "--size",
+        "48x32",
+        "--from",
+        "0.5",
+        "--seconds",
+        "2.2",
+    ];
+    let resume = [
+        "--fps",
+        "20",
+        "--out",
+        "-",
+        "--as",
+        "rgba",
+        "--resume",
+        "wrong.state",
+    ];
+    let mut changed = state.clone();
+    changed[state.len() / 2] ^= 1;
+    for (bytes, words) in [
+        (&state[..state.len() / 2], &["wrong.state", "damaged"][..]),
+        (&changed, &["damaged"]),
+        (b"no state", &["is no checkpoint"]),
+        (b"HearthCP9.9.9...........", &["another version"]),
+        (&state, &["from 40 on", "first one is 0"]),
+    ] {
+        folder.write("wrong.state", bytes);
+        folder.run(&[&cheap[..], &resume].concat()).refuses(words);
+    }
+}
+
+#[test]
 fn a_film_has_its_seconds_times_its_rate_in_pictures_and_blur_mixes_moments() {
     let folder = Folder::new("film-rate");
     assert_eq!(raw(&folder, &["--fps", "15"]).len(), 48 * 32 * 4 * 3);
@@ -260,6 +345,50 @@ fn the_sound_is_as_long_as_the_film_and_that_of_a_part_is_a_part_of_it() {
     assert_eq!(folder.read("slow.wav").len(), whole.len());
     film(&folder, "a.webp", &["--sound"]).refuses(&["--sound", ".wav"]);
     film(&folder, "c.wav", &["--loop", "--sound"]).refuses(&["--loop"]);
+}
+
+#[test]
+fn a_described_file_has_its_scene_as_a_settings_file_and_the_same_pictures() {
+    let folder = Folder::new("film-described");
+    let described = ["--describe", "--seed", "7", "--set", "wind=0.5"];
+    let settings = r#"{"hearth":3,"values":{"seed":7,"wind":0.5}}"#;
+    let has = |name: &str, text: &str| {
+        let file = folder.read(name);
+        file.windows(text.len()).any(|part| part == text.as_bytes())
+    };
+    for name in ["a.apng", "a.gif", "a.webp", "a.zip"] {
+        let run = film(&folder, name, &described);
+        assert_eq!((run.code, &*run.errors), (0, ""));
+        assert!(has(name, settings), "{name}");
+        film(&folder, name, &["--seed", "7", "--force"]);
+        assert!(!has(name, "wind"), "{name}");
+    }
+    film(
+        &folder,
+        "a.webp",
+        &[&described[..], &["--force", "--lossless"]].concat(),
+    );
+    let file = folder.read("a.webp");
+    let decoder = webp_animation::Decoder::new(&file).expect("a WebP");
+    let pictures: Vec<_> = decoder
+        .into_iter()
+        .map(|frame| frame.data().to_vec())
+        .collect();
+    let alpha = |rgba: &[u8]| rgba.iter().skip(3).step_by(4).copied().collect::<Vec<_>>();
+    let all = raw(&folder, &["--seed", "7", "--set", "wind=0.5"]);
+    assert!(alpha(&pictures.concat()) == alpha(&all));
+    folder.write("again.json", settings.as_bytes());
+    let again = [
+        "again.json",
+        "--quality",
+        "low",
+        "--size",
+        "48x32",
+        "--from",
+        "0.5",
+    ];
+    let out = ["--seconds", "0.2", "--as", "rgba", "--out", "-"];
+    assert!(folder.run(&[&["film"][..], &again, &out].concat()).out == all);
 }
 
 #[cfg(unix)]

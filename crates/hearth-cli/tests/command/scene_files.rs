@@ -161,3 +161,46 @@ fn a_scene_file_that_cannot_be_read_is_named() {
         assert!(run.errors.contains(name), "{}", run.errors);
     }
 }
+
+#[test]
+fn a_link_of_a_page_is_a_scene() {
+    let folder = Folder::new("link");
+    let render = |scene: &str, others: &[&str]| {
+        let cheap = [
+            "--quality",
+            "low",
+            "--size",
+            "48x32",
+            "--at",
+            "0.2",
+            "--out",
+            "-",
+        ];
+        folder.run(&[&["render", scene][..], &cheap, others].concat())
+    };
+    let wanted = render(
+        "torch",
+        &["--set", "fuel_power=150", "--background", "#102030"],
+    )
+    .out;
+    // `pageLink` writes both.
+    let query = "https://example.org/fire/?scene=torch&fuel-power=150&background=%23102030";
+    let fragment = "https://example.org/#fire=eJwNyjEOgCAQBMC_rC0FSGzuMwbxlEQi5AAtCH_XqacjsJMaQFYhCxeuINQkPkDhcbFxAXUcjeOa08sCMotW2Jy_Tknt3v8_GT1rqzHGBzGvGZw";
+    for link in [query, fragment, &fragment[20..], &query[25..]] {
+        let run = render(link, &[]);
+        assert_eq!((run.code, &*run.errors), (0, ""), "{link}");
+        assert!(run.out == wanted, "{link}");
+    }
+    let run = render(&format!("{query}&warm&utm_source=x"), &[]);
+    assert!(run.code == 0 && run.out == wanted);
+    assert!(run.errors.contains("warm, utm_source"), "{}", run.errors);
+    for (link, words) in [
+        ("?scene=bonfire", &["bonfire"][..]),
+        ("?fuel-power=much", &["fuel_power", "much"]),
+        ("?objects=[", &["JSON"]),
+        ("#fire=eJw", &["damaged"]),
+        ("#fire=%%%", &["damaged"]),
+    ] {
+        render(link, &[]).refuses(words);
+    }
+}

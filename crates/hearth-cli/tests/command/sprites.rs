@@ -176,3 +176,16 @@ fn a_sheet_that_cannot_be_is_refused_before_a_fire_burns() {
     folder.run(&large).refuses(&["pixels"]);
     assert_eq!(folder.names(), [""; 0]);
 }
+
+#[cfg(unix)]
+#[test]
+fn a_name_that_is_no_text_is_a_name() {
+    use std::os::unix::ffi::OsStrExt;
+
+    let folder = Folder::new("sprites-name");
+    let name = std::ffi::OsStr::from_bytes(b"fire-\xff.png");
+    let mut command = folder.command(&[&CHEAP[..], &["--atlas", "json", "--out"]].concat());
+    let run = crate::harness::ended(command.arg(name).spawn().expect("the command"));
+    assert_eq!((run.code, &*run.errors), (0, ""));
+    assert!(folder.0.join(name).exists());
+}

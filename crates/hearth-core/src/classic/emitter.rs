@@ -55,6 +55,8 @@ pub(crate) struct Emitter {
     near: Vec<Vec2>,
 }
 
+crate::state! { Emitter: backlog along; near }
+
 impl Emitter {
     /// The births that are due at `time`, `passed` seconds after the last ones.
     pub fn due(&mut self, values: &SceneSource<'_>, passed: f32, time: f64) -> f32 {

@@ -72,6 +72,8 @@ pub(crate) struct Motion {
     pub speed_limited: u32,
 }
 
+crate::state! { Motion: max_speed max_acceleration speed_limited }
+
 /// Selects the position of a motion.
 const POSITION: Lanes = Lanes::new([1.0, 1.0, 0.0, 0.0]);
 

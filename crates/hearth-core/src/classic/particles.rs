@@ -66,6 +66,11 @@ pub(crate) struct Particles {
     scratch: Vec<ParticleState>,
 }
 
+crate::state! {
+    ParticleState: motion temperature age lifetime density pressure id,
+    Particles: states next_id; scratch
+}
+
 impl Deref for Particles {
     type Target = [ParticleState];
 

@@ -37,6 +37,8 @@ pub(super) struct Domain {
     air_temperature: f32,
 }
 
+crate::state! { Domain: open seen discretisation air_temperature }
+
 impl Domain {
     /// The domain of these values, with nothing seen beyond the domain.
     pub fn new(values: &Physics) -> Domain {

@@ -42,6 +42,8 @@ pub(crate) struct Fires {
     are_several: bool,
 }
 
+crate::state! { FirePart: low high power fire length, Fires: parts are_several }
+
 impl Fires {
     /// Finds the fires of the sources and of the solids that burn.
     pub fn find(&mut self, scene: &Scene, solids: &Solids, fuels: Option<&Fuels>) {

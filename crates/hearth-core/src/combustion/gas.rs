@@ -74,6 +74,11 @@ pub(crate) struct Gas {
     scratch: Scratch,
 }
 
+crate::state! {
+    Gas: position velocity state id next_id mass missing acceleration change expansion number_density volume
+        pressure concentration_gradient roll_viscosity burn; scratch
+}
+
 /// The body for each array with a value per particle.
 macro_rules! for_each_array {
     ($gas:expr, $array:ident => $body:expr) => {{

@@ -28,6 +28,8 @@ pub(super) struct Obstacles {
     pub removed: RemovedGas,
 }
 
+crate::state! { Obstacles: solids walls removed }
+
 impl Obstacles {
     /// Adds the pressure, friction and heat of the walls to the rates of the gas.
     pub fn resist(&mut self, gas: &mut Gas, context: &Context) {

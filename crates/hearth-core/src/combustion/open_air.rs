@@ -65,6 +65,8 @@ pub(super) struct OpenAir {
     kept: f32,
 }
 
+crate::state! { OpenAir: map awake exchange rim spacing capacity steps since_exchange since_map kept }
+
 impl OpenAir {
     /// The air of these values; `None` with periodic edges.
     pub fn new(values: &Physics, seen: Option<Seen>) -> Option<Box<OpenAir>> {

@@ -22,6 +22,8 @@ pub(super) struct Reaction {
     burner_particles: Vec<BurnerParticle>,
 }
 
+crate::state! { Reaction: embers power preheat; burner_particles }
+
 impl Reaction {
     /// Makes room for so many particles at a burner.
     pub fn reserve(&mut self, particles: usize) {

@@ -75,6 +75,8 @@ pub struct Surface {
     pub field: Option<Arc<Field>>,
 }
 
+crate::state! { RoundedBox: centre axis half radius, Surface: frame field }
+
 impl Surface {
     /// The distance of a point from the surface \[m\], negative inside, and the unit normal
     /// there, outward.

@@ -97,6 +97,8 @@ pub struct Pose {
     pub frame: RoundedBox,
 }
 
+crate::state! { Drive: place path frequency spin, Pose: id frame }
+
 /// The angle of a number of turns \[°\], less than one.
 fn degrees(turns: f64) -> f32 {
     (360.0 * (turns - turns.floor())) as f32

@@ -62,6 +62,8 @@ pub struct Field {
     step: Vec2,
 }
 
+crate::state! { Field: middle half columns rows distances depth round step }
+
 impl Field {
     /// The field of a solid that has one.
     fn of(solid: &Solid) -> Field {

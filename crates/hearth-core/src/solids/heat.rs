@@ -43,6 +43,8 @@ pub(super) struct Store {
     pub inflow: Inflow,
 }
 
+crate::state! { Inflow: conductance heat, Store: first capacity circumference inflow }
+
 impl Store {
     pub fn of(solid: &Solid, surface: &Surface) -> Store {
         let (area, circumference) = surface.measures();

@@ -48,6 +48,8 @@ pub(super) struct Air {
     length: f64,
 }
 
+crate::state! { Levels: steam jet flutter flaps, Air: rate steam jet flutter levels strike flap strength length }
+
 impl Air {
     pub fn new(rate: f64) -> Air {
         let band = |[low, high]: [f64; 2]| {

@@ -85,6 +85,13 @@ pub(super) struct Breaking {
     pub pan: f64,
 }
 
+crate::state! {
+    Mode: past turn loss,
+    Snap: modes fracture left sides,
+    Breaking: rate load pan,
+    Cracks: rate expected next due piece fracture_decay snaps
+}
+
 impl Cracks {
     pub fn new(rate: f64, random: &mut Random) -> Cracks {
         Cracks {

@@ -9,6 +9,8 @@ pub(super) struct Filter {
     past: [f64; 2],
 }
 
+crate::state! { Filter: coefficients past }
+
 /// The coefficients b0, b1, b2, a1, a2, with a0 = 1.
 pub(super) type Coefficients = [f64; 5];
 

@@ -40,6 +40,8 @@ pub(super) struct Roar {
     scale: f64,
 }
 
+crate::state! { Roar: rate cutoff low octave noise gain level mean scale }
+
 impl Roar {
     pub fn new(rate: f64) -> Roar {
         let mut roar = Roar {

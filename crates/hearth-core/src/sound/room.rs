@@ -25,6 +25,8 @@ struct Line {
     damped: f64,
 }
 
+crate::state! { Line: samples at gain damped, Room: lines }
+
 impl Room {
     pub fn new(rate: f64) -> Room {
         let line = |seconds: f64| Line {

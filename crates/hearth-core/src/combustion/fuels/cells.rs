@@ -147,6 +147,13 @@ pub(super) struct Account {
     pub starved: bool,
 }
 
+crate::state! {
+    Cell: temperature first fuel water char length normal vent received pilot waiting is_apart,
+    Burning: id object material fuel load moisture shape spacing whole origin is_broken unbroken columns rows
+        half side cells first_beside left stood account,
+    Account: gas steam oxidised fallen gained lost exchanged flames power oxygen lit starved
+}
+
 impl Burning {
     /// The cells of a solid; `None` if it has no fuel.
     pub fn new(

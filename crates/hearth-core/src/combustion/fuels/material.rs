@@ -9,7 +9,8 @@
 //! | char | Ragland et al. 1991 | Drysdale 2011, 5.2.2: cellulose | ASTM D388: fixed carbon | none | as paper |
 //! | ash | Ragland et al. 1991 | Ragland et al. 1991: with filler | ASTM D388 | none | as paper |
 
-use crate::params::Fuel;
+use crate::params::{Choice, Fuel};
+use crate::state::{Bytes, State};
 
 /// Heat of combustion of char [kJ/kg]: that of carbon (Drysdale 2011, table 1.13).
 pub(super) const CHAR_HEAT: f32 = 32_800.0;
@@ -82,6 +83,19 @@ const CLOTH: Material = Material {
     char: 0.13,
     ash: 0.01,
 };
+
+/// A material is written as the first fuel that has it.
+impl State for &'static Material {
+    fn save(&self, out: &mut Vec<u8>) {
+        let mut fuels = Fuel::VALUES.iter();
+        let fuel = fuels.find(|fuel| Material::of(**fuel) == Some(*self));
+        fuel.copied().unwrap_or(Fuel::None).save(out);
+    }
+
+    fn load(bytes: &mut Bytes<'_>) -> Option<&'static Material> {
+        Material::of(Fuel::load(bytes)?)
+    }
+}
 
 impl Material {
     /// The numbers of a fuel; `None` for none.

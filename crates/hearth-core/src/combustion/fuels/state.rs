@@ -58,6 +58,12 @@ pub(super) struct AdjacentGas {
     pub(super) flame: f32,
 }
 
+crate::state! {
+    Block: power moment,
+    Fuels: all beside blocks views steps since power film; touches,
+    AdjacentGas: conductance heat oxygen weight convection temperature carried fuel taken burnt flame
+}
+
 /// The place of a cell that does not exist.
 pub(super) const NOTHING: u32 = u32::MAX;
 

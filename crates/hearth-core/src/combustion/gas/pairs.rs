@@ -29,6 +29,8 @@ pub(crate) struct Pairs {
     pub rolls: Rolls,
 }
 
+crate::state! { Pairs: rolls; grid neighbours number_density interactions vorticity_confinement }
+
 impl Pairs {
     /// Makes room for so many particles within `bounds`, with kernels of this support radius \[m\].
     pub fn reserve(&mut self, particles: usize, bounds: &Bounds, support: f32) {

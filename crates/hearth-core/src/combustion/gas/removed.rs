@@ -10,3 +10,5 @@ pub struct RemovedGas {
     /// Their heat, relative to air [kJ/m].
     pub heat: f64,
 }
+
+crate::state! { RemovedGas: particles mass heat }

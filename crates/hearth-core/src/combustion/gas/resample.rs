@@ -20,6 +20,7 @@ use crate::kernel::Kernel;
 use crate::params::{Edges, Parameters, Physics};
 use crate::random::Random;
 use crate::solids::Solids;
+use crate::state;
 
 /// Points of the lattice per particle of cold air, for compressed gas.
 const OVERSAMPLING: f32 = 1.04;
@@ -42,6 +43,32 @@ pub(crate) enum Discretisation {
     },
     /// Particles of air have this spacing \[m\].
     Open { spacing: f32 },
+}
+
+impl state::State for Discretisation {
+    fn save(&self, out: &mut Vec<u8>) {
+        let numbers = match *self {
+            Discretisation::Open { spacing } => (None, [spacing, 0.0]),
+            Discretisation::Periodic {
+                width,
+                height,
+                particles,
+            } => (Some(particles), [width, height]),
+        };
+        numbers.save(out);
+    }
+
+    fn load(bytes: &mut state::Bytes<'_>) -> Option<Discretisation> {
+        let (particles, [width, height]) = state::State::load(bytes)?;
+        Some(match particles {
+            None => Discretisation::Open { spacing: width },
+            Some(particles) => Discretisation::Periodic {
+                width,
+                height,
+                particles,
+            },
+        })
+    }
 }
 
 impl Discretisation {

@@ -115,6 +115,8 @@ pub(crate) struct Rolls {
     left: u32,
 }
 
+crate::state! { Rolls: left; blocks }
+
 impl Rolls {
     /// Makes room for so many blocks of particles.
     pub fn reserve(&mut self, blocks: usize) {

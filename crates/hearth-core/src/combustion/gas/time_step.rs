@@ -57,6 +57,8 @@ pub(crate) struct Motion {
     pub length: f32,
 }
 
+crate::state! { Motion: max_speed speed_limited clamped_shifts length }
+
 /// The longest stable step \[s\] for the accelerations of the gas. `sound` is its speed in the air: in gas
 /// that takes θ times the room of air, sound is √θ times as fast, because p = c₀² (Y − Ȳ) and ρ = Y/θ.
 pub(crate) fn max_stable_step(gas: &Gas, context: &Context) -> f32 {

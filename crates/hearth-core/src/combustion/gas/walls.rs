@@ -72,6 +72,8 @@ pub(crate) struct Walls {
     thin: Vec<u32>,
 }
 
+crate::state! { Walls:; near thin }
+
 impl Walls {
     /// Makes room for so many particles near walls.
     pub fn reserve(&mut self, count: usize) {

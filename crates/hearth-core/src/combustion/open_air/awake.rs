@@ -44,6 +44,8 @@ pub(super) struct Awake {
     pub asleep: f32,
 }
 
+crate::state! { Awake: distance ceiling asleep }
+
 /// A rectangle that is awake: a source \[m\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rectangle {

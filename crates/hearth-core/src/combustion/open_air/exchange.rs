@@ -81,6 +81,8 @@ pub(super) struct Exchange {
     blown: f32,
 }
 
+crate::state! { Exchange: blown; next nearby }
+
 /// The air that enters.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Inflow<'a> {

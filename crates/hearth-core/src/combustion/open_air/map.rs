@@ -198,6 +198,12 @@ pub(super) struct Map {
     pub depth: Vec<f32>,
 }
 
+crate::state! {
+    Layout: cell per_metre columns rows left bottom floor,
+    Cell: remaining inside fresh outward flow first count momentum,
+    Map: layout cells depth
+}
+
 impl Map {
     /// A map without gas.
     pub fn new(layout: Layout) -> Map {

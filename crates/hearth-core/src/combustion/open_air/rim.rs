@@ -40,6 +40,8 @@ pub(super) struct Rim {
     near: Vec<Near>,
 }
 
+crate::state! { Rim:; near }
+
 impl Rim {
     pub fn new(capacity: usize) -> Rim {
         Rim {

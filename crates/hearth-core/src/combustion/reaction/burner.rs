@@ -59,6 +59,8 @@ pub struct Burner {
     highest: f32,
 }
 
+crate::state! { Burner: middle half_width bottom top left right axis highest }
+
 impl Burner {
     /// The burner of these parameters, clamped to the domain, between the seams of periodic
     /// edges, and to a minimum width.

@@ -70,6 +70,8 @@ pub(crate) struct Embers {
     pub popped: f64,
 }
 
+crate::state! { Ember: position velocity temperature size age lifetime, Embers: alive backlog thrown popped }
+
 impl Embers {
     /// Embers from a list.
     pub fn of(alive: Vec<Ember>) -> Embers {

@@ -47,6 +47,8 @@ pub(super) struct Bed {
     due: f32,
 }
 
+crate::state! { Bed: water full burner solid centre due }
+
 impl Bed {
     /// Follows a source. One of another size is another source. Returns the water that it does not take
     /// over [kg/m].

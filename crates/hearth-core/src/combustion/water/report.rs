@@ -47,6 +47,11 @@ pub struct SprayTotals {
     pub solid_heat: f64,
 }
 
+crate::state! {
+    Droplets: position velocity temperature diameter mass first waits,
+    SprayTotals: sprayed flying evaporated boiled soaked held run_off heat solid_heat
+}
+
 /// The error of spraying water where no gas burns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SprayError;

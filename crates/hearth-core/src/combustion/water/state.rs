@@ -19,6 +19,8 @@ pub(crate) struct Water {
     pub(super) near: Vec<(usize, f32)>,
 }
 
+crate::state! { Water: parcels beds steam account rounding height; near }
+
 impl Water {
     /// The droplets in the air.
     pub(crate) fn droplets(&self) -> &[Droplets] {

@@ -47,6 +47,8 @@ pub(super) struct Steam {
     due: f32,
 }
 
+crate::state! { Puff: position age life width condensed, Steam: puffs due }
+
 impl Steam {
     /// Makes room for all puffs.
     pub fn reserve(&mut self) {

@@ -152,6 +152,12 @@ pub(super) struct Rigid {
     pub root: usize,
 }
 
+crate::state! {
+    Rigid: id object is_free start first hangs_from hinged is_torn surface samples centre offset middle velocity
+        spin full least air share inverse_mass inverse_inertia weight friction restitution still asleep touches
+        pushed root
+}
+
 impl Rigid {
     /// A solid of a scene at its place.
     pub fn of(id: u32, solid: &Solid, surface: &Surface, values: &Physics) -> Rigid {

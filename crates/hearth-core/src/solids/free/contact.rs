@@ -43,6 +43,13 @@ pub(super) struct Pair {
     pub arms: [Vec2; 2],
 }
 
+crate::state! {
+    Plane: normal offset,
+    Contact: key first second normal arms gap impulse along most normal_mass along_mass friction restitution
+        approach,
+    Pair: bodies arms
+}
+
 impl Contact {
     /// The bodies, and where the impulse acts.
     pub fn pair(&self) -> Pair {

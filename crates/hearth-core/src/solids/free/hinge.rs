@@ -34,6 +34,8 @@ pub(super) struct End {
     pub at: Vec2,
 }
 
+crate::state! { Hinge: ends is_broken pair is_live error impulse inverse, End: object part at }
+
 impl Hinge {
     /// The hinge of a body and the solid that it hangs from, as they are at their start.
     pub fn of(hanging: &Rigid, support: &Rigid) -> Hinge {

@@ -34,6 +34,8 @@ pub(super) struct Samples {
     count: usize,
 }
 
+crate::state! { Sample: at radius, Samples: all count }
+
 impl Samples {
     /// Those of a surface.
     pub fn of(surface: &Surface) -> Samples {

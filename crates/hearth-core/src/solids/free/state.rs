@@ -26,3 +26,5 @@ pub(crate) struct FreeBodies {
     /// How many parts have broken off.
     pub(super) parts: u32,
 }
+
+crate::state! { FreeBodies: all contacts old hinges planes bounds gravity length ahead time parts }

@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { Picture } from '../e2e/picture.mjs';
 import { compare } from './compare.mjs';
-import { encode, sheet } from './sheet.mjs';
+import { coarse, encode, sheet } from './sheet.mjs';
 import { GOLDENS } from './painter.mjs';
 
 /** @typedef {import('./painter.mjs').PictureRequest} PictureRequest */
@@ -58,13 +58,17 @@ export async function requests(painter) {
   return { ...all, ...VARIANTS };
 }
 
-/** A picture as wide as its fire, and not much wider. @param {Painter} painter @param {PictureRequest} request */
+/**
+ * A picture as wide as its fire, and not much wider, in the few colours that are kept: rounding shifts a picture of
+ * flat colours, so both sides of a comparison are rounded.
+ * @param {Painter} painter @param {PictureRequest} request
+ */
 export async function drawn(painter, request) {
   const { domain_width, domain_height, display_mode } = await painter.ask('values', request);
   const share = Math.min(Math.max((1.15 * Number(domain_width)) / Number(domain_height), 0.4), 1.5);
   const pixels = DISCS.includes(display_mode) ? PIXELS.discs : PIXELS.most;
   const size = [share, 1].map((side) => 2 * Math.round((side * Math.sqrt(pixels / share)) / 2));
-  return sheet(await painter.still({ ...request, width: size[0], height: size[1] }));
+  return coarse(sheet(await painter.still({ ...request, width: size[0], height: size[1] })));
 }
 
 /** @param {string} name */

@@ -5,7 +5,7 @@
 import { readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { drawn, file, requests } from './goldens.mjs';
-import { coarse, encode } from './sheet.mjs';
+import { encode } from './sheet.mjs';
 import { GOLDENS, Painter, named } from './painter.mjs';
 
 /** Most bytes of one picture, and of all that lies in the folder. */
@@ -17,7 +17,7 @@ const all = await requests(painter);
 try {
   const wanted = named(Object.keys(all), begins, 'picture');
   for (const name of wanted) {
-    const png = encode(coarse(await drawn(painter, all[name])));
+    const png = encode(await drawn(painter, all[name]));
     if (png.length > LARGEST) throw new Error(`${name}.png takes ${png.length} bytes, more than ${LARGEST}`);
     writeFileSync(file(name), png);
     console.log(`${name}.png: ${(png.length / 1000).toFixed(1)} KB`);

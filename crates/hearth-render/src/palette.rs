@@ -17,8 +17,9 @@ const HOT_KELVIN: f32 = 1900.0;
 /// saturates to one half.
 const PALE_SHARES: [f32; 2] = [0.35, 0.65];
 const PALE_HALF: f32 = 0.03;
-/// Temperature whose hue is that of the light as a whole \[K\].
-const GLOW_KELVIN: f32 = 1700.0;
+/// Temperature whose hue is that of the light as a whole \[K\]: the mean of displayed light, in which dim gas counts more
+/// than in the sum of radiances.
+const GLOW_KELVIN: f32 = 1600.0;
 /// Colour to which overexposed soot pales, linear.
 const PALE_SOOT: [f32; 3] = [1.0, 0.92, 0.66];
 
@@ -215,7 +216,7 @@ mod tests {
             assert_eq!(parameters.set("palette", Input::Text(palette)), Ok(()));
             Tint::of(&parameters)
         };
-        assert_eq!(balanced("blackbody", 6500.0).glow(), [255, 119, 0]);
+        assert_eq!(balanced("blackbody", 6500.0).glow(), [255, 111, 0]);
         let [_, _, blue] = balanced("blackbody", 2600.0).glow();
         assert!(blue > 60, "{blue}");
         for palette in ["gas", "copper", "lithium", "ghost", "custom"] {

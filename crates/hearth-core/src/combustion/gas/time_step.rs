@@ -102,18 +102,18 @@ impl Motion {
     /// Accelerates every particle.
     pub fn accelerate(&mut self, gas: &mut Gas, sound: f32, dt: f32) {
         let limit = SPEED_LIMIT * sound;
-        let (mut max_speed, mut speed_limited) = (0.0, 0);
+        let (mut fastest, mut speed_limited) = (0.0, 0);
         let accelerations = gas.acceleration.iter().zip(&gas.pressing);
         for (velocity, (acceleration, pressing)) in gas.velocity.iter_mut().zip(accelerations) {
             *velocity += (*acceleration + *pressing) * dt;
-            let speed = velocity.length();
-            if speed > limit {
-                *velocity *= limit / speed;
+            let square = velocity.length_squared();
+            if square > limit * limit {
+                *velocity *= limit / square.sqrt();
                 speed_limited += 1;
             }
-            max_speed = fast_max(max_speed, fast_min(speed, limit));
+            fastest = fast_max(fastest, square);
         }
-        (self.max_speed, self.speed_limited) = (max_speed, speed_limited);
+        (self.max_speed, self.speed_limited) = (fast_min(fastest.sqrt(), limit), speed_limited);
     }
 
     /// Moves every particle with its new velocity, and shifts it down the concentration gradient.

@@ -19,7 +19,7 @@ use glam::{DVec2, Vec2};
 use hearth_core::Particle;
 
 pub use classic::Classic;
-pub use combustion::Combustion;
+pub use combustion::{Combustion, PARTS};
 
 /// Temperature, fuel, oxygen and soot, each by itself.
 pub type Mixture = [Sum<f64>; 4];

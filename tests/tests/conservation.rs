@@ -141,7 +141,10 @@ fn diffusion_conserves_heat_and_matter_and_creates_no_extremes() {
     let mut left = 1.0;
     for _ in 0..400 {
         gas.step();
-        left /= 1.0 + f64::from(gas.report().length) / 10.0;
+        let report = gas.report();
+        for _ in 0..report.substeps {
+            left /= 1.0 + f64::from(report.length) / f64::from(report.substeps) / 10.0;
+        }
     }
     assert_eq!(gas.report().power, Some(0.0), "it burns");
     for (name, (before, after)) in ["T", "F", "O", "S"]

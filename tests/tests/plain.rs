@@ -12,27 +12,27 @@ use glam::DVec2;
 use hearth_core::params::{Input, Model};
 use hearth_core::random::Random;
 use hearth_core::{Parameters, Particle, Scene, Simulation, Vec2};
-use hearth_tests::plain::{Classic, Combustion, Crowd, Plain, Sum};
+use hearth_tests::plain::{Classic, Combustion, Crowd, PARTS, Plain, Sum};
 
 use scenes::{Case, Spread, case, classic, combustion, corner};
 
-/// Rounding of one part of a step, as a share of the terms that a figure is the sum
+/// Rounding between two searches for neighbours, as a share of the terms that a figure is the sum
 /// of. A number in single precision is exact to 6e-8, a sum of fifty pairs to 1e-6.
 const ROUNDING: f64 = 3e-6;
 /// Rounding of an offset, as a share of the domain: of two places, each of which may
 /// have been scaled and moved beyond an edge, and a number is exact to 6e-8.
 const PLACING: f64 = 2.5e-7;
-/// After more parts than this nothing would be left to compare.
-const MOST_PARTS: u32 = 40;
+/// After more searches than this nothing would be left to compare.
+const MOST_SEARCHES: u32 = 40;
 
-/// What rounding may come to after so many parts. Places are as exact as so large
-/// a domain lets them be, and each part makes more of what the ones before it left: ten
-/// parts leave twenty times as much as one, thirty a hundred times, so the square is on
+/// What rounding may come to after so many searches. Places are as exact as so large
+/// a domain lets them be, and each step makes more of what the ones before it left: ten
+/// leave twenty times as much as one, thirty a hundred times, so the square is on
 /// the safe side.
-fn allowed(parts: u32, parameters: &Parameters) -> f64 {
+fn allowed(searches: u32, parameters: &Parameters) -> f64 {
     let largest = parameters.domain_width.max(parameters.domain_height);
     let placing = PLACING * f64::from(largest / parameters.smoothing_length());
-    (ROUNDING + placing) * f64::from(parts).powi(2)
+    (ROUNDING + placing) * f64::from(searches).powi(2)
 }
 
 /// A plain solver of either model.
@@ -58,6 +58,14 @@ impl Oracle {
 
     /// Into how many parts it divided the last step.
     fn parts(&self) -> u32 {
+        match self {
+            Oracle::Classic(classic) => classic.substeps,
+            Oracle::Combustion(_) => PARTS,
+        }
+    }
+
+    /// How often it searched for neighbours in the last step.
+    fn searches(&self) -> u32 {
         match self {
             Oracle::Classic(classic) => classic.substeps,
             Oracle::Combustion(_) => 1,
@@ -90,8 +98,8 @@ impl Oracle {
 struct Difference<'a> {
     scene: &'a str,
     step: u32,
-    /// Parts of steps since both were the same.
-    parts: u32,
+    /// Searches for neighbours since both were the same.
+    searches: u32,
     allowed: f64,
 }
 
@@ -147,7 +155,7 @@ impl Difference<'_> {
 
         let report = fire.report();
         assert_eq!(report.substeps, oracle.parts(), "{}", self.scene);
-        if self.parts == 1 {
+        if self.searches == 1 {
             self.count(fire, oracle);
         }
         if let Oracle::Combustion(gas) = oracle {
@@ -214,25 +222,25 @@ fn agree(case: &Case, steps: u32) {
     let mut fire = Simulation::new(case.scene.clone());
     assert_eq!(fire.set_particles(&case.particles), Ok(()), "{name}");
     let (mut beside, mut alone) = (Oracle::new(case), Oracle::new(case));
-    let mut parts = 0;
+    let mut searches = 0;
     for step in 1..=steps {
         fire.step();
-        let compare = |oracle: &Oracle, parts: u32| {
-            let allowed = allowed(parts, case.scene.world());
+        let compare = |oracle: &Oracle, searches: u32| {
+            let allowed = allowed(searches, case.scene.world());
             let difference = Difference {
                 scene: name,
                 step,
-                parts,
+                searches,
                 allowed,
             };
             difference.look(&fire, oracle);
         };
         beside.step(&case.scene);
-        compare(&beside, beside.parts());
-        parts += beside.parts();
-        if parts <= MOST_PARTS {
+        compare(&beside, beside.searches());
+        searches += beside.searches();
+        if searches <= MOST_SEARCHES {
             alone.step(&case.scene);
-            compare(&alone, parts);
+            compare(&alone, searches);
         }
         // Where most have left, others would be born.
         if fire.count() < case.particles.len() / 2 {

@@ -80,7 +80,11 @@ fn solids_dry_and_char_by_what_they_lose() {
         (charred / gas / 0.25 - 1.0).abs() < 1e-3,
         "{charred} for {gas} kg/m"
     );
-    assert_eq!(all.last().map(|step| step.load), Some(12.0));
+    let load = all.last().map(|step| step.load);
+    assert!(
+        load.is_some_and(|load| (load - 12.0).abs() < 1e-5),
+        "{load:?}"
+    );
 }
 
 #[test]

@@ -3,8 +3,8 @@
 //! Fuel flows in, mixes and burns, and the hot gas rises. Nothing is scripted: the taper, flicker
 //! and puffing of the flame follow from the equations. One step is: births and deaths of open air
 //! → neighbour grid → number density and pressure → rolls → pair interactions → vorticity
-//! confinement → body forces → time step → embers → velocity → combustion → burners → seam of a closed
-//! domain → position → water.
+//! confinement → body forces → time step → embers → solids that burn → two [parts](gas::time_step::PARTS) → water.
+//! A part is: pressure where the gas is now → velocity → combustion → burners → seam of a closed domain → position.
 
 mod charred;
 mod domain;
@@ -274,7 +274,7 @@ impl Solver for Combustion {
     fn report(&self, _values: &Physics) -> StepReport {
         let (mean_neighbours, max_neighbours) = self.pairs.mean_and_max_neighbours();
         StepReport {
-            substeps: 1,
+            substeps: time_step::PARTS,
             mean_neighbours,
             max_neighbours,
             speed_limited: self.motion.speed_limited,

@@ -1,7 +1,7 @@
 //! Pair interactions: forces and exchange between two particles within each other's support.
 //!
 //! An interaction is a type in a file of its own that implements [`PairInteraction`].
-//! Each model lists its interactions as one tuple (`combustion/gas/interactions.rs`,
+//! Each model lists its interactions as tuples (`combustion/gas/interactions.rs` and `pressing.rs`,
 //! `classic/interactions.rs`), so the compiler fuses all of them into one loop, in which
 //! the model's `Pair` holds the terms that several of them share.
 
@@ -88,4 +88,3 @@ macro_rules! fused {
     };
 }
 fused!(A B);
-fused!(A B C D);

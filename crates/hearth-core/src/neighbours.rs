@@ -60,8 +60,14 @@ pub(crate) trait PairSum<const N: usize> {
     ) -> Self::Broadcast;
 
     /// The terms that each of the four `others` adds to the sums of `particle`, and the terms that
-    /// `particle` subtracts from the sums of the others.
-    fn pair(&self, particle: &Self::Broadcast, others: &Self::Block) -> ([Lanes; N], [Lanes; N]);
+    /// `particle` subtracts from the sums of the others. `keep` is a factor of every term: 1 in the lanes that
+    /// are pairs, and 0 in the others.
+    fn pair(
+        &self,
+        particle: &Self::Broadcast,
+        others: &Self::Block,
+        keep: Lanes,
+    ) -> ([Lanes; N], [Lanes; N]);
 
     /// The sums of a block.
     fn accumulator(block: &mut Self::Block) -> &mut [Lanes; N];
@@ -231,13 +237,19 @@ impl Neighbours {
         });
     }
 
-    /// Adds `pairs` to the sums of both ends of every pair.
+    /// Adds `pairs` to the sums of both ends of every pair, where the search found the particles: kernels are
+    /// zero beyond their support, so lanes that are no pairs add nothing.
     pub fn sum<const N: usize, P: PairSum<N>>(&self, pairs: &P, blocks: &mut [P::Block]) {
         if self.is_masked {
             self.sum_pairs::<N, P, true>(pairs, blocks);
         } else {
             self.sum_pairs::<N, P, false>(pairs, blocks);
         }
+    }
+
+    /// Adds `pairs` to the sums of both ends of every pair of the search, wherever the particles are now.
+    pub fn sum_of_search<const N: usize, P: PairSum<N>>(&self, pairs: &P, blocks: &mut [P::Block]) {
+        self.sum_pairs::<N, P, true>(pairs, blocks);
     }
 
     fn sum_pairs<const N: usize, P: PairSum<N>, const MASKED: bool>(
@@ -254,12 +266,7 @@ impl Neighbours {
                 let particle =
                     pairs.broadcast(&blocks[block], |of| of.broadcast(lane), -sweep.shift);
                 let others = &mut blocks[entry.number()];
-                let (mut terms, mut theirs) = pairs.pair(&particle, others);
-                if MASKED {
-                    let keep = KEEP[entry.mask()];
-                    terms = terms.map(|term| term * keep);
-                    theirs = theirs.map(|term| term * keep);
-                }
+                let (terms, theirs) = pairs.pair(&particle, others, keep::<MASKED>(entry.mask()));
                 let accumulator = P::accumulator(others);
                 for k in 0..N {
                     added[lane][k] += terms[k];
@@ -268,7 +275,7 @@ impl Neighbours {
             }
             let mut inner = [Lanes::ZERO; N];
             if sweep.own {
-                inner = self.inner_sums(pairs, &blocks[block], sweep);
+                inner = self.inner_sums::<N, P, MASKED>(pairs, &blocks[block], sweep);
             }
             let accumulator = P::accumulator(&mut blocks[block]);
             for (k, sum) in accumulator.iter_mut().enumerate() {
@@ -284,23 +291,18 @@ impl Neighbours {
 
     /// The sums over the pairs within a block. Two rotations cover the six pairs: the block is paired
     /// with itself rotated by one lane, then by two.
-    fn inner_sums<const N: usize, P: PairSum<N>>(
+    fn inner_sums<const N: usize, P: PairSum<N>, const MASKED: bool>(
         &self,
         pairs: &P,
         block: &P::Block,
         sweep: &Sweep,
     ) -> [Lanes; N] {
+        let [keep_next, keep_opposite] = sweep.inner_subsets().map(keep::<MASKED>);
         let next = pairs.broadcast(block, |of| of.rotated(), Vec2::ZERO);
-        let (mut of_next, mut of_each) = pairs.pair(&next, block);
+        let (of_next, of_each) = pairs.pair(&next, block, keep_next);
         let opposite = pairs.broadcast(block, |of| of.rotated().rotated(), Vec2::ZERO);
         // A pair of opposite lanes is there twice, and each end takes what it gets.
-        let (_, mut of_opposite) = pairs.pair(&opposite, block);
-        if self.is_masked {
-            let [next, opposite] = sweep.inner_subsets().map(|subset| KEEP[subset]);
-            of_next = of_next.map(|term| term * next);
-            of_each = of_each.map(|term| term * next);
-            of_opposite = of_opposite.map(|term| term * opposite);
-        }
+        let (_, of_opposite) = pairs.pair(&opposite, block, keep_opposite);
         std::array::from_fn(|k| {
             of_next[k].rotated().rotated().rotated() - of_each[k] - of_opposite[k]
         })
@@ -332,6 +334,16 @@ impl Neighbours {
             }
         }
         (sum as f32 / self.particles.max(1) as f32, most)
+    }
+}
+
+/// The factor of the terms of a subset of four particles; without `MASKED`, of every subset.
+#[inline(always)]
+fn keep<const MASKED: bool>(subset: usize) -> Lanes {
+    if MASKED {
+        KEEP[subset]
+    } else {
+        Lanes::splat(1.0)
     }
 }
 

@@ -3,7 +3,7 @@
 /// A report of the last step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepReport {
-    /// Number of substeps; one in the combustion model, whose steps are as long as is stable.
+    /// Number of substeps; two parts in the combustion model, which are as long as is stable.
     pub substeps: u32,
     /// Mean number of neighbours of a particle, within 2h.
     pub mean_neighbours: f32,

@@ -14,7 +14,9 @@ const PRANDTL: f64 = 0.7;
 /// Heat capacity of the gas [kJ/(kg·K)].
 const HEAT_CAPACITY: f64 = 1.0;
 /// Steps from one search for rolls to the next.
-const ROLL_STEPS: u32 = 8;
+const ROLL_STEPS: u32 = 4;
+/// Parts of a step. Each has its own pressure; the pairs are those of the start of the step.
+pub const PARTS: u32 = 2;
 /// Longest step \[s\].
 const LONGEST: f64 = 1.0 / 60.0;
 /// What drives the strongest fire for which the parameter is the speed of sound.
@@ -27,7 +29,7 @@ pub struct Combustion {
     pub particles: Vec<Plain>,
     /// The neighbours that each particle had.
     pub crowd: Crowd,
-    /// Viscosity of the roll around each particle [m²/s], found in each eighth step.
+    /// Viscosity of the roll around each particle [m²/s], found in each fourth step.
     rolls: Vec<Sum<f64>>,
     steps: u32,
     /// Length of the last step \[s\].
@@ -85,9 +87,10 @@ impl Combustion {
         let scene = &self.at_limit(scene);
         let common = Common::new(scene, self.particles.len());
         let reach = common.kernel.support();
-        let near = common.domain.neighbours(&self.particles, reach);
+        let mut near = common.domain.neighbours(&self.particles, reach);
         self.crowd = Domain::crowd(&near, reach);
-        self.fill(&common, &near);
+        self.keep_pairs(&mut near, &common);
+        let mean = self.fill(&common, &near, None);
         if self.steps.is_multiple_of(ROLL_STEPS) {
             self.rolls = (0..near.len())
                 .map(|i| self.roll(i, &common, &near[i]))
@@ -101,18 +104,55 @@ impl Combustion {
             .collect();
         self.confine(&common, &near, &mut rates);
         self.add_body_forces(common.p, &mut rates);
-        let dt = self.max_stable_step(&common, &rates);
-
-        let max_speed = self.accelerate(&common, &rates, dt);
-        self.power = self.react(&common, &rates, dt).times(1.0 / dt);
-        self.preheat = self.feed(&common, dt).times(1.0 / dt);
-        self.relax_to_air(&common, dt);
-        self.advance(&common, &rates, max_speed, dt);
-        self.length = dt;
+        let start: Vec<DVec2> = self.particles.iter().map(|q| q.position.value).collect();
+        let mut pressed = self.pressed(&common, &near, &rates);
+        let dt = self.max_stable_part(&common, &pressed);
+        (self.power, self.preheat) = Default::default();
+        let share = 1.0 / (f64::from(PARTS) * dt);
+        for part in 0..PARTS {
+            if part > 0 {
+                let moved = |i: usize| self.particles[i].position.value - start[i];
+                let near = near.iter().enumerate().map(|(i, near)| {
+                    let follow = |&Neighbour { j, offset }| Neighbour {
+                        j,
+                        offset: offset + moved(i) - moved(j),
+                    };
+                    near.iter().map(follow).collect()
+                });
+                let near: Vec<Vec<Neighbour>> = near.collect();
+                self.fill(&common, &near, Some(mean));
+                pressed = self.pressed(&common, &near, &rates);
+            }
+            let max_speed = self.accelerate(&common, &pressed, dt);
+            let burnt = self.react(&common, &pressed, dt).times(share);
+            self.power.add_sum(burnt);
+            let heated = self.feed(&common, dt).times(share);
+            self.preheat.add_sum(heated);
+            self.relax_to_air(&common, dt);
+            self.advance(&common, &pressed, max_speed, dt);
+        }
+        for particle in &mut self.particles {
+            particle.position.value = common.domain.wrap(particle.position.value);
+        }
+        self.length = f64::from(PARTS) * dt;
     }
 
-    /// Y = Σ m θ W, V = m θ/Y, p = c₀² (Y − Ȳ).
-    fn fill(&mut self, common: &Common, near: &[Vec<Neighbour>]) {
+    /// Removes what is beyond reach: a pair of the start of the step counts wherever its particles move, and any other
+    /// does not. Single precision decides, as in the fast solver.
+    fn keep_pairs(&self, near: &mut [Vec<Neighbour>], common: &Common) {
+        let inverse_h = 1.0 / common.kernel.h as f32;
+        for (here, near) in self.particles.iter().zip(near) {
+            near.retain(|&Neighbour { j, offset }| {
+                let [here, there] = [here, &self.particles[j]].map(|q| q.position.value);
+                let shift = (here - there - offset).as_vec2() * inverse_h;
+                let [here, there] = [here, there].map(|at| at.as_vec2() * inverse_h);
+                (here - shift - there).length_squared() < 4.0
+            });
+        }
+    }
+
+    /// Y = Σ m θ W, V = m θ/Y, p = c₀² (Y − Ȳ). Returns Ȳ, that of the start of the step.
+    fn fill(&mut self, common: &Common, near: &[Vec<Neighbour>], mean: Option<f64>) -> f64 {
         let share = |particle: &Plain| common.mass * common.expansion(particle.temperature());
         let shares: Vec<f64> = self.particles.iter().map(share).collect();
         let kernel = &common.kernel;
@@ -126,7 +166,8 @@ impl Combustion {
                 own * kernel.value(0.0) + others.sum::<f64>()
             })
             .collect();
-        let mean = number_densities.iter().sum::<f64>() / number_densities.len() as f64;
+        let own = number_densities.iter().sum::<f64>() / number_densities.len() as f64;
+        let mean = mean.unwrap_or(own);
         let square = common.sound * common.sound;
         for ((particle, number_density), share) in
             self.particles.iter_mut().zip(number_densities).zip(shares)
@@ -137,9 +178,10 @@ impl Combustion {
                 size: square * (number_density + mean),
             };
         }
+        mean
     }
 
-    /// Pressure, the three viscosities, diffusion and concentration_gradient.
+    /// The viscosities of the gas and of its eddies, and diffusion.
     fn exchanged(&self, i: usize, common: &Common, near: &[Neighbour]) -> Rates {
         let (p, mass, h) = (common.p, common.mass, common.kernel.h);
         let here = &self.particles[i];
@@ -147,20 +189,12 @@ impl Combustion {
         for &Neighbour { j, offset } in near {
             let there = &self.particles[j];
             let (v_i, v_j) = (mass / here.density.value, mass / there.density.value);
-            let gradient = common.kernel.gradient(offset);
             let apart = here.velocity.value - there.velocity.value;
             let mean_density = 2.0 * mass / (v_i + v_j);
             let mut eddies = Sum::new(f64::from(p.eddy_viscosity).powi(2) * h * apart.length());
             eddies.add_sum(self.rolls[i].times(0.5));
             eddies.add_sum(self.rolls[j].times(0.5));
 
-            // m a = − Vᵢ Vⱼ (pᵢ + pⱼ) ∇W
-            let mut pressures = here.pressure;
-            pressures.add_sum(there.pressure);
-            rates.acceleration.add_sum(Sum {
-                value: gradient * (-v_i * v_j * pressures.value / mass),
-                size: gradient.length() * v_i * v_j * pressures.size / mass,
-            });
             // m a = 2 Vᵢ Vⱼ ρ̄ (ν + ν_t) vᵢⱼ (r·∇W)/(r² + 0.01 h²)
             let spread = 2.0 * v_i * v_j * mean_density * common.kernel.brookshaw(offset) / mass;
             let viscosity = f64::from(p.kinematic_viscosity);
@@ -168,13 +202,6 @@ impl Combustion {
                 value: apart * (spread * (viscosity + eddies.value)),
                 size: (apart * (spread * (viscosity + eddies.size))).length(),
             });
-            // m a = Vᵢ Vⱼ ρ̄ α c₀ μ ∇W, μ = h vᵢⱼ·r/(r² + 0.01 h²), where they approach
-            let approach = apart.dot(offset).min(0.0);
-            let mu = h * approach / (offset.length_squared() + 0.01 * h * h);
-            let alpha = f64::from(p.artificial_viscosity);
-            let damped = v_i * v_j * mean_density * alpha * common.sound * mu / mass;
-            rates.acceleration.add(gradient * damped);
-
             // m φ̇ = 2 Vᵢ Vⱼ ρ̄ (D₀ + ν_t/Pr) φᵢⱼ (r·∇W)/(r² + 0.01 h²)
             let mut diffusivity = Sum::new(f64::from(p.diffusion));
             diffusivity.add_sum(eddies.times(1.0 / PRANDTL));
@@ -183,9 +210,39 @@ impl Combustion {
                 let mixed = diffusivity.times(spread * difference);
                 change.add_sum(mixed);
             }
-            rates.concentration_gradient.add(gradient * v_j);
         }
         rates
+    }
+
+    /// All rates: pressure, artificial viscosity and concentration gradient besides those of the start of the step.
+    fn pressed(&self, common: &Common, near: &[Vec<Neighbour>], steady: &[Rates]) -> Vec<Rates> {
+        let (p, mass, h) = (common.p, common.mass, common.kernel.h);
+        let mut all = steady.to_vec();
+        for ((here, near), rates) in self.particles.iter().zip(near).zip(&mut all) {
+            for &Neighbour { j, offset } in near {
+                let there = &self.particles[j];
+                let (v_i, v_j) = (mass / here.density.value, mass / there.density.value);
+                let gradient = common.kernel.gradient(offset);
+                let apart = here.velocity.value - there.velocity.value;
+                let mean_density = 2.0 * mass / (v_i + v_j);
+
+                // m a = − Vᵢ Vⱼ (pᵢ + pⱼ) ∇W
+                let mut pressures = here.pressure;
+                pressures.add_sum(there.pressure);
+                rates.acceleration.add_sum(Sum {
+                    value: gradient * (-v_i * v_j * pressures.value / mass),
+                    size: gradient.length() * v_i * v_j * pressures.size / mass,
+                });
+                // m a = Vᵢ Vⱼ ρ̄ α c₀ μ ∇W, μ = h vᵢⱼ·r/(r² + 0.01 h²), where they approach
+                let approach = apart.dot(offset).min(0.0);
+                let mu = h * approach / (offset.length_squared() + 0.01 * h * h);
+                let alpha = f64::from(p.artificial_viscosity);
+                let damped = v_i * v_j * mean_density * alpha * common.sound * mu / mass;
+                rates.acceleration.add(gradient * damped);
+                rates.concentration_gradient.add(gradient * v_j);
+            }
+        }
+        all
     }
 
     /// max(l² (|ω| − ½ √(b g/D*)) (ω² − s²)/(ω² + s²) − ν, 0), l² = (C D*)² − (2.5 C_s h)².
@@ -222,7 +279,7 @@ impl Combustion {
         let share = (turn * turn - strain * strain) / (turn * turn + strain * strain);
         let viscosity = square * rate * share - f64::from(p.kinematic_viscosity);
         Sum {
-            value: viscosity.clamp(0.0, 0.1 * h * common.sound),
+            value: viscosity.clamp(0.0, 0.085 * h * common.sound),
             size: square * size,
         }
     }
@@ -295,8 +352,8 @@ impl Combustion {
         scene
     }
 
-    /// The longest step that all three limits allow.
-    fn max_stable_step(&self, common: &Common, rates: &[Rates]) -> f64 {
+    /// The longest part of a step that all three limits allow.
+    fn max_stable_part(&self, common: &Common, rates: &[Rates]) -> f64 {
         let (p, h, sound) = (common.p, common.kernel.h, common.sound);
         let speeds = self.particles.iter().map(|q| q.velocity.value.length());
         let speed = speeds.fold(0.0, f64::max);
@@ -310,8 +367,8 @@ impl Combustion {
         let fastest_sound = sound * rooms.fold(1.65, f64::max).sqrt();
         (0.9 * h / (fastest_sound + speed))
             .min(0.25 * (h / hardest.max(1e-6)).sqrt())
-            .min(0.125 * h * h / diffusivity.max(1e-9))
-            .min(LONGEST)
+            .min(0.125 * h * h / (f64::from(PARTS) * diffusivity).max(1e-9))
+            .min(LONGEST / f64::from(PARTS))
     }
 
     /// New velocities, within 1.5 c₀. Returns the largest.
@@ -393,7 +450,6 @@ impl Combustion {
             let position = &mut particle.position;
             position.add_sum(particle.velocity.times(dt));
             position.add_sum(displacement);
-            position.value = common.domain.wrap(position.value);
         }
     }
 }

@@ -85,7 +85,7 @@ fn a_stick_that_burns_through_in_its_middle_becomes_two_bodies() {
     // The mass is that of what is left, less the gas that has not left its cells yet.
     let (left, given, first) = balance(&fire);
     let share = (rest.mass + part.mass) / whole.mass;
-    assert!((f64::from(share) - left / first).abs() < 5e-3, "{share}");
+    assert!((f64::from(share) - left / first).abs() < 1e-2, "{share}");
     assert!(((left + given) / first - 1.0).abs() < 1e-4);
     let mut drawn = Charred::default();
     fire.write_charred(&mut drawn);
@@ -127,8 +127,8 @@ fn each_part_goes_on_with_the_velocity_of_its_material() {
         let expected = whole.velocity + path.perp() * whole.spin + fall;
         let error = part.velocity.distance(expected);
         // Gas acts in the step, too.
-        assert!(error < 0.1, "{error}: {part:?} of {whole:?}");
-        assert!((part.spin / whole.spin - 1.0).abs() < 0.05, "{part:?}");
+        assert!(error < 0.2, "{error}: {part:?} of {whole:?}");
+        assert!((part.spin / whole.spin - 1.0).abs() < 0.1, "{part:?}");
     }
     // Both fall.
     burn_on(&mut fire, 0.15);

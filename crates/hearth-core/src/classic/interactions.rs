@@ -52,8 +52,8 @@ impl<I: PairInteraction<Pair>> PairSum<2> for Symmetric<I> {
     }
 
     #[inline(always)]
-    fn pair(&self, particle: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
-        let pair = Pair::new(particle, others);
+    fn pair(&self, particle: &Broadcast, others: &Block, keep: Lanes) -> ([Lanes; 2], [Lanes; 2]) {
+        let pair = Pair::new(particle, others, keep);
         let mut rates = Rates::NONE;
         self.0.add(&pair, &mut rates);
         let acceleration = rates.acceleration(&pair.offset, pair.velocity);

@@ -58,7 +58,7 @@ pub(super) struct Pair {
 
 impl Pair {
     #[inline(always)]
-    pub fn new(particle: &Broadcast, others: &Block) -> Pair {
+    pub fn new(particle: &Broadcast, others: &Block, keep: Lanes) -> Pair {
         let offset = particle.offset(others);
         let softened = offset.softened();
         // The division starts before the kernel is known.
@@ -66,7 +66,10 @@ impl Pair {
         Pair {
             offset,
             velocity: particle.relative_velocity(others),
-            quotient: kernel::minus_dw(offset.q) * (particle.volume * others.volume) * reciprocal,
+            quotient: keep
+                * kernel::minus_dw(offset.q)
+                * (particle.volume * others.volume)
+                * reciprocal,
             softened,
             pressures: particle.pressure + others.pressure,
         }

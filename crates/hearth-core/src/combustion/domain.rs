@@ -172,10 +172,16 @@ impl Domain {
         }
     }
 
-    /// Weakens the pressure towards the outside of open air.
-    pub fn taper_pressure(&mut self, gas: &mut Gas) {
+    /// Finds the gas near the outside of open air.
+    pub fn find_rim(&mut self, gas: &Gas) {
         if let Some(open) = &mut self.open {
             open.find_rim(gas);
+        }
+    }
+
+    /// Weakens the pressure towards the outside of open air.
+    pub fn taper_pressure(&self, gas: &mut Gas) {
+        if let Some(open) = &self.open {
             open.taper_pressure(gas);
         }
     }

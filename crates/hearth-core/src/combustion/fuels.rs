@@ -40,8 +40,8 @@ pub(crate) use state::Fuels;
 
 /// Steps from one radiation to the next; and among free bodies, which are many: a hundredth of a
 /// second, in which no flame changes much.
-const RADIATION_STEPS: u32 = 4;
-const STEPS_AMONG_BODIES: u32 = 8;
+const RADIATION_STEPS: u32 = 2;
+const STEPS_AMONG_BODIES: u32 = 4;
 
 impl Fuels {
     /// The solids of a scene that burn, in place of those of the scene before.

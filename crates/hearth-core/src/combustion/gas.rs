@@ -10,6 +10,7 @@ pub(super) mod number_density;
 pub(super) mod pair;
 pub(super) mod pairs;
 mod picture;
+mod pressing;
 pub(super) mod removed;
 pub(super) mod resample;
 mod rolls;
@@ -55,7 +56,10 @@ pub(crate) struct Gas {
     pub missing: usize,
 
     // Computed at every step.
+    /// Acceleration by all but pressure and artificial viscosity [m/s²].
     pub acceleration: Vec<Vec2>,
+    /// Acceleration by pressure and artificial viscosity, which each part of a step renews [m/s²].
+    pub pressing: Vec<Vec2>,
     /// Change of the state by diffusion [1/s].
     pub change: Vec<State>,
     /// θ, the specific volume relative to that of the air.
@@ -75,7 +79,7 @@ pub(crate) struct Gas {
 }
 
 crate::state! {
-    Gas: position velocity state id next_id mass missing acceleration change expansion number_density volume
+    Gas: position velocity state id next_id mass missing acceleration pressing change expansion number_density volume
         pressure concentration_gradient roll_viscosity burn; scratch
 }
 
@@ -84,7 +88,7 @@ macro_rules! for_each_array {
     ($gas:expr, $array:ident => $body:expr) => {{
         let gas = &mut *$gas;
         for_each_array!(@each gas, $array, $body;
-            position velocity state id acceleration change expansion number_density volume
+            position velocity state id acceleration pressing change expansion number_density volume
             pressure concentration_gradient roll_viscosity burn);
     }};
     (@each $gas:ident, $array:ident, $body:expr; $($name:ident)+) => {
@@ -156,6 +160,7 @@ impl Gas {
             particle.soot,
         ));
         self.acceleration.push(Vec2::ZERO);
+        self.pressing.push(Vec2::ZERO);
         self.change.push(Vec4::ZERO);
         self.expansion.push(1.0);
         self.number_density.push(0.0);

@@ -31,20 +31,30 @@ pub(super) struct Obstacles {
 crate::state! { Obstacles: solids walls removed }
 
 impl Obstacles {
-    /// Adds the pressure, friction and heat of the walls to the rates of the gas.
+    /// Adds the friction and heat of the walls to the rates of the gas.
     pub fn resist(&mut self, gas: &mut Gas, context: &Context) {
         self.walls.resist(gas, &mut self.solids, context);
+    }
+
+    /// Adds the pressure of the walls to that of the gas.
+    pub fn press(&mut self, gas: &mut Gas, context: &Context) {
+        self.walls.press(gas, &mut self.solids, context);
     }
 
     /// Moves the solids that move by themselves to a time \[s\], and the gas out of them. Returns whether
     /// a particle has no place between them and stays where it was.
     pub fn advance(&mut self, gas: &mut Gas, values: &Physics, time: f64, dt: f32) -> bool {
         self.solids.advance(time);
-        let spacing = values.spacing();
-        let stays = (self.walls).keep_outside(gas, &mut self.solids, spacing, dt);
+        let stays = self.keep_outside(gas, values, dt);
         self.solids.warm(dt, values.ambient_temperature);
         self.solids.end_motions(dt);
         stays
+    }
+
+    /// Moves the gas out of the solids and the floor in a step of the length `dt`. Returns whether a particle has no
+    /// place between them and stays where it was.
+    pub fn keep_outside(&mut self, gas: &mut Gas, values: &Physics, dt: f32) -> bool {
+        (self.walls).keep_outside(gas, &mut self.solids, values.spacing(), dt)
     }
 
     /// Moves the gas up to this `depth` in solids out of them \[m\], and removes the rest.

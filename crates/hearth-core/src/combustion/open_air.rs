@@ -37,8 +37,8 @@ const MAX_CELLS: usize = 65_536;
 /// Smallest share of the margin where there would be more cells.
 const MIN_MARGIN_SHARE: f32 = 0.01;
 /// Steps from one exchange of gas to the next, and from one map to the next.
-const EXCHANGE_STEPS: u32 = 4;
-const MAP_STEPS: u32 = 8;
+const EXCHANGE_STEPS: u32 = 2;
+const MAP_STEPS: u32 = 4;
 
 /// Depths between which kernels of displays become as wide as elsewhere, and how many radii more
 /// they have farther out.

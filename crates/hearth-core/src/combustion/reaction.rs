@@ -4,6 +4,7 @@ pub(super) mod burner;
 pub(super) mod chemistry;
 pub(super) mod embers;
 
+use super::gas::time_step::PART;
 use super::gas::{Gas, make_room};
 use crate::scene::Scene;
 use crate::solids::Solids;
@@ -14,9 +15,9 @@ use embers::Embers;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Reaction {
     pub embers: Embers,
-    /// Power of the combustion in the last step [kW/m].
+    /// Power of the combustion in the last step, the mean of its parts [kW/m].
     pub power: f32,
-    /// Power of the heating at the sources in the last step [kW/m].
+    /// Power of the heating at the sources in the last step, the mean of its parts [kW/m].
     pub preheat: f32,
     /// The particles at a burner.
     burner_particles: Vec<BurnerParticle>,
@@ -36,11 +37,16 @@ impl Reaction {
         (self.power, self.preheat) = (0.0, 0.0);
     }
 
-    /// Burns the gas for `dt`. The flames in the film at solids have the power `film` [kW/m].
-    pub fn burn(&mut self, gas: &mut Gas, scene: &Scene, film: f32, dt: f32) {
+    /// Begins a step. The flames in the film at solids have the power `film` [kW/m].
+    pub fn begin(&mut self, film: f32) {
+        (self.power, self.preheat) = (film, 0.0);
+    }
+
+    /// Burns the gas for a part of a step.
+    pub fn burn(&mut self, gas: &mut Gas, scene: &Scene, dt: f32) {
         let hottest = scene.sources().map(|source| source.temperature);
         let hottest = hottest.fold(0.0, f32::max);
-        self.power = film + chemistry::react(gas, scene.world(), hottest, dt);
+        self.power += PART * chemistry::react(gas, scene.world(), hottest, dt);
     }
 
     /// Feeds the gas at each source whose index `feeds`, from `time` on for `dt`.
@@ -53,13 +59,13 @@ impl Reaction {
         mut feeds: impl FnMut(usize) -> bool,
     ) {
         let spacing = scene.world().spacing();
-        self.preheat = 0.0;
         for (index, source) in scene.sources().enumerate() {
             if feeds(index)
                 && let Some(burner) = Burner::new(&source, spacing)
             {
                 let (bodies, particles) = (solids.parts(&source), &mut self.burner_particles);
-                self.preheat += burner.feed(gas, &source, (time, dt), bodies, particles) / dt;
+                let heat = burner.feed(gas, &source, (time, dt), bodies, particles);
+                self.preheat += PART * heat / dt;
             }
         }
     }

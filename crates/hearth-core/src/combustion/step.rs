@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use super::gas::pair::Context;
+use super::gas::time_step::{PART, PARTS};
 use super::gas::{forces, number_density, time_step};
 use super::reaction::embers::Air;
 use super::water::Around;
@@ -38,6 +39,7 @@ impl Combustion {
 
         let context = Context::new(&self.gas, values, &kernel, sound);
         let mean = self.sum_number_density(&context);
+        self.domain.find_rim(&self.gas);
         self.set_pressure(mean, &context);
         on_stage(Stage::Density);
 
@@ -47,12 +49,22 @@ impl Combustion {
         forces::add_all(&mut self.gas, values, time, user);
         on_stage(Stage::Forces);
 
-        let dt = fitted(time_step::max_stable_step(&self.gas, &context), left);
+        let longest = time_step::max_stable_part(&self.gas, &context) / PART;
+        let dt = fitted(longest, left);
+        let part = PART * dt;
         self.drift_embers(&bounds, &context, random, dt);
-        self.accelerate(sound, dt);
-        self.burn(scene, random, dt);
-        self.feed_sources(scene, time, dt);
-        self.move_gas(&context, dt);
+        self.burn_solids(scene, random, dt);
+        for number in 0..PARTS {
+            if number > 0 {
+                self.obstacles.keep_outside(&mut self.gas, values, dt);
+                self.renew_pressure(mean, &context);
+            }
+            self.accelerate(sound, part);
+            self.reaction.burn(&mut self.gas, scene, part);
+            let since = f64::from(number) * f64::from(part);
+            self.feed_sources(scene, time + since, part);
+            self.move_gas(&context, part);
+        }
         let stays = self.move_solids(values, time + f64::from(dt), dt);
         self.domain.close(&mut self.gas, values);
         self.advance_water(scene, &bounds, &kernel, random, dt);
@@ -89,6 +101,21 @@ impl Combustion {
         self.domain.taper_pressure(&mut self.gas);
     }
 
+    /// Renews pressure and its forces where the gas is now, beside the same neighbours and walls.
+    fn renew_pressure(&mut self, mean: f32, context: &Context) {
+        self.pairs.sum_number_density(&mut self.gas, context);
+        self.obstacles.walls.follow(&self.gas, context.kernel);
+        self.set_pressure(mean, context);
+        self.pairs.press(&mut self.gas, context);
+        self.complete_press(context);
+    }
+
+    /// Adds the walls and the outside to the forces of the pressure.
+    fn complete_press(&mut self, context: &Context) {
+        self.obstacles.press(&mut self.gas, context);
+        self.domain.remove_outward_shift(&mut self.gas);
+    }
+
     /// Finds how the rolls of the fires mix, in some of the steps.
     fn find_rolls(&mut self, scene: &Scene, context: &Context) {
         if self.pairs.rolls.is_due() {
@@ -101,7 +128,7 @@ impl Combustion {
     fn sum_interactions(&mut self, context: &Context) {
         self.pairs.interact(&mut self.gas, context);
         self.obstacles.resist(&mut self.gas, context);
-        self.domain.remove_outward_shift(&mut self.gas);
+        self.complete_press(context);
     }
 
     fn drift_embers(&mut self, bounds: &Bounds, context: &Context, random: &mut Random, dt: f32) {
@@ -121,8 +148,8 @@ impl Combustion {
         self.domain.relax_rim_velocity(&mut self.gas, dt);
     }
 
-    /// Burns the solids that have fuel, then the gas.
-    fn burn(&mut self, scene: &Scene, random: &mut Random, dt: f32) {
+    /// Burns the solids that have fuel.
+    fn burn_solids(&mut self, scene: &Scene, random: &mut Random, dt: f32) {
         let gas = &mut self.gas;
         let film = self.fuels.as_mut().map_or(0.0, |fuels| {
             let Obstacles { walls, solids, .. } = &mut self.obstacles;
@@ -130,7 +157,7 @@ impl Combustion {
             let embers = &mut self.reaction.embers;
             fuels.burn((gas, walls), around, embers, scene.world(), random, dt)
         });
-        self.reaction.burn(gas, scene, film, dt);
+        self.reaction.begin(film);
     }
 
     /// Lets the sources feed the gas, those that are wet in a share of the steps.

@@ -21,6 +21,7 @@ pub(super) fn cost(figures: &Figures) -> String {
     targets_table(&mut text, targets::absolute(figures));
     text.push_str("| allocations a step | 0 | | | held by `tests/tests/allocation.rs` |\n");
     fires_table(&mut text, figures);
+    guard_table(&mut text, figures);
     blocks_table(&mut text, figures);
     memory_table(&mut text, figures);
     page_table(&mut text, &figures.all["page"]);
@@ -138,6 +139,36 @@ fn fires_table(text: &mut String, figures: &Figures) {
             step.median * steps,
             free * steps,
         );
+    }
+}
+
+/// Instructions a particle and step, as `cargo xtask cost` records them.
+const INSTRUCTIONS: &str = include_str!("../../../../benches/instructions.json");
+
+/// Times that depend on the machine little: relative to JavaScript in the same run.
+fn guard_table(text: &mut String, figures: &Figures) {
+    let recorded: Value = serde_json::from_str(INSTRUCTIONS).unwrap_or_default();
+    text.push_str(
+        "\n### A particle and substep, in wasm\n\nRelative to a particle of the block of 5000 in JavaScript with a \
+         list of pairs, in the same place and run.\n\n\
+         | case | Node | Chromium | recorded instructions a step |\n|---|--:|--:|--:|\n",
+    );
+    for (name, scene, count, counted) in [
+        ("default", "combustion", 3000, "combustion"),
+        ("high", "combustion", 6700, "combustion"),
+        ("classic block", "block", 5000, "classic block"),
+    ] {
+        let of = |place: &str| {
+            let (row, yardstick) = (
+                figures.own(scene, place, count),
+                figures.own("typed", place, 5000),
+            );
+            let times = row?.nanoseconds().over(yardstick?.nanoseconds());
+            Some(format!("{:.3}", times.median / row?.substeps as f64))
+        };
+        let (node, browser) = (cell(of("node")), cell(of(BROWSER)));
+        let instructions = word(&recorded["instructions"][counted]);
+        let _ = writeln!(text, "| {name} | {node} | {browser} | {instructions} |");
     }
 }
 

@@ -113,9 +113,10 @@ const RIVALS: [(&str, f64, &str, &str, &str, Cost); 4] = [
     ),
 ];
 
-/// Nanoseconds a neighbour of a particle.
+/// Nanoseconds a neighbour of a particle and substep.
 fn a_neighbour(row: &Row) -> Time {
-    row.nanoseconds().map(|ns| ns / row.neighbours)
+    let pairs = row.neighbours * row.substeps as f64;
+    row.nanoseconds().map(|ns| ns / pairs)
 }
 
 /// The targets beside other programs.

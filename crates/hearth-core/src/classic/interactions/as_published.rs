@@ -70,15 +70,15 @@ impl PairSum<2> for AsPublished {
         Broadcast::of(block, pick, by)
     }
 
-    fn pair(&self, particle: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
+    fn pair(&self, particle: &Broadcast, others: &Block, keep: Lanes) -> ([Lanes; 2], [Lanes; 2]) {
         let offset = particle.offset(others);
         let Separation { x, y, square, q } = offset;
-        let gradient = kernel::minus_dw(q) / q;
+        let gradient = keep * kernel::minus_dw(q) / q;
         let share = if self.pressure { 0.5 } else { 1.0 };
         let pressure = gradient * (particle.pressure + others.pressure) * share;
         let laplacian = if self.viscosity {
             let h = self.kernel.smoothing_length();
-            -Lanes::new(q.to_array().map(|q| self.kernel.laplacian(q * h)))
+            -(keep * Lanes::new(q.to_array().map(|q| self.kernel.laplacian(q * h))))
         } else {
             -(gradient * (2.0 * self.kernel.minus_dw_norm()) * square / offset.softened())
         };

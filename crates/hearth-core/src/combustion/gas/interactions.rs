@@ -1,61 +1,109 @@
-//! The pair interactions of the combustion model: one line each in [`list`].
+//! The pair interactions of the combustion model: one line each in [`list`], or in that of
+//! [`pressing`](super::pressing).
 //!
 //! With the harmonic mean density ρ̄ = 2 m/(Vᵢ + Vⱼ) of a pair, each file states its own
 //! equation. Exchange within a pair is symmetric to the last bit. The same
 //! pass sums the gradient of the particle concentration, Σ V ∇W, by which particles are
 //! shifted.
 
-mod artificial_viscosity;
 mod diffusion;
-mod pressure;
 mod viscosity;
 
 use glam::{Vec2, Vec4};
 
-use super::pair::{Block, Broadcast, Context, Pair, SUMS};
+use super::pair::{Context, Motion, Pair};
+use super::pressing::{self, Pressing};
 use super::{Gas, make_room};
 use crate::grid::Grid;
 use crate::interaction::{PairInteraction, Rates};
 use crate::lanes::{LANES, Lanes, transposed};
-use crate::neighbours::{FAR_AWAY, Neighbours, PairSum};
+use crate::neighbours::{self, Neighbours, PairSum};
 
-/// All pair interactions, in the order in which their rates add up.
+/// The interactions that a step sums once, in the order in which their rates add up.
 fn list(context: &Context) -> impl PairInteraction<Pair> {
     (
-        pressure::Pressure::new(context),
-        artificial_viscosity::ArtificialViscosity::new(context),
         viscosity::Viscosity::new(context),
         diffusion::Diffusion::new(context),
     )
 }
 
-/// All interactions of a step.
-struct Sums<I> {
-    interactions: I,
+/// Four particles.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Block {
+    pub motion: Motion,
+    /// Half of the viscosity of its roll [m²/s].
+    half_roll_viscosity: Lanes,
+    /// Temperature \[K\], fuel, oxygen, soot.
+    state: [Lanes; 4],
+    /// What [`pressing`](super::pressing) sums, acceleration by viscosity [m/s²], and change of the state [1/s].
+    sums: [Lanes; SUMS],
+}
+
+/// Number of sums of a particle.
+const SUMS: usize = 10;
+
+impl neighbours::Block for Block {
+    #[inline(always)]
+    fn position(&self) -> [Lanes; 2] {
+        self.motion.position
+    }
+    #[inline(always)]
+    fn weight(&self) -> Lanes {
+        self.motion.volume
+    }
+    #[inline(always)]
+    fn sum(&mut self) -> &mut Lanes {
+        &mut self.sums[0]
+    }
+}
+
+/// Particles that are paired with those of a block, lane by lane.
+struct Broadcast {
+    motion: Motion,
+    half_roll_viscosity: Lanes,
+    state: [Lanes; 4],
+}
+
+/// All interactions.
+struct All<P, E> {
+    pressing: Pressing<P>,
+    exchange: E,
     eddy_scale: Lanes,
 }
 
-impl<I: PairInteraction<Pair>> PairSum<SUMS> for Sums<I> {
+impl<P: PairInteraction<Pair>, E: PairInteraction<Pair>> PairSum<SUMS> for All<P, E> {
     type Block = Block;
     type Broadcast = Broadcast;
 
     #[inline(always)]
     fn broadcast(&self, block: &Block, pick: impl Fn(&Lanes) -> Lanes, by: Vec2) -> Broadcast {
-        Broadcast::of(block, pick, by)
+        Broadcast {
+            motion: block.motion.picked(&pick, by),
+            half_roll_viscosity: pick(&block.half_roll_viscosity),
+            state: block.state.each_ref().map(&pick),
+        }
     }
 
     #[inline(always)]
-    fn pair(&self, particle: &Broadcast, others: &Block) -> ([Lanes; SUMS], [Lanes; SUMS]) {
-        let pair = Pair::new(particle, others, self.eddy_scale);
+    fn pair(
+        &self,
+        particle: &Broadcast,
+        others: &Block,
+        keep: Lanes,
+    ) -> ([Lanes; SUMS], [Lanes; SUMS]) {
+        let of_rolls = particle.half_roll_viscosity + others.half_roll_viscosity;
+        let pair = Pair::new(&particle.motion, &others.motion, keep);
+        let pair = pair.with_eddies(self.eddy_scale, of_rolls);
+        let ([a, b, c, d], [e, f, g, h]) =
+            (self.pressing).ends(&pair, particle.motion.volume, others.motion.volume);
         let mut rates = Rates::NONE;
-        self.interactions.add(&pair, &mut rates);
-        let [ax, ay] = rates.acceleration(&pair.offset, pair.velocity);
-        let (x, y) = (pair.offset.x * pair.gradient, pair.offset.y * pair.gradient);
-        let [t, f, o, s] =
+        self.exchange.add(&pair, &mut rates);
+        let [vx, vy] = pair.velocity.map(|along| along * rates.relative);
+        let [t, fuel, oxygen, soot] =
             std::array::from_fn(|k| (particle.state[k] - others.state[k]) * rates.mixing);
         (
-            [ax, ay, x * others.volume, y * others.volume, t, f, o, s],
-            [ax, ay, x * particle.volume, y * particle.volume, t, f, o, s],
+            [a, b, c, d, vx, vy, t, fuel, oxygen, soot],
+            [e, f, g, h, vx, vy, t, fuel, oxygen, soot],
         )
     }
 
@@ -77,61 +125,43 @@ impl Interactions {
         make_room(&mut self.blocks, blocks);
     }
 
-    /// Sums acceleration, diffusion and concentration gradient over the pairs.
+    /// Sums accelerations, diffusion and concentration gradient over the pairs.
     pub fn sum(&mut self, gas: &mut Gas, grid: &Grid, neighbours: &Neighbours, context: &Context) {
-        let kernel = context.kernel;
-        self.pack(gas, grid, 1.0 / kernel.smoothing_length());
-        let sums = Sums {
-            interactions: list(context),
+        self.pack(gas, grid, 1.0 / context.kernel.smoothing_length());
+        let all = All {
+            pressing: Pressing::new(context),
+            exchange: list(context),
             eddy_scale: Pair::eddy_scale(context),
         };
-        neighbours.sum(&sums, &mut self.blocks);
-        let gradient_norm = -kernel.minus_dw_norm() * kernel.smoothing_length();
+        neighbours.sum(&all, &mut self.blocks);
         for (block, members) in self.blocks.iter().zip(grid.members()) {
-            let [ax, ay, x, y, t, f, o, s] = block.sums;
-            let motion = transposed([ax, ay, x * gradient_norm, y * gradient_norm]);
-            let change = transposed([t, f, o, s]);
-            for ((motion, change), i) in motion.into_iter().zip(change).zip(members) {
-                let [ax, ay, x, y] = motion.to_array();
-                gas.acceleration[i] = Vec2::new(ax, ay);
-                gas.concentration_gradient[i] = Vec2::new(x, y);
-                gas.change[i] = Vec4::from_array(change.to_array());
+            let [a, b, c, d, vx, vy, t, fuel, oxygen, soot] = block.sums;
+            pressing::unpack([a, b, c, d], gas, members.clone(), context);
+            let (vx, vy) = (vx.to_array(), vy.to_array());
+            let change = transposed([t, fuel, oxygen, soot]);
+            for (lane, i) in members.enumerate() {
+                gas.acceleration[i] = Vec2::new(vx[lane], vy[lane]);
+                gas.change[i] = Vec4::from_array(change[lane].to_array());
             }
         }
     }
 
     fn pack(&mut self, gas: &Gas, grid: &Grid, inverse_h: f32) {
-        // Not cleared: the loop overwrites every block.
-        self.blocks.resize(grid.block_count(), Block::EMPTY);
+        // Field by field: a copied block is a call of C in wasm.
+        self.blocks.resize(grid.block_count(), Block::default());
         for (block, members) in self.blocks.iter_mut().zip(grid.members()) {
-            const EMPTY: [Lanes; 3] = [
-                Lanes::new([FAR_AWAY, FAR_AWAY, 0.0, 0.0]),
-                Lanes::new([1.0, 0.0, 0.0, 0.0]),
-                Lanes::ZERO,
-            ];
-            let [mut motion, mut rest, mut state] = EMPTY.map(|lanes| [lanes; LANES]);
-            for (lane, i) in members.enumerate() {
-                let (at, v) = (gas.position[i] * inverse_h, gas.velocity[i]);
-                motion[lane] = Lanes::new([at.x, at.y, v.x, v.y]);
-                rest[lane] = Lanes::new([
-                    gas.volume[i],
-                    gas.pressure[i],
-                    0.5 * gas.roll_viscosity[i],
-                    0.0,
-                ]);
+            let mut state = [Lanes::ZERO; LANES];
+            let mut rolls = [0.0; LANES];
+            for (lane, i) in members.clone().enumerate() {
                 state[lane] = Lanes::new(gas.state[i].to_array());
+                rolls[lane] = 0.5 * gas.roll_viscosity[i];
             }
-            let [x, y, vx, vy] = transposed(motion);
-            let [volume, pressure, half_roll_viscosity, _] = transposed(rest);
-            *block = Block {
-                position: [x, y],
-                velocity: [vx, vy],
-                volume,
-                pressure,
-                half_roll_viscosity,
-                state: transposed(state),
-                sums: [Lanes::ZERO; SUMS],
-            };
+            block.motion.read(gas, members, inverse_h);
+            block.half_roll_viscosity = Lanes::new(rolls);
+            block.state = transposed(state);
+            for sum in &mut block.sums {
+                *sum = Lanes::ZERO;
+            }
         }
     }
 
@@ -169,6 +199,9 @@ mod tests {
         let mean = pairs.find_and_sum(&mut gas, bare, &context);
         number_density::set_pressure(&mut gas, mean, context.sound);
         pairs.interact(&mut gas, &context);
+        for (acceleration, pressing) in gas.acceleration.iter_mut().zip(&gas.pressing) {
+            *acceleration += *pressing;
+        }
         gas
     }
 

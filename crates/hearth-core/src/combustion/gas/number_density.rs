@@ -8,13 +8,16 @@
 //! open air, Ȳ is the density of the air. Pressure below Ȳ attracts particles, and shifting spreads them
 //! again; so shifting cannot be turned off.
 
+use glam::Vec2;
+
 use super::equation_of_state::expansion;
 use super::pair::Context;
 use super::walls::Walls;
 use super::{Gas, make_room};
 use crate::grid::Grid;
+use crate::kernel;
 use crate::lanes::{LANES, Lanes};
-use crate::neighbours::{self, FAR_AWAY, Neighbours};
+use crate::neighbours::{self, FAR_AWAY, Neighbours, PairSum};
 use crate::params::Physics;
 use crate::solids::Solids;
 
@@ -26,7 +29,7 @@ struct Block {
     /// θ, the weight of each in the sums.
     weight: Lanes,
     /// Σ θⱼ w(q).
-    sum: Lanes,
+    sum: [Lanes; 1],
 }
 
 impl neighbours::Block for Block {
@@ -44,7 +47,44 @@ impl neighbours::Block for Block {
     }
     #[inline(always)]
     fn sum(&mut self) -> &mut Lanes {
-        &mut self.sum
+        &mut self.sum[0]
+    }
+}
+
+/// Σ θⱼ w(q) over the others.
+struct OfOthers;
+
+impl PairSum<1> for OfOthers {
+    type Block = Block;
+    /// Position and weight of a particle in all lanes.
+    type Broadcast = ([Lanes; 2], Lanes);
+
+    #[inline(always)]
+    fn broadcast(
+        &self,
+        block: &Block,
+        pick: impl Fn(&Lanes) -> Lanes,
+        by: Vec2,
+    ) -> Self::Broadcast {
+        let [x, y] = &block.position;
+        ([pick(x) + by.x, pick(y) + by.y], pick(&block.weight))
+    }
+
+    #[inline(always)]
+    fn pair(
+        &self,
+        ([x, y], weight): &Self::Broadcast,
+        others: &Block,
+        keep: Lanes,
+    ) -> ([Lanes; 1], [Lanes; 1]) {
+        let (x, y) = (*x - others.position[0], *y - others.position[1]);
+        let w = keep * kernel::w((x * x + y * y).sqrt());
+        ([w * others.weight], [-(w * *weight)])
+    }
+
+    #[inline(always)]
+    fn accumulator(block: &mut Block) -> &mut [Lanes; 1] {
+        &mut block.sum
     }
 }
 
@@ -83,6 +123,18 @@ impl NumberDensity {
         (sum / if free > 1.0 { free } else { 1.0 }) as f32
     }
 
+    /// Sums the number density of gas that has moved and burnt since the search, without the walls.
+    pub fn sum(&mut self, gas: &mut Gas, grid: &Grid, neighbours: &Neighbours, context: &Context) {
+        expand(gas, context.values);
+        self.pack(gas, grid, 1.0 / context.kernel.smoothing_length());
+        let own = kernel::w(Lanes::ZERO);
+        for block in &mut self.blocks {
+            block.sum[0] = own * block.weight;
+        }
+        neighbours.sum_of_search(&OfOthers, &mut self.blocks);
+        self.unpack(gas, grid, gas.mass * context.kernel.w_norm());
+    }
+
     /// Packs the gas into blocks, with empty sums.
     fn pack(&mut self, gas: &Gas, grid: &Grid, inverse_h: f32) {
         // Not cleared: the loop overwrites every block.
@@ -98,7 +150,7 @@ impl NumberDensity {
             *block = Block {
                 position: position.map(Lanes::new),
                 weight: Lanes::new(weight),
-                sum: Lanes::ZERO,
+                sum: [Lanes::ZERO],
             };
         }
     }
@@ -107,7 +159,7 @@ impl NumberDensity {
     fn unpack(&self, gas: &mut Gas, grid: &Grid, unit: f32) -> f64 {
         let mut sum = 0.0;
         for (block, members) in self.blocks.iter().zip(grid.members()) {
-            let number_density = (block.sum * unit).to_array();
+            let number_density = (block.sum[0] * unit).to_array();
             for (i, number_density) in members.zip(number_density) {
                 gas.number_density[i] = number_density;
                 sum += f64::from(number_density);

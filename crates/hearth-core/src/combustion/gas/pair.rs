@@ -1,18 +1,20 @@
 //! The pair data of the combustion interactions: one particle against four neighbours.
 
+use std::ops::Range;
+
 use glam::Vec2;
 
 use super::Gas;
 use super::speed_limit::artificial_viscosity;
 use crate::interaction::Separation;
 use crate::kernel::{self, Kernel};
-use crate::lanes::{Lanes, Real};
-use crate::neighbours::{self, FAR_AWAY};
+use crate::lanes::{LANES, Lanes, Real, transposed};
+use crate::neighbours::FAR_AWAY;
 use crate::params::Physics;
 
-/// Four particles.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Block {
+/// What decides the forces of a pair, of four particles or of one in all lanes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Motion {
     /// Position, in smoothing lengths.
     pub position: [Lanes; 2],
     /// Velocity [m/s].
@@ -21,70 +23,33 @@ pub(crate) struct Block {
     pub volume: Lanes,
     /// Pressure \[Pa\].
     pub pressure: Lanes,
-    /// Half of the viscosity of its roll [m²/s].
-    pub half_roll_viscosity: Lanes,
-    /// Temperature \[K\], fuel, oxygen, soot.
-    pub state: [Lanes; 4],
-    /// Acceleration [m/s²], the concentration gradient without its factor, and the change of the
-    /// state [1/s].
-    pub sums: [Lanes; SUMS],
 }
 
-/// Number of sums of a particle.
-pub(crate) const SUMS: usize = 8;
-
-impl Block {
-    /// No particle.
-    pub const EMPTY: Block = Block {
-        position: [Lanes::splat(FAR_AWAY); 2],
-        velocity: [Lanes::ZERO; 2],
-        volume: Lanes::splat(1.0),
-        pressure: Lanes::ZERO,
-        half_roll_viscosity: Lanes::ZERO,
-        state: [Lanes::ZERO; 4],
-        sums: [Lanes::ZERO; SUMS],
-    };
-}
-
-impl neighbours::Block for Block {
+impl Motion {
+    /// Reads the motion of some of the gas, with the positions in units of 1/`inverse_h`.
     #[inline(always)]
-    fn position(&self) -> [Lanes; 2] {
-        self.position
+    pub fn read(&mut self, gas: &Gas, members: Range<usize>, inverse_h: f32) {
+        let mut motion = [Lanes::new([FAR_AWAY, FAR_AWAY, 0.0, 0.0]); LANES];
+        let (mut volume, mut pressure) = ([1.0; LANES], [0.0; LANES]);
+        for (lane, i) in members.enumerate() {
+            let (at, v) = (gas.position[i] * inverse_h, gas.velocity[i]);
+            motion[lane] = Lanes::new([at.x, at.y, v.x, v.y]);
+            (volume[lane], pressure[lane]) = (gas.volume[i], gas.pressure[i]);
+        }
+        let [x, y, vx, vy] = transposed(motion);
+        (self.position, self.velocity) = ([x, y], [vx, vy]);
+        (self.volume, self.pressure) = (Lanes::new(volume), Lanes::new(pressure));
     }
-    #[inline(always)]
-    fn weight(&self) -> Lanes {
-        self.volume
-    }
-    #[inline(always)]
-    fn sum(&mut self) -> &mut Lanes {
-        &mut self.sums[0]
-    }
-}
 
-/// Particles that are paired with those of a block, lane by lane.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Broadcast {
-    position: [Lanes; 2],
-    velocity: [Lanes; 2],
-    pub volume: Lanes,
-    pressure: Lanes,
-    half_roll_viscosity: Lanes,
-    pub state: [Lanes; 4],
-}
-
-impl Broadcast {
+    /// The lanes that `pick` takes, at positions moved `by` smoothing lengths.
     #[inline(always)]
-    pub fn of(block: &Block, pick: impl Fn(&Lanes) -> Lanes, by: Vec2) -> Broadcast {
-        Broadcast {
-            position: [
-                pick(&block.position[0]) + by.x,
-                pick(&block.position[1]) + by.y,
-            ],
-            velocity: block.velocity.each_ref().map(&pick),
-            volume: pick(&block.volume),
-            pressure: pick(&block.pressure),
-            half_roll_viscosity: pick(&block.half_roll_viscosity),
-            state: block.state.each_ref().map(&pick),
+    pub fn picked(&self, pick: impl Fn(&Lanes) -> Lanes, by: Vec2) -> Motion {
+        let [x, y] = &self.position;
+        Motion {
+            position: [pick(x) + by.x, pick(y) + by.y],
+            velocity: self.velocity.each_ref().map(&pick),
+            volume: pick(&self.volume),
+            pressure: pick(&self.pressure),
         }
     }
 }
@@ -137,27 +102,20 @@ pub(crate) struct Pair {
 }
 
 impl Pair {
-    /// C_s² h, which [`Pair::new`] takes.
-    pub fn eddy_scale(context: &Context) -> Lanes {
-        let smagorinsky = context.values.eddy_viscosity;
-        Lanes::splat(smagorinsky * smagorinsky * context.kernel.smoothing_length())
-    }
-
+    /// A pair without eddies.
     #[inline(always)]
-    pub fn new(particle: &Broadcast, others: &Block, eddy_scale: Lanes) -> Pair {
-        let of_rolls = particle.half_roll_viscosity + others.half_roll_viscosity;
+    pub fn new(particle: &Motion, others: &Motion, keep: Lanes) -> Pair {
         let offset = Separation::between(particle.position, others.position);
         let (vx, vy) = (
             particle.velocity[0] - others.velocity[0],
             particle.velocity[1] - others.velocity[1],
         );
-        let (volume, pressure) = (others.volume, others.pressure);
         // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
         // times q²: both share one division.
         let softened = offset.softened();
-        let softened_gradient = kernel::minus_dw(offset.q) / (offset.q * softened);
-        let volumes = particle.volume * volume;
-        let mean_volume = (volumes + volumes) / (particle.volume + volume);
+        let softened_gradient = keep * kernel::minus_dw(offset.q) / (offset.q * softened);
+        let volumes = particle.volume * others.volume;
+        let mean_volume = (volumes + volumes) / (particle.volume + others.volume);
         Pair {
             offset,
             velocity: [vx, vy],
@@ -165,9 +123,25 @@ impl Pair {
             softened_gradient,
             volumes,
             mean_volume,
-            pressures: particle.pressure + pressure,
+            pressures: particle.pressure + others.pressure,
             laplacian: mean_volume * softened_gradient * offset.square,
+            eddy_viscosity: Lanes::ZERO,
+        }
+    }
+
+    /// C_s² h, which [`with_eddies`](Self::with_eddies) takes.
+    pub fn eddy_scale(context: &Context) -> Lanes {
+        let smagorinsky = context.values.eddy_viscosity;
+        Lanes::splat(smagorinsky * smagorinsky * context.kernel.smoothing_length())
+    }
+
+    /// The pair, with the eddy viscosity `of_rolls`, and that of unresolved eddies.
+    #[inline(always)]
+    pub fn with_eddies(self, eddy_scale: Lanes, of_rolls: Lanes) -> Pair {
+        let [vx, vy] = self.velocity;
+        Pair {
             eddy_viscosity: (vx * vx + vy * vy).sqrt() * eddy_scale + of_rolls,
+            ..self
         }
     }
 

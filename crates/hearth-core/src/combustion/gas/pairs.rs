@@ -5,6 +5,7 @@ use super::Gas;
 use super::interactions::Interactions;
 use super::number_density::NumberDensity;
 use super::pair::Context;
+use super::pressing::Later;
 use super::rolls::Rolls;
 use super::vorticity_confinement::VorticityConfinement;
 use super::walls::Walls;
@@ -25,11 +26,12 @@ pub(crate) struct Pairs {
     neighbours: Neighbours,
     number_density: NumberDensity,
     interactions: Interactions,
+    later: Later,
     vorticity_confinement: VorticityConfinement,
     pub rolls: Rolls,
 }
 
-crate::state! { Pairs: rolls; grid neighbours number_density interactions vorticity_confinement }
+crate::state! { Pairs: rolls; grid neighbours number_density interactions later vorticity_confinement }
 
 impl Pairs {
     /// Makes room for so many particles within `bounds`, with kernels of this support radius \[m\].
@@ -38,6 +40,7 @@ impl Pairs {
         let blocks = self.grid.max_blocks(particles);
         self.number_density.reserve(blocks);
         self.interactions.reserve(blocks);
+        self.later.reserve(blocks);
         self.vorticity_confinement.reserve(blocks);
         self.rolls.reserve(blocks);
     }
@@ -76,11 +79,26 @@ impl Pairs {
         self.rolls.find(gas, grid, neighbours, fires, context);
     }
 
-    /// Sums acceleration, diffusion and concentration gradient over the pairs.
+    /// Sums accelerations, diffusion and concentration gradient over the pairs.
     #[inline(never)]
     pub fn interact(&mut self, gas: &mut Gas, context: &Context) {
-        self.interactions
-            .sum(gas, &self.grid, &self.neighbours, context);
+        let (grid, neighbours) = (&self.grid, &self.neighbours);
+        self.interactions.sum(gas, grid, neighbours, context);
+    }
+
+    /// Sums the number density where the gas is now, without that of the walls.
+    #[inline(never)]
+    pub fn sum_number_density(&mut self, gas: &mut Gas, context: &Context) {
+        let (grid, neighbours) = (&self.grid, &self.neighbours);
+        self.number_density.sum(gas, grid, neighbours, context);
+    }
+
+    /// Sums the acceleration by pressure and artificial viscosity, and the concentration gradient, where the gas
+    /// is now.
+    #[inline(never)]
+    pub fn press(&mut self, gas: &mut Gas, context: &Context) {
+        let (grid, neighbours) = (&self.grid, &self.neighbours);
+        self.later.sum(gas, grid, neighbours, context);
     }
 
     /// Adds the force that keeps eddies from fading, from what [`interact`](Self::interact) packed.

@@ -11,7 +11,7 @@
 //! in every shear layer. A roll that turns slower than the fire's own rate does not turn over in the life of a
 //! flame. What eddies of the size of the kernel mix is in the eddy viscosity, and what molecules mix in ν.
 //!
-//! Rolls live for some hundred steps, so ∇v is summed in each eighth step only.
+//! Rolls live for some hundred steps, so ∇v is summed in each fourth step only.
 
 use glam::Vec2;
 
@@ -26,13 +26,13 @@ use crate::lanes::{LANES, Lanes};
 use crate::neighbours::{self, FAR_AWAY, Neighbours, PairSum};
 
 /// ∇v is summed in one of so many steps.
-const STEPS: u32 = 8;
+const STEPS: u32 = 4;
 /// Least vorticity of a roll that mixes, relative to √(b g/D*).
 const LEAST_RATE: f32 = 0.5;
 /// The size of the eddies of the eddy viscosity, in C_s h.
 const RESOLVED_EDDIES: f32 = 2.5;
 /// Largest viscosity, in h c₀: with it, 0.125 h²/ν is longer than the step for the sound.
-const MAX_VISCOSITY: f32 = 0.1;
+const MAX_VISCOSITY: f32 = 0.085;
 
 /// Four particles.
 #[derive(Clone, Copy, Debug, Default)]
@@ -89,9 +89,10 @@ impl PairSum<3> for VelocityGradient {
         &self,
         (position, volume, velocity): &Self::Broadcast,
         others: &Block,
+        keep: Lanes,
     ) -> ([Lanes; 3], [Lanes; 3]) {
         let Separation { x, y, q, .. } = Separation::between(*position, others.position);
-        let over_r = kernel::minus_dw(q) / q;
+        let over_r = keep * kernel::minus_dw(q) / q;
         let (x, y) = (x * over_r, y * over_r);
         let u = velocity[0] - others.velocity[0];
         let v = velocity[1] - others.velocity[1];

@@ -27,6 +27,11 @@ const COURANT: f32 = 0.9;
 /// Air takes the steps of gas with this expansion. In steps that are a quarter longer, the wake of a disc
 /// oscillates with 0.22 u/d for 0.17.
 const LEAST_EXPANSION: f32 = 1.65;
+/// Parts of a step. Each has a pressure of its own, for sound, and moves and burns the gas. Neighbours, viscosity
+/// and diffusion are those of the start of the step.
+pub(crate) const PARTS: u32 = 2;
+/// The share of a step that is a part.
+pub(crate) const PART: f32 = 1.0 / PARTS as f32;
 /// Longest step \[s\].
 const MAX_STEP: f32 = 1.0 / 60.0;
 
@@ -59,20 +64,16 @@ pub(crate) struct Motion {
 
 crate::state! { Motion: max_speed speed_limited clamped_shifts length }
 
-/// The longest stable step \[s\] for the accelerations of the gas. `sound` is its speed in the air: in gas
+/// The longest stable part of a step \[s\] for the accelerations of the gas. `sound` is its speed in the air: in gas
 /// that takes θ times the room of air, sound is √θ times as fast, because p = c₀² (Y − Ȳ) and ρ = Y/θ.
-pub(crate) fn max_stable_step(gas: &Gas, context: &Context) -> f32 {
+pub(crate) fn max_stable_part(gas: &Gas, context: &Context) -> f32 {
     let (values, sound) = (context.values, context.sound);
     let h = context.kernel.smoothing_length();
     let (mut speed, mut acceleration, mut expansion) = (0.0, 0.0, LEAST_EXPANSION);
-    for ((v, a), &theta) in gas
-        .velocity
-        .iter()
-        .zip(&gas.acceleration)
-        .zip(&gas.expansion)
-    {
+    let accelerations = gas.acceleration.iter().zip(&gas.pressing);
+    for ((v, (a, pressing)), &theta) in gas.velocity.iter().zip(accelerations).zip(&gas.expansion) {
         speed = fast_max(speed, v.length_squared());
-        acceleration = fast_max(acceleration, a.length_squared());
+        acceleration = fast_max(acceleration, (*a + *pressing).length_squared());
         expansion = fast_max(expansion, theta);
     }
     let (speed, acceleration) = (speed.sqrt(), acceleration.sqrt());
@@ -86,32 +87,35 @@ pub(crate) fn max_stable_step(gas: &Gas, context: &Context) -> f32 {
         sound: sound * expansion.sqrt(),
         speed,
         acceleration,
-        viscosity: diffusivity,
+        // Viscosity and diffusion act for the whole step at once.
+        viscosity: diffusivity / PART,
         density: 1.0,
     };
-    stability.longest_step().min(MAX_STEP)
+    stability.longest_step().min(MAX_STEP * PART)
 }
 
 /// The longest stable step \[s\] of air at rest.
 pub(crate) fn step_at_rest(h: f32, sound: f32) -> f32 {
-    fast_min(COURANT * h / (sound * LEAST_EXPANSION.sqrt()), MAX_STEP)
+    let part = COURANT * h / (sound * LEAST_EXPANSION.sqrt());
+    fast_min(part / PART, MAX_STEP)
 }
 
 impl Motion {
     /// Accelerates every particle.
     pub fn accelerate(&mut self, gas: &mut Gas, sound: f32, dt: f32) {
         let limit = SPEED_LIMIT * sound;
-        let (mut max_speed, mut speed_limited) = (0.0, 0);
-        for (velocity, acceleration) in gas.velocity.iter_mut().zip(&gas.acceleration) {
-            *velocity += *acceleration * dt;
-            let speed = velocity.length();
-            if speed > limit {
-                *velocity *= limit / speed;
+        let (mut fastest, mut speed_limited) = (0.0, 0);
+        let accelerations = gas.acceleration.iter().zip(&gas.pressing);
+        for (velocity, (acceleration, pressing)) in gas.velocity.iter_mut().zip(accelerations) {
+            *velocity += (*acceleration + *pressing) * dt;
+            let square = velocity.length_squared();
+            if square > limit * limit {
+                *velocity *= limit / square.sqrt();
                 speed_limited += 1;
             }
-            max_speed = fast_max(max_speed, fast_min(speed, limit));
+            fastest = fast_max(fastest, square);
         }
-        (self.max_speed, self.speed_limited) = (max_speed, speed_limited);
+        (self.max_speed, self.speed_limited) = (fast_min(fastest.sqrt(), limit), speed_limited);
     }
 
     /// Moves every particle with its new velocity, and shifts it down the concentration gradient.
@@ -151,7 +155,8 @@ mod tests {
 
     fn longest_step(gas: &Gas, values: &Parameters) -> f32 {
         let kernel = Kernel::new(values.smoothing_length());
-        max_stable_step(gas, &Context::new(gas, values, &kernel, sound(values)))
+        let context = Context::new(gas, values, &kernel, sound(values));
+        max_stable_part(gas, &context) / PART
     }
 
     #[test]
@@ -168,8 +173,8 @@ mod tests {
             gas.acceleration.fill(Vec2::new(0.0, force));
             let (h, sound) = (parameters.smoothing_length(), sound(&parameters));
             let dt = longest_step(&gas, &parameters) * 0.9999;
-            assert!(dt <= COURANT * h / (sound + speed));
-            assert!(dt <= 0.25 * (h / force.max(1e-6)).sqrt());
+            assert!(PART * dt <= COURANT * h / (sound + speed));
+            assert!(PART * dt <= 0.25 * (h / force.max(1e-6)).sqrt());
             assert!(dt <= 0.125 * h * h / (viscosity as f32).max(1e-9));
         }
     }

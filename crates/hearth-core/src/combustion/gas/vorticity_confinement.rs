@@ -8,7 +8,7 @@
 use glam::Vec2;
 
 use super::Gas;
-use super::pair;
+use super::interactions;
 use crate::grid::Grid;
 use crate::interaction::Separation;
 use crate::kernel::{self, Kernel};
@@ -64,9 +64,9 @@ impl Broadcast {
     }
 
     /// −∇W at each of the others, without its factor.
-    fn minus_gradient(&self, others: &Block) -> [Lanes; 2] {
+    fn minus_gradient(&self, others: &Block, keep: Lanes) -> [Lanes; 2] {
         let Separation { x, y, q, .. } = Separation::between(self.position, others.position);
-        let over_r = kernel::minus_dw(q) / q;
+        let over_r = keep * kernel::minus_dw(q) / q;
         [x * over_r, y * over_r]
     }
 }
@@ -82,8 +82,8 @@ impl PairSum<1> for Curl {
         Broadcast::of(block, pick, by)
     }
 
-    fn pair(&self, particle: &Broadcast, others: &Block) -> ([Lanes; 1], [Lanes; 1]) {
-        let [x, y] = particle.minus_gradient(others);
+    fn pair(&self, particle: &Broadcast, others: &Block, keep: Lanes) -> ([Lanes; 1], [Lanes; 1]) {
+        let [x, y] = particle.minus_gradient(others, keep);
         let curl_term = x * (particle.velocity[1] - others.velocity[1])
             - y * (particle.velocity[0] - others.velocity[0]);
         (
@@ -108,10 +108,10 @@ impl PairSum<2> for CurlGradient {
         Broadcast::of(block, pick, by)
     }
 
-    fn pair(&self, particle: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
+    fn pair(&self, particle: &Broadcast, others: &Block, keep: Lanes) -> ([Lanes; 2], [Lanes; 2]) {
         let magnitude = |curl: Lanes| curl.fast_max(-curl);
         let difference = magnitude(particle.curl) - magnitude(others.curl[0]);
-        let gradient = particle.minus_gradient(others);
+        let gradient = particle.minus_gradient(others, keep);
         (
             gradient.map(|along| along * difference * others.volume),
             gradient.map(|along| -(along * difference * particle.volume)),
@@ -142,7 +142,7 @@ impl VorticityConfinement {
         gas: &mut Gas,
         grid: &Grid,
         neighbours: &Neighbours,
-        packed: &[pair::Block],
+        packed: &[interactions::Block],
         kernel: &Kernel,
         strength: f32,
     ) {
@@ -156,15 +156,15 @@ impl VorticityConfinement {
         gas: &mut Gas,
         grid: &Grid,
         neighbours: &Neighbours,
-        packed: &[pair::Block],
+        packed: &[interactions::Block],
         kernel: &Kernel,
         strength: f32,
     ) {
         self.blocks.clear();
         self.blocks.extend(packed.iter().map(|packed| Block {
-            position: packed.position,
-            volume: packed.volume,
-            velocity: packed.velocity,
+            position: packed.motion.position,
+            volume: packed.motion.volume,
+            velocity: packed.motion.velocity,
             ..Block::default()
         }));
         neighbours.sum(&Curl, &mut self.blocks);

@@ -23,6 +23,7 @@ use glam::Vec2;
 
 use super::Gas;
 use super::pair::Context;
+use super::time_step::PART;
 use crate::combustion::reaction::chemistry::HEAT_CAPACITY;
 use crate::extremes::{fast_max, fast_min};
 use crate::grid::Grid;
@@ -177,45 +178,68 @@ impl Walls {
         }
     }
 
-    /// Adds the pressure, friction and heat of the walls to the rates of the gas.
+    /// Adds the friction and heat of the walls to the rates of the gas.
     pub fn resist(&self, gas: &mut Gas, solids: &mut Solids, context: &Context) {
         let Context {
             kernel,
             values,
-            sound,
-            artificial_viscosity,
             mass,
+            ..
         } = *context;
         let h = kernel.smoothing_length();
         let eddy = values.eddy_viscosity * values.eddy_viscosity * h;
-        let damping = 0.5 * artificial_viscosity * sound * h;
         for near in &self.near {
-            let (i, normal) = (near.index as usize, near.normal);
+            let i = near.index as usize;
             let body = solids.bodies.get_mut(near.solid as usize);
             let wall = (body.as_ref()).map_or(Vec2::ZERO, |body| body.velocity_at(near.from));
             let velocity = gas.velocity[i] - wall;
             let mixed = eddy * velocity.length();
             let linear = near.slope / fast_max(near.distance, MIN_LINEAR_DISTANCE * h);
             let friction = values.kinematic_viscosity * linear + mixed * near.friction;
-            let inward = fast_min(velocity.dot(normal), 0.0);
-            let pressed = 2.0 * gas.volume[i] / mass * gas.pressure[i] * near.slope;
             let slowed = velocity * (2.0 * friction);
-            let pushed = normal * (pressed - damping * near.friction * inward);
-            let acceleration = &mut gas.acceleration[i];
-            *acceleration -= slowed;
-            *acceleration += pushed;
-            gas.concentration_gradient[i] -= normal * near.slope;
+            gas.acceleration[i] -= slowed;
             let Some(body) = body else {
                 continue;
             };
             if body.is_free {
-                body.push(near.from, mass, slowed - pushed);
+                body.push(near.from, mass, slowed);
             }
             if let Some(temperature) = body.temperature {
                 let exchanged = 2.0 * (values.diffusion + mixed) * near.friction;
                 let own = gas.state[i].x;
                 gas.change[i].x += exchanged * (temperature - own);
                 body.exchange(exchanged * mass * HEAT_CAPACITY, own);
+            }
+        }
+    }
+
+    /// Integrates the kernels where the gas is now, beyond the planes that were nearest at the start of the step.
+    pub fn follow(&mut self, gas: &Gas, kernel: &Kernel) {
+        for near in &mut self.near {
+            let path = gas.position[near.index as usize] - near.from;
+            let distance = near.distance + path.dot(near.normal);
+            [near.gamma, near.slope, near.friction] = integrals::beyond(distance, kernel);
+        }
+    }
+
+    /// Adds the pressure of the walls to that of the gas.
+    pub fn press(&self, gas: &mut Gas, solids: &mut Solids, context: &Context) {
+        let h = context.kernel.smoothing_length();
+        let damping = 0.5 * context.artificial_viscosity * context.sound * h;
+        for near in &self.near {
+            let (i, normal) = (near.index as usize, near.normal);
+            let body = solids.bodies.get_mut(near.solid as usize);
+            let wall = (body.as_ref()).map_or(Vec2::ZERO, |body| body.velocity_at(near.from));
+            let inward = fast_min((gas.velocity[i] - wall).dot(normal), 0.0);
+            let pressed = 2.0 * gas.volume[i] / context.mass * gas.pressure[i] * near.slope;
+            let pushed = normal * (pressed - damping * near.friction * inward);
+            gas.pressing[i] += pushed;
+            gas.concentration_gradient[i] -= normal * near.slope;
+            if let Some(body) = body
+                && body.is_free
+            {
+                // It acts for a part of the step.
+                body.push(near.from, context.mass, pushed * -PART);
             }
         }
     }

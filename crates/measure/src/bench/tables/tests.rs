@@ -59,6 +59,27 @@ fn every_figure_has_its_cell() -> Result<()> {
 }
 
 #[test]
+fn a_substep_in_wasm_is_relative_to_javascript_of_the_same_place() -> Result<()> {
+    let mut fire = row("Hearth", "combustion", "node", 3000, 1.2);
+    fire["substeps"] = json!(2);
+    let text = text(vec![
+        fire,
+        row("Hearth", "typed", "node", 5000, 2.0),
+        row("Hearth", "block", "chromium", 5000, 0.5),
+        row("Hearth", "typed", "chromium", 5000, 2.0),
+    ])?;
+    // 0.2 µs a particle and substep of the fire, 0.4 µs of JavaScript.
+    for line in [
+        "| default | 0.500 |  | ",
+        "| high |  |  | ",
+        "| classic block |  | 0.250 | ",
+    ] {
+        assert!(text.contains(line), "no \"{line}\" in\n{text}");
+    }
+    Ok(())
+}
+
+#[test]
 fn targets_are_reached_or_not_by_the_median() -> Result<()> {
     let mut faster = row("Y", "block", "node", 20_000, 1.9);
     faster["yardstick"] = json!(true);

@@ -10,7 +10,7 @@ use crate::extremes::fast_max;
 
 /// Distance at which a contact is found, beyond the path in a substep \[m\].
 const CONTACT_MARGIN: f32 = 1e-3;
-/// Contacts for each solid that there is room for.
+/// The most contacts, for each solid.
 const CONTACTS_PER_BODY: usize = 48;
 /// Bodies and samples have numbers below this in a key.
 const KEY_BASE: usize = 256;
@@ -20,15 +20,21 @@ pub(super) const PLANES: usize = 200;
 impl FreeBodies {
     /// Makes room for the contacts.
     pub(super) fn make_room(&mut self) {
-        let room = self.all.len() * CONTACTS_PER_BODY;
-        self.contacts.reserve(room);
-        self.old.reserve(room);
+        let most = self.all.len() * CONTACTS_PER_BODY;
+        self.contacts.reserve(most);
+        self.old.reserve(most);
     }
 
     /// Finds the contacts of a substep. Those known before keep their impulses.
     pub(super) fn find_contacts(&mut self, dt: f32) {
         std::mem::swap(&mut self.contacts, &mut self.old);
         self.contacts.clear();
+        let most = self.all.len() * CONTACTS_PER_BODY;
+        let mut add = |contact| {
+            if self.contacts.len() < most {
+                self.contacts.push(contact);
+            }
+        };
         for (first, body) in self.all.iter().enumerate() {
             for (second, other) in self.all.iter().enumerate() {
                 let lives = body.is_live() || other.is_live();
@@ -49,18 +55,15 @@ impl FreeBodies {
                     let gap = distance - sample.radius;
                     if gap < near && !other.samples.all().is_empty() {
                         let point = at - normal * (sample.radius + 0.5 * gap);
-                        add(
-                            &mut self.contacts,
-                            Contact {
-                                key: (first * KEY_BASE + second) * KEY_BASE + index,
-                                first,
-                                second,
-                                normal,
-                                arms: [point - body.centre, point - shift - other.centre],
-                                gap,
-                                ..Contact::default()
-                            },
-                        );
+                        add(Contact {
+                            key: (first * KEY_BASE + second) * KEY_BASE + index,
+                            first,
+                            second,
+                            normal,
+                            arms: [point - body.centre, point - shift - other.centre],
+                            gap,
+                            ..Contact::default()
+                        });
                     }
                 }
             }
@@ -75,18 +78,15 @@ impl FreeBodies {
                     let gap = at.dot(plane.normal) - plane.offset - sample.radius;
                     if gap < CONTACT_MARGIN + body.speed() * dt {
                         let point = at - plane.normal * sample.radius;
-                        add(
-                            &mut self.contacts,
-                            Contact {
-                                key: (first * KEY_BASE + second) * KEY_BASE + index,
-                                first,
-                                second,
-                                normal: plane.normal,
-                                arms: [point - body.centre, Vec2::ZERO],
-                                gap,
-                                ..Contact::default()
-                            },
-                        );
+                        add(Contact {
+                            key: (first * KEY_BASE + second) * KEY_BASE + index,
+                            first,
+                            second,
+                            normal: plane.normal,
+                            arms: [point - body.centre, Vec2::ZERO],
+                            gap,
+                            ..Contact::default()
+                        });
                     }
                 }
             }
@@ -111,13 +111,6 @@ impl FreeBodies {
                 (contact.impulse, contact.along) = (old.impulse * scale, old.along * scale);
             }
         }
-    }
-}
-
-/// Adds a contact while there is room.
-fn add(contacts: &mut Vec<Contact>, contact: Contact) {
-    if contacts.len() < contacts.capacity() {
-        contacts.push(contact);
     }
 }
 

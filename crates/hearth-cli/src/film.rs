@@ -87,6 +87,8 @@ pub struct Header {
     pub plays: Plays,
     /// Whether colours are exact in WebP, WebM and MP4.
     pub is_lossless: bool,
+    /// Whether nothing of it is transparent.
+    pub is_opaque: bool,
     /// A text about the fire.
     pub text: Option<String>,
 }

@@ -156,6 +156,14 @@ pub fn resources(
     }))
 }
 
+/// Memory that pictures take while they are drawn \[bytes\]: the targets, and the picture as it is drawn and read.
+pub fn memory(options: &PictureOptions) -> u64 {
+    const TARGET_AND_COPIES: u64 = 4;
+    let size = drawn(options);
+    let picture = 4 * u64::from(size[0]) * u64::from(size[1]);
+    TARGET_AND_COPIES * picture + ResolutionLimits::of(options.level).bytes(size, u32::MAX)
+}
+
 /// The drawn size of a picture.
 fn drawn(options: &PictureOptions) -> [u32; 2] {
     options

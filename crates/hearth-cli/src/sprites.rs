@@ -1,6 +1,7 @@
 //! Sprite sheets: the pictures of a film as tiles of one picture, for game engines.
 
 pub mod atlas;
+pub mod light;
 pub mod motion;
 
 use crate::error::Error;

@@ -151,6 +151,20 @@ pub fn format_and_size(
     (format, size)
 }
 
+/// Memory of all targets of a layout in half floats \[bytes\].
+pub fn bytes(layout: &Layout) -> u64 {
+    let levels = layout.blurs().len();
+    let is_made = |target: &usize| {
+        !(BLUR + levels..GLOW).contains(target) && !(GLOW + levels..FLOW).contains(target)
+    };
+    let targets = (0..TARGETS).filter(is_made).map(|target| {
+        let (format, [width, height]) = format_and_size(target, layout, TargetFormat::Rgba16F);
+        let pixel = if format == TargetFormat::Rgba8 { 4 } else { 8 };
+        pixel * u64::from(width) * u64::from(height)
+    });
+    targets.sum()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 use std::ffi::OsString;
+use std::io::{Write, stderr};
 use std::ops::{Range, RangeInclusive};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread;
@@ -17,7 +18,7 @@ use crate::film::seam::{self, Loop};
 use crate::film::{self, Clock, Encoder, Format, Header, Plays, Rate};
 use crate::film::{checkpoint, sound};
 use crate::output::Output;
-use crate::painter::Painter;
+use crate::painter::{self, Painter};
 use crate::picture::Picture;
 
 /// Most pictures of a film.
@@ -32,6 +33,9 @@ const CARRIED_SECONDS: f64 = 1.5;
 
 /// Most moments that wait to be drawn, and most pictures that wait to be encoded.
 const MOST_WAITING: usize = 2;
+
+/// Memory from which on it is told \[bytes\].
+const LEAST_TOLD: u64 = 512 << 20;
 
 /// Length of a loop \[s\].
 const LOOP_SECONDS: RangeInclusive<f64> = 1.0..=10.0;
@@ -167,6 +171,7 @@ impl Film {
                 false => Plays::Forever,
             },
             is_lossless: self.lossless,
+            is_opaque: settings.parameters().background.rgba[3] == 255,
             text: self.picture.text(settings),
         };
         if format == Format::Wav {
@@ -201,6 +206,7 @@ impl Film {
             return Ok(None);
         }
         let begun = self.begin(settings, part)?;
+        self.tell_memory();
         // The fire burns, is drawn and is encoded at the same time.
         let state = thread::scope(|scope| {
             let (burnt, shots) = sync_channel(MOST_WAITING);
@@ -217,6 +223,18 @@ impl Film {
         progress.finish();
         encoder.finish()?;
         Ok(state)
+    }
+
+    /// Writes to standard error how much memory large pictures take.
+    fn tell_memory(&self) {
+        let picture = 4 * u64::from(self.size[0]) * u64::from(self.size[1]);
+        let waiting = 2 * MOST_WAITING as u64 + u64::from(self.motion_blur);
+        let options = self.fire.picture(self.size, self.supersample);
+        let bytes = painter::memory(&options) + waiting * picture;
+        if bytes > LEAST_TOLD {
+            // Words that nobody reads change nothing.
+            let _ = writeln!(stderr(), "memory: about {} MB, and the file", bytes >> 20);
+        }
     }
 
     /// Draws what burns, until nobody takes the pictures any more.

@@ -16,6 +16,7 @@ use crate::painter::Painter;
 use crate::picture::{Picture, png_of_rgba};
 use crate::scene::Setting;
 use crate::sprites::atlas::{self, Description};
+use crate::sprites::light;
 use crate::sprites::motion::{self, Moment};
 use crate::sprites::{Grid, bounds, sheet};
 use hearth_render::Viewport;
@@ -187,6 +188,18 @@ impl Sprites {
                 tiles.push((*layer, self.pictures(*layer)?));
             }
         }
+        let vectors = match self.has_motion() {
+            true => {
+                let seen = tiles.iter().find(|(layer, _)| *layer == Layer::Colour);
+                let seen = seen.map(|(_, pictures)| pictures.clone());
+                self.vectors(&seen.map_or_else(|| self.pictures(Layer::Motion), Ok)?)?
+            }
+            false => Vec::new(),
+        };
+        // The one behind the last tile is not on the sheet.
+        for (_, pictures) in &mut tiles {
+            pictures.truncate(self.count as usize);
+        }
         if self.trim {
             let all: Vec<_> = tiles
                 .iter()
@@ -195,10 +208,6 @@ impl Sprites {
                 .collect();
             grid.kept = bounds(&all);
         }
-        let vectors = match self.has_motion() {
-            true => self.vectors()?,
-            false => Vec::new(),
-        };
         let largest = motion::largest(vectors.iter().flatten());
         let size = grid.size()?;
         for (layer, output) in &sheets {
@@ -268,7 +277,7 @@ impl Sprites {
         values
     }
 
-    /// The pictures of a sheet.
+    /// The pictures of a sheet, and the one behind the last if motion leads to it.
     fn pictures(&self, layer: Layer) -> Result<Vec<Picture>, Error> {
         let settings = self.fire.settings(&self.scene, &self.values(layer))?;
         let (offscreen, shared) = self.driver.open()?;
@@ -281,7 +290,7 @@ impl Sprites {
         progress.name(layer.name());
         let mut counter = Counter::new(&progress);
         let mut pictures = Vec::new();
-        for number in 0..self.count {
+        for number in 0..self.count + u32::from(self.has_motion()) {
             fire.advance(clock.age(number), &mut |age| counter.at(age));
             pictures.push(painter.paint(&mut fire)?);
         }
@@ -290,7 +299,7 @@ impl Sprites {
     }
 
     /// The motion vectors from each picture to the next one.
-    fn vectors(&self) -> Result<Vec<Vec<[f32; 2]>>, Error> {
+    fn vectors(&self, pictures: &[Picture]) -> Result<Vec<Vec<[f32; 2]>>, Error> {
         let settings = self
             .fire
             .settings(&self.scene, &self.values(Layer::Motion))?;
@@ -302,10 +311,11 @@ impl Sprites {
         fire.advance(self.from, &mut |_| {});
         let mut before = Moment::of(fire.simulation());
         let mut vectors = Vec::new();
-        for number in 1..=self.count {
+        for (number, pair) in (1..).zip(pictures.windows(2)) {
             fire.advance(clock.age(number), &mut |_| {});
             let now = Moment::of(fire.simulation());
-            vectors.push(before.displacements(&now, viewport, self.tile));
+            let gas = before.displacements(&now, viewport, self.tile);
+            vectors.push(light::followed(&gas, &pair[0], &pair[1]));
             before = now;
         }
         Ok(vectors)

@@ -62,7 +62,11 @@ fn arguments(format: Format, header: &Header, part: &Path, sound: Option<&Path>)
     let codec = match (format, header.is_lossless) {
         (Format::Mp4, false) => "-f mp4 -c:v libx264 -crf 14 -pix_fmt yuv420p -movflags +faststart",
         (Format::Mp4, true) => "-f mp4 -c:v libx264 -qp 0 -pix_fmt yuv444p -movflags +faststart",
-        (_, false) => "-f webm -c:v libvpx-vp9 -crf 10 -b:v 0 -pix_fmt yuva420p -auto-alt-ref 0",
+        // From 2 on, alpha differs by more than 3 of 255.
+        (_, false) if !header.is_opaque => {
+            "-f webm -c:v libvpx-vp9 -crf 1 -b:v 0 -pix_fmt yuva420p -auto-alt-ref 0"
+        }
+        (_, false) => "-f webm -c:v libvpx-vp9 -crf 10 -b:v 0 -pix_fmt yuv420p",
         (_, true) => "-f webm -c:v libvpx-vp9 -lossless 1 -pix_fmt yuva420p -auto-alt-ref 0",
     };
     // The same pictures give the same bytes, and the file contains no version and no time.

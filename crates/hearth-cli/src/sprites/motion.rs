@@ -6,8 +6,8 @@ use hearth_core::params::Model;
 use hearth_core::{Simulation, Vec2};
 use hearth_render::{Viewport, luminance};
 
-/// Radius of a particle's kernel in smoothing lengths.
-const RADIUS: f32 = 2.0;
+/// Radius of a particle's kernel in smoothing lengths: wider ones mix the paths of both sides of a flame.
+const RADIUS: f32 = 0.7;
 /// Weight of gas that does not glow beside that which does, so that vectors go on around the flame.
 const DARK: f32 = 1e-4;
 
@@ -41,7 +41,7 @@ impl Moment {
 
     /// Displacements of the gas from this moment to a later one, a vector for each pixel of a picture: to the right and
     /// downwards \[pixels\]. A particle that is in both has its own path, another one its velocity times the time. The
-    /// vector of a pixel is the mean of the particles around it, weighted by their emission.
+    /// vector of a pixel is the mean of the particles that come to it, weighted by their emission.
     pub fn displacements(
         &self,
         later: &Moment,
@@ -67,7 +67,10 @@ impl Moment {
             let path = moved.get(id).map_or(*velocity * elapsed, |to| **to - *from);
             let path = [path.x * scale[0], -path.y * scale[1]];
             let weight = emission / brightest + DARK;
-            let centre = [(from.x - left) * scale[0], (top - from.y) * scale[1]];
+            let centre = [
+                (from.x - left) * scale[0] + path[0],
+                (top - from.y) * scale[1] + path[1],
+            ];
             let span = |axis: usize, end: usize| {
                 let low = (centre[axis] - reach[axis]).max(0.0) as usize;
                 low..end.min((centre[axis] + reach[axis]).max(0.0) as usize + 1)

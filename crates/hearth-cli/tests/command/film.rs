@@ -315,6 +315,37 @@ fn the_end_of_a_loop_goes_over_into_its_beginning_as_any_picture_into_the_next()
 }
 
 #[test]
+fn a_large_film_says_its_memory_and_a_usual_one_says_nothing() {
+    let folder = Folder::new("film-memory");
+    let film = |size: &str| {
+        let film = [
+            "film",
+            "default",
+            "--quality",
+            "low",
+            "--from",
+            "0.02",
+            "--seconds",
+            "0.1",
+            "--frames",
+            "0..1",
+        ];
+        let run =
+            folder.run(&[&film[..], &["--as", "rgba", "--out", "-", "--size", size]].concat());
+        assert_eq!(run.code, 0, "{}", run.errors);
+        run.errors
+    };
+    let said = film("4096x4096");
+    let number = said
+        .strip_prefix("memory: about ")
+        .and_then(|rest| rest.split(' ').next());
+    let megabytes: u32 = number.and_then(|number| number.parse().ok()).expect(&said);
+    // Eight copies of the picture take 512.
+    assert!((512..2048).contains(&megabytes), "{said}");
+    assert_eq!(film("512x512"), "");
+}
+
+#[test]
 fn the_sound_is_as_long_as_the_film_and_that_of_a_part_is_a_part_of_it() {
     let folder = Folder::new("film-sound");
     let mut files = Vec::new();
@@ -433,12 +464,16 @@ mod by_ffmpeg {
         for words in [
             "-s 48x32 -r 30/1",
             "libvpx-vp9",
-            "yuva420p",
+            "-pix_fmt yuv420p",
             "+bitexact",
             "file:",
         ] {
             assert!(arguments.contains(words), "{words:?} in {arguments}");
         }
+        // Alpha is at most 3 of 255 off at this quality.
+        assert_eq!(with(&folder, Some(script), "a.webm", &["--force"]).code, 0);
+        let arguments = String::from_utf8(folder.read("arguments")).expect("text");
+        assert!(arguments.contains("-crf 1 -b:v 0 -pix_fmt yuva420p"));
     }
 
     #[test]

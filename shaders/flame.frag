@@ -56,8 +56,12 @@ const float TOP_END = 0.96;
 const float DARK = 0.9;
 const float GLOWING = 1.35;
 // The mean of gas below this temperature is of thin hot sheets and cold gas, and the sheets shine [kK].
-const float SHEETS = 1.5;
-const float SHEET_SHARE = 0.5;
+const float SHEETS = 1.6;
+const float SHEET_SHARE = 0.65;
+// Thin sheets burn out before they have cooled: soot that is gone from gas at the lower temperature and none at the upper [kK].
+const float BURNT_OUT = 0.2;
+const float COOLED = 1.0;
+const float BURNING = 1.5;
 // Smoke forms where gas cools from the second to the first temperature [kK],
 const float COLD = 0.5;
 const float COOLING = 1.1;
@@ -161,6 +165,7 @@ void main() {
     // Dark gaps and bright sheets.
     float sheet = fine.z + BROAD_SHEETS * broad.w;
     float left = max(soot - detail * ERODED * max(EROSION_MEAN + EROSION_BROAD * broad.z + EROSION_FINE * fine.w, 0.0), 0.0);
+    left = max(left - BURNT_OUT * (1.0 - smoothstep(COOLED, BURNING, kilokelvin)), 0.0);
     left *= base * exp(-SHEET_CONTRAST * detail * sheet);
     kilokelvin -= SHEET_COOLING * detail * sheet;
 

@@ -2,7 +2,7 @@
  * The dialogs in the HTML of the page: what Hearth is, and the code that embeds the fire in another page.
  */
 
-import { shownAs } from '../editing/exchange.js';
+import { onLightPage, shownAs } from '../editing/exchange.js';
 import { elementCode, iframeCode } from '../share.js';
 
 /** The dialogs that have their listeners. @type {Set<string>} */
@@ -17,7 +17,7 @@ export async function openDialog(id, fire) {
   const dialog = /** @type {HTMLDialogElement} */ (document.getElementById(id));
   if (!ready.has(id)) prepare(dialog);
   ready.add(id);
-  if (id === 'embed') await write(dialog, await fire.exportConfig(), shownAs(fire));
+  if (id === 'embed') await embed(dialog, fire);
   dialog.showModal();
   for (const field of dialog.querySelectorAll('textarea')) showAll(field);
 }
@@ -57,7 +57,21 @@ function prepare(dialog) {
 }
 
 /**
- * Fills in the code of the current fire.
+ * Fills in the code of the current fire, again when the page on which it stands becomes light or dark.
+ * @param {HTMLDialogElement} dialog
+ * @param {import('../hearth-fire.js').HearthFire} fire
+ */
+async function embed(dialog, fire) {
+  const config = await fire.exportConfig();
+  const shown = shownAs(fire);
+  const light = /** @type {HTMLInputElement} */ (dialog.querySelector('#light-page'));
+  const fill = () => write(dialog, light.checked ? onLightPage(config) : config, shown);
+  light.onchange = fill;
+  await fill();
+}
+
+/**
+ * Fills in code.
  * @param {HTMLDialogElement} dialog
  * @param {import('../share.js').HearthSharedConfig} config
  * @param {import('../share.js').HearthShown} shown

@@ -180,6 +180,7 @@ impl Graphics for WebGl {
         fn enable(capability: u32) = gl => gl.enable(capability);
         fn disable(capability: u32) = gl => gl.disable(capability);
         fn blend_func(source: u32, destination: u32) = gl => gl.blend_func(source, destination);
+        fn blend_equation(mode: u32) = gl => gl.blend_equation(mode);
         fn viewport(width: i32, height: i32) = gl => gl.viewport(0, 0, width, height);
         fn scissor(x: i32, y: i32, width: i32, height: i32) = gl => gl.scissor(x, y, width, height);
         fn draw_triangle() = gl => gl.draw_arrays(Context::TRIANGLES, 0, 3);

@@ -194,6 +194,11 @@ impl<'a> FrameUniforms<'a> {
         [r, g, b].map(|channel| self.parameters.ambient_light + share * channel * channel)
     }
 
+    /// Maximum radiance in targets as it lights things: a camera that sees a lit room takes less of the fire's light.
+    pub fn light_on_things(&self) -> f32 {
+        self.format.light_range() / (1.0 + PER_AMBIENT_LIGHT * self.parameters.ambient_light)
+    }
+
     /// The ground: its number in the table, that of stone under a wall without another.
     pub fn ground(&self) -> f32 {
         f32::from((self.parameters.ground as u8).max(Ground::Stone as u8))
@@ -324,6 +329,9 @@ impl<'a> FrameUniforms<'a> {
 pub fn has_backdrop(parameters: &Parameters) -> bool {
     parameters.backdrop != Backdrop::None || parameters.ground != Ground::None
 }
+
+/// Divides the fire's light on things by 1 + this much of the ambient light.
+const PER_AMBIENT_LIGHT: f32 = 4.0;
 
 /// Brightness of the ground under a white background.
 const SKY_BRIGHTNESS: f32 = 0.4;

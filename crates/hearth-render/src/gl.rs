@@ -70,6 +70,7 @@ pub trait Graphics {
     fn enable(&self, capability: u32);
     fn disable(&self, capability: u32);
     fn blend_func(&self, source: u32, destination: u32);
+    fn blend_equation(&self, mode: u32);
     fn viewport(&self, width: i32, height: i32);
     fn scissor(&self, x: i32, y: i32, width: i32, height: i32);
     fn clear(&self, colour: [f32; 4]);
@@ -134,6 +135,7 @@ impl Graphics for glow::Context {
         fn enable(capability: u32) = gl => Gl::enable(gl, capability);
         fn disable(capability: u32) = gl => Gl::disable(gl, capability);
         fn blend_func(source: u32, destination: u32) = gl => Gl::blend_func(gl, source, destination);
+        fn blend_equation(mode: u32) = gl => Gl::blend_equation(gl, mode);
         fn viewport(width: i32, height: i32) = gl => Gl::viewport(gl, 0, 0, width, height);
         fn scissor(x: i32, y: i32, width: i32, height: i32) = gl => Gl::scissor(gl, x, y, width, height);
         fn draw_triangle() = gl => Gl::draw_arrays(gl, glow::TRIANGLES, 0, 3);

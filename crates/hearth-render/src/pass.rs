@@ -64,6 +64,16 @@ impl Blend {
             Blend::Screen => Some((glow::ONE, glow::ONE_MINUS_SRC_COLOR)),
         }
     }
+
+    /// What joins both: their sum; or the larger where a target stores roots of light, since the sum of roots is the root
+    /// of more than both.
+    pub fn equation(self, is_rooted: bool) -> u32 {
+        if self == Blend::Under && is_rooted {
+            glow::MAX
+        } else {
+            glow::FUNC_ADD
+        }
+    }
 }
 
 /// Geometry of a pass.

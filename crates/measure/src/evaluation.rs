@@ -1,11 +1,17 @@
-//! `docs/evaluation.md`: measured tables in sections.
+//! Measured tables in sections of `docs/evaluation.md`, and of `docs/look.md`.
 
 use std::fs;
 
 use anyhow::{Context, Result};
 use xtask::{paths, sections};
 
-const PAGE: &str = "docs/evaluation.md";
+/// The page with the section of that name.
+fn page_of(name: &str) -> &'static str {
+    match name {
+        "filmed" => "docs/look.md",
+        _ => "docs/evaluation.md",
+    }
+}
 
 /// Fails unless the page has the marks of that name: known before hours are measured.
 pub(crate) fn check(name: &str) -> Result<()> {
@@ -14,23 +20,25 @@ pub(crate) fn check(name: &str) -> Result<()> {
 
 /// The section of that name.
 pub(crate) fn read(name: &str) -> Result<String> {
-    sections::read(&page()?, name).with_context(|| lacks(name))
+    sections::read(&page(name)?, name).with_context(|| lacks(name))
 }
 
 /// Replaces the section of that name.
 pub(crate) fn write(name: &str, section: &str) -> Result<()> {
-    let page = sections::replaced(&page()?, name, section).with_context(|| lacks(name))?;
-    fs::write(paths::root().join(PAGE), page)?;
-    println!("wrote {PAGE}");
+    let page = sections::replaced(&page(name)?, name, section).with_context(|| lacks(name))?;
+    let file = page_of(name);
+    fs::write(paths::root().join(file), page)?;
+    println!("wrote {file}");
     Ok(())
 }
 
-fn page() -> Result<String> {
-    fs::read_to_string(paths::root().join(PAGE)).context(PAGE)
+fn page(name: &str) -> Result<String> {
+    let file = page_of(name);
+    fs::read_to_string(paths::root().join(file)).context(file)
 }
 
 fn lacks(name: &str) -> String {
-    format!("{PAGE} lacks the marks `{name}`")
+    format!("{} lacks the marks `{name}`", page_of(name))
 }
 
 #[cfg(test)]
@@ -46,6 +54,7 @@ mod tests {
             "validated",
             "faults",
             "looked",
+            "filmed",
         ] {
             check(name)?;
         }

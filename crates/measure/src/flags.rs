@@ -45,7 +45,7 @@ xflags::xflags! {
             /// A section; `network`, for instance.
             repeated section: String
         }
-        /// Checks a minute of every scene for flashes and updates their rows of docs/evaluation.md.
+        /// Checks a minute of every scene for flashes and updates their rows of docs/evaluation.md; measures fires beside films.
         cmd look {
             /// How the names of the scenes begin.
             repeated scene: String

@@ -1,5 +1,6 @@
 //! `cargo measure look`: checks a minute of every scene for flashes, and for what else its
-//! pixels show, and writes the table into `docs/evaluation.md`.
+//! pixels show, and writes the table into `docs/evaluation.md`. Then it measures some scenes as films
+//! of wood fires were measured, for the table of `docs/look.md`.
 
 use std::{fs, iter};
 
@@ -26,5 +27,17 @@ pub(crate) fn run(names: &[String]) -> Result<()> {
         Err(_) if passed.is_ok() => bail!("the scenes were not recorded"),
         Err(_) => {}
     }
+    beside_films(names)?;
     passed
+}
+
+/// Measures scenes beside films. A table of some scenes is shown and not kept, since each is a column.
+fn beside_films(names: &[String]) -> Result<()> {
+    let table = tools::target()?.join("hearth-look/films.md");
+    let arguments = iter::once(table.clone()).chain(names.iter().map(Into::into));
+    goldens::run_script("wood-fires.mjs", arguments, None)?;
+    if names.is_empty() {
+        evaluation::write("filmed", &fs::read_to_string(table)?)?;
+    }
+    Ok(())
 }

@@ -256,6 +256,12 @@ test('the embed dialog shows the code of the current fire, and Escape closes it'
   const address = 'embed.html?scene=candle&amp;exposure=0.3&amp;warm&amp;interactive';
   assert.ok(codes.iframe.includes(`/${address}" width="660" height="640"`), codes.iframe);
   assert.match(codes.module, /^import 'hearth-fire';/);
+  await tab.page.click('#light-page');
+  await tab.until('the code of a lit room', () =>
+    /** @type {HTMLTextAreaElement} */ (document.querySelector('[data-code="iframe"]')).value.includes(
+      'ambient-light=1',
+    ),
+  );
   // The page ignores keys in a dialog.
   const before = await panelIs(tab);
   await tab.key('h');

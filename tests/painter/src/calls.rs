@@ -131,10 +131,12 @@ impl Calls {
         Ok(json!(time))
     }
 
-    /// The picture of the film at a time \[s\]: pixels, and with `light` its light as floats behind them.
+    /// The picture of the film at a time \[s\]: pixels, and with `light` its light as floats behind them. It shows
+    /// sparks unless `sparks` is false.
     fn picture(&mut self, request: &Request) -> Answer {
         let film = self.film.as_mut().ok_or("there is no film")?;
         film.fire.burn(request.required("time")?);
+        film.fire.shows_sparks = request.0["sparks"] != false;
         let (renderer, fire) = (&mut film.renderer, &mut film.fire);
         if request.0["light"] != true {
             return Ok((Value::Null, self.painter.draw(renderer, fire, film.size)?));

@@ -17,6 +17,8 @@ pub struct Fire {
     instances: Vec<Instance>,
     embers: Vec<Instance>,
     charred: Charred,
+    /// Whether its pictures show sparks.
+    pub shows_sparks: bool,
 }
 
 impl Fire {
@@ -41,6 +43,7 @@ impl Fire {
             instances: Vec::new(),
             embers: Vec::new(),
             charred: Charred::default(),
+            shows_sparks: true,
         })
     }
 
@@ -90,7 +93,7 @@ impl Fire {
         fire.write_instances(&mut self.instances);
         fire.write_charred(&mut self.charred);
         self.embers.clear();
-        if mode == DisplayMode::Fire {
+        if mode == DisplayMode::Fire && self.shows_sparks {
             fire.write_embers(&mut self.embers);
         }
         let temperatures: Vec<_> = fire.solid_temperatures().collect();

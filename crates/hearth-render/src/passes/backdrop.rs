@@ -44,7 +44,7 @@ impl Pass for Backdrop {
             haze_tiles: [tiles * viewport.aspect, tiles],
             haze_risen: wrapped(risen * f64::from(tiles)),
             haze_bend: frame.wall() * frame.parameters.heat_haze * BEND_HEIGHT / viewport.zoom,
-            light_range: frame.format.light_range(),
+            light_range: frame.light_on_things(),
             wall: frame.wall(),
             sky: frame.sky(),
             page: frame.page(),

@@ -40,7 +40,7 @@ impl Pass for Solid {
             floor_middle: viewport.floor,
             picture_size: viewport.metres,
             per_height: viewport.heights().map(|side| 1.0 / side),
-            light_range: frame.format.light_range(),
+            light_range: frame.light_on_things(),
             luminance_exponent: SOLID_LUMINANCE_EXPONENT,
             gain: RELATIVE_BRIGHTNESS * frame.gain(),
             sky: frame.sky(),

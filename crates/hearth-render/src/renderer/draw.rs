@@ -109,6 +109,7 @@ impl<G: Graphics> Renderer<G> {
         if let Some((source, destination)) = blends {
             gl.enable(glow::BLEND);
             gl.blend_func(source, destination);
+            gl.blend_equation(row.blend.equation(frame.format.is_rooted()));
         }
         match row.draw {
             Draw::All => gl.draw_triangle(),

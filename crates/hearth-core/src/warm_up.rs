@@ -17,7 +17,7 @@ const FINE_SECONDS: f64 = 0.9;
 const PAST_SECONDS: f64 = 0.5;
 
 /// The warm-up of a fire.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct WarmUp {
     duration: f64,
     /// Remaining duration [s of fire].

@@ -35,6 +35,10 @@ pub struct Fire {
     sound: Option<Box<Sound>>,
     /// Time of the last statistics \[ms\].
     stats_at: f64,
+    /// The number of the fire that this one copies for a film: it burns by requested steps alone, with as many particles.
+    films: Option<u32>,
+    /// Whether it waits while a copy of it is filmed.
+    waits: bool,
 }
 
 impl Fire {
@@ -50,6 +54,8 @@ impl Fire {
             pacing: Pacing::new(start, on_page),
             sound: None,
             stats_at: f64::NEG_INFINITY,
+            films: None,
+            waits: false,
         };
         fire.simulation = Simulation::new(fire.scene());
         fire
@@ -58,6 +64,32 @@ impl Fire {
     /// Number of the fire in calls and events.
     pub fn id(&self) -> u32 {
         self.id
+    }
+
+    /// The number of the fire that this one copies for a film.
+    pub fn films(&self) -> Option<u32> {
+        self.films
+    }
+
+    /// A copy with that number for a film, invisible and without a size. This fire waits until it [goes on](Fire::go_on).
+    pub fn film(&mut self, id: u32, start: &Start<'_>, on_page: bool) -> Fire {
+        self.waits = true;
+        let mut copy = Fire {
+            simulation: self.simulation.clone(),
+            films: Some(self.id),
+            ..Fire::new(id, self.settings.clone(), start, on_page)
+        };
+        copy.simulation.record_series(false);
+        copy.playback.copy(&self.playback);
+        copy.presentation.copy(&self.presentation);
+        copy.pacing.copy(&self.pacing);
+        copy
+    }
+
+    /// Goes on after a film. The time of the film is not made up for.
+    pub fn go_on(&mut self) {
+        self.waits = false;
+        self.restart_clock();
     }
 
     /// The settings, except for the number of particles that the quality decides.
@@ -164,7 +196,7 @@ impl Fire {
         let requests = &self.playback.requests;
         let pending = !requests.is_empty() || (requests.awaits_drawing() && !can_draw);
         let burns = self.playback.playing || self.playback.is_warming();
-        pending || (can_draw && (burns || self.presentation.needs_picture()))
+        !self.waits && (pending || (can_draw && (burns || self.presentation.needs_picture())))
     }
 
     /// Whether a frame at `now` \[ms\] does work: the limit of the frame rate allows a picture, or steps do not wait for it.

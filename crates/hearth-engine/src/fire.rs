@@ -79,7 +79,10 @@ impl Fire {
             films: Some(self.id),
             ..Fire::new(id, self.settings.clone(), start, on_page)
         };
-        copy.simulation.record_series(false);
+        // Without sound, its part of the wasm may be missing.
+        if self.sound.is_some() {
+            copy.simulation.record_series(false);
+        }
         copy.playback.copy(&self.playback);
         copy.presentation.copy(&self.presentation);
         copy.pacing.copy(&self.pacing);

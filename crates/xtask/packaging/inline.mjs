@@ -77,7 +77,7 @@ function filesInside(sources, wasm, texts = {}) {
   return {
     name: 'files-inside',
     setup({ onLoad, onResolve }) {
-      onResolve({ filter: /\/(panel|tools)\.js$/ }, ({ path: name }) => ({
+      onResolve({ filter: /\/(panel|tools|record)\.js$/ }, ({ path: name }) => ({
         path: `./${path.basename(name)}`,
         external: true,
       }));

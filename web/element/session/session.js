@@ -170,6 +170,11 @@ export class FireSession {
     return Boolean(this.#connection?.live);
   }
 
+  /** The connection to the engine, if it has the fire. */
+  get connection() {
+    return this.live ? this.#connection : null;
+  }
+
   /** Whether there is a fire, or was one. */
   get begun() {
     return this.state.started || this.live;

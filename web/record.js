@@ -11,7 +11,6 @@ import { Copy } from './record/copy.js';
 import { loopOf, shareOfEarlier } from './record/loop.js';
 import { FORMATS, MAX_BYTES, checkMemory, filmOf, megabytes } from './record/options.js';
 import { RATE, Samples } from './record/wav.js';
-import { trustedWorker } from './engine/trusted-worker.js';
 
 export { FORMATS, LOOP_SECONDS, MAX_SIDE, MIN_SIDE, RATES, estimate } from './record/options.js';
 
@@ -58,7 +57,7 @@ class Recording {
   #session;
   #film;
   #onprogress;
-  #worker = worker();
+  #worker;
   /** The answers of the worker that are awaited. @type {((answer: any) => void)[]} */
   #awaited = [];
   /** @type {Copy[]} */
@@ -81,6 +80,7 @@ class Recording {
   constructor(session, film, sink, onprogress) {
     this.#session = session;
     this.#film = film;
+    this.#worker = session.trustedWorker(worker);
     this.sink = sink;
     this.#onprogress = onprogress;
     const { fade, searched } = loopOf(film.count, film.fps);
@@ -269,15 +269,13 @@ class Sink {
 
 /** Starts the worker that encodes. */
 function worker() {
-  return trustedWorker(() => {
-    try {
-      return new Worker(new URL('./record/worker.js', import.meta.url), { type: 'module', name: 'hearth-film' });
-    } catch {
-      // A page may not start a worker from another origin, but a worker that imports it.
-      const text = `import ${JSON.stringify(new URL('./record/worker.js', import.meta.url).href)};`;
-      const url = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
-      setTimeout(() => URL.revokeObjectURL(url), 60_000);
-      return new Worker(url, { type: 'module', name: 'hearth-film' });
-    }
-  });
+  try {
+    return new Worker(new URL('./record/worker.js', import.meta.url), { type: 'module', name: 'hearth-film' });
+  } catch {
+    // A page may not start a worker from another origin, but a worker that imports it.
+    const text = `import ${JSON.stringify(new URL('./record/worker.js', import.meta.url).href)};`;
+    const url = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
+    setTimeout(() => URL.revokeObjectURL(url), 60_000);
+    return new Worker(url, { type: 'module', name: 'hearth-film' });
+  }
 }

@@ -6,8 +6,6 @@
  * @typedef {import('../engine/engine.js').Message} Message
  */
 
-import { refusal } from '../element/session/requests.js';
-
 /** A copy of a fire. */
 export class Copy {
   #port;
@@ -107,7 +105,7 @@ export class Copy {
     } else if (type === 'done' || type === 'refused') {
       this.#open.delete(request ?? -1);
       if (type === 'done') open?.resolve(value);
-      else open?.reject(refusal(errors));
+      else open?.reject(new RangeError(errors[0]?.message));
     }
   }
 

@@ -24,7 +24,7 @@ export const FORMATS = {
   webp: { type: 'image/webp', ending: 'webp', alpha: true, bytes: 0.24 },
   apng: { type: 'image/apng', ending: 'png', alpha: true, bytes: 0.46 },
   gif: { type: 'image/gif', ending: 'gif', alpha: true, bytes: 0.24 },
-  webm: { type: 'video/webm', ending: 'webm', alpha: true, bytes: 0.08 },
+  webm: { type: 'video/webm', ending: 'webm', alpha: true, bytes: 0.5 },
   mp4: { type: 'video/mp4', ending: 'mp4', alpha: false, bytes: 0.04 },
   zip: { type: 'application/zip', ending: 'zip', alpha: true, bytes: 0.46 },
   png: { type: 'image/png', ending: 'png', alpha: true, bytes: 0.46 },

@@ -220,6 +220,9 @@ impl Engine {
         let found = self.fires.iter_mut().find(|fire| fire.id() == id);
         let fire = match (found, command) {
             (None, Command::Add { start }) if start.films > 0 => {
+                if parts::lacks(loaded, parts::FILMS) {
+                    return Ok(Answer::Missing(parts::FILMS));
+                }
                 let mut fires = self.fires.iter_mut();
                 let Some(filmed) = fires.find(|fire| fire.id() == start.films) else {
                     let films = Untrusted::Number(start.films.into());

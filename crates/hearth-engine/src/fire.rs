@@ -1,5 +1,6 @@
 //! A fire: its simulation, and when, how and how much of it is drawn.
 
+mod film;
 mod playback;
 mod presentation;
 mod sound;
@@ -69,24 +70,6 @@ impl Fire {
     /// The number of the fire that this one copies for a film.
     pub fn films(&self) -> Option<u32> {
         self.films
-    }
-
-    /// A copy with that number for a film, invisible and without a size. This fire waits until it [goes on](Fire::go_on).
-    pub fn film(&mut self, id: u32, start: &Start<'_>, on_page: bool) -> Fire {
-        self.waits = true;
-        let mut copy = Fire {
-            simulation: self.simulation.clone(),
-            films: Some(self.id),
-            ..Fire::new(id, self.settings.clone(), start, on_page)
-        };
-        // Without sound, its part of the wasm may be missing.
-        if self.sound.is_some() {
-            copy.simulation.record_series(false);
-        }
-        copy.playback.copy(&self.playback);
-        copy.presentation.copy(&self.presentation);
-        copy.pacing.copy(&self.pacing);
-        copy
     }
 
     /// Goes on after a film. The time of the film is not made up for.

@@ -296,3 +296,65 @@ test('a lost context and a removed fire end a film with a clear error, and the f
   });
   assert.match(removed, /removed/);
 });
+
+test('the dialog of the page shows a sample, and size and time, before it records; Escape cancels and the fire goes on', async () => {
+  const keepSaved = () => {
+    HTMLAnchorElement.prototype.click = function () {
+      if (this.download) /** @type {any} */ (window).saved = this.download;
+    };
+  };
+  for (const options of [
+    { width: 900, height: 700 },
+    { width: 390, height: 844, touch: true },
+  ]) {
+    const tab = await browser.open('index.html?scene=candle', { ...options, before: keepSaved });
+    await tab.ready();
+    await tab.page.click('[data-opens="save"]');
+    const inside = '.hearth-recorder >>> ';
+    await tab.page.waitForSelector(`${inside}dialog`);
+    await tab.page.click(`${inside}[value="film"]`);
+    await tab.page.select(`${inside}[name="size"]`, '256 × 256');
+    await tab.page.$eval(`${inside}[name="seconds"]`, (field) => {
+      /** @type {HTMLInputElement} */ (field).value = '0.5';
+      field.dispatchEvent(new Event('input', { bubbles: true }));
+    });
+    const about = () => tab.page.$eval(`${inside}.about`, (element) => element.textContent ?? '');
+    const says = (/** @type {RegExp} */ words) =>
+      tab.page.waitForFunction(
+        (source) =>
+          RegExp(source).test(
+            document.querySelector('.hearth-recorder')?.shadowRoot?.querySelector('.about')?.textContent ?? '',
+          ),
+        {},
+        words.source,
+      );
+    await says(/^15 pictures of 256 × 256, about \d+ MB, about \d+ s to record\.$/);
+    assert.ok(await tab.page.$(`${inside}.preview img`), 'a sample');
+    const named = await tab.page.$$eval(`${inside}:is(select, input, button, progress)`, (fields) =>
+      fields.map((field) => [
+        /** @type {HTMLInputElement} */ (field).name,
+        field.ariaLabel ?? field.textContent ?? '',
+        /** @type {HTMLInputElement} */ (field).labels?.length,
+      ]),
+    );
+    for (const [name, text, labels] of named) assert.ok(labels || text, `${name} has a name`);
+    const fits = await tab.page.$eval(
+      `${inside}dialog`,
+      (dialog) => dialog.scrollWidth <= dialog.clientWidth && dialog.getBoundingClientRect().bottom <= innerHeight,
+    );
+    assert.ok(fits, 'it fits the page');
+    await tab.page.click(`${inside}[name="save"]`);
+    await says(/^Saved hearth\.webp, 256 × 256 pixels/);
+    assert.equal(await tab.evaluate(() => /** @type {any} */ (window).saved), 'hearth.webp');
+    await tab.page.click(`${inside}[name="save"]`);
+    await says(/^Picture /);
+    await tab.page.click(`${inside}[name="cancel"]`);
+    await says(/^Cancelled\. Nothing is saved\.$/);
+    assert.match(await about(), /Cancelled/);
+    await tab.key('Escape');
+    await tab.until('no dialog', () => !document.querySelector('.hearth-recorder'));
+    const age = await tab.fire((fire) => fire.stats?.time ?? 0);
+    await tab.plays(age + 0.1);
+    assert.deepEqual(tab.problems, []);
+  }
+});

@@ -16,6 +16,7 @@
  * @typedef {import('./parameters.js').PresetName} PresetName
  * @typedef {FireElement} HearthFire
  * @typedef {import('./element/types.js').HearthConfig} HearthConfig
+ * @typedef {import('./element/types.js').HearthFilm} HearthFilm
  * @typedef {import('./element/types.js').HearthFreeSolid} HearthFreeSolid
  * @typedef {import('./element/types.js').HearthHistory} HearthHistory
  * @typedef {import('./element/types.js').HearthMeasures} HearthMeasures
@@ -413,6 +414,18 @@ class FireElement extends FireAttributes {
    */
   captureStream(fps) {
     return this.#session.code.capture('captureStream', fps);
+  }
+
+  /**
+   * Records a film, a loop or the sound by the clock of the simulation, however long that takes, and resolves to its file.
+   * The fire waits meanwhile and then goes on where it was. One film of a fire is recorded at a time.
+   * @see Films
+   * @param {HearthFilm} [options]
+   * @returns {Promise<Blob | undefined>} the file, unless it is written into a `stream`
+   * @example <caption>Save a film</caption> fire.record({ seconds: 2, width: 256, height: 256 }).then((file) => { this.href = URL.createObjectURL(file) })
+   */
+  record(options) {
+    return this.#session.code.capture('record', options);
   }
 
   /**

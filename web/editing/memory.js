@@ -8,7 +8,7 @@
  * @property {boolean} [hidden]  Whether the panel is hidden.
  * @property {number} [sheet]  The height of the sheet as a share of its container.
  * @property {string} [quality]
- * @property {{scale: string, background: string}} [picture]  The last choices of a saved picture.
+ * @property {{kind: string, format: string, size: string, background: string, seconds?: number}} [film]  The last choices of what is saved.
  * @property {boolean} [shortcutsOff]  Whether single-key shortcuts are off.
  */
 

@@ -96,6 +96,46 @@ export interface HearthPicture {
   background?: string;
 }
 
+/** How far a film is. */
+export interface HearthFilmProgress {
+  /** Number of pictures so far, those in which the beginning of a loop is looked for included. */
+  frame: number;
+  /** Number of all pictures. */
+  frames: number;
+  /** Size of the file so far [B]. */
+  bytes: number;
+}
+
+/** A film: see `record`. */
+export interface HearthFilm {
+  /**
+   * `webp`, or `apng` where the browser encodes no WebP, without it. `zip` has PNG files, `png` is the first picture alone,
+   * `wav` the sound alone. `mp4` has no alpha and needs a `background`.
+   */
+  format?: 'webp' | 'apng' | 'gif' | 'webm' | 'mp4' | 'zip' | 'png' | 'wav';
+  /** Length [s], up to 600, of a loop from 1 to 10; 5 without it. */
+  seconds?: number;
+  /** Pictures per second: 24, 25, 30, 50 or 60, of a GIF 20, 25, 33.33 or 50; 30 without it, of a GIF 25. */
+  fps?: number;
+  /** Width and height [pixels], from 16 to 4096; of `webm` and `mp4` even. Without both, those of the picture that is shown. */
+  width?: number;
+  height?: number;
+  /** Seconds that pass before the first picture; 0 without it. */
+  from?: number;
+  /** Whether the end goes over into the beginning, which then is within the next four seconds. */
+  loop?: boolean;
+  /** Whether `webm` and `mp4` have the sound of the fire. */
+  sound?: boolean;
+  /** What is behind fire and solids: `scene`, as the element shows them, `transparent`, or a colour such as `#101018`. */
+  background?: string;
+  /** Takes the file, which then is not kept in memory. It is closed at the end; a film that fails leaves nothing in it. */
+  stream?: FileSystemWritableFileStream;
+  /** Cancels the film. */
+  signal?: AbortSignal;
+  /** Is called after each picture. */
+  onprogress?: (progress: HearthFilmProgress) => void;
+}
+
 /** A solid that forces move, one with `motion` "free", as it is now. */
 export interface HearthFreeSolid {
   /** Its id, as in `objects`; above 1,000,000 that of a part that has broken off. */

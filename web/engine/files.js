@@ -28,6 +28,7 @@ export const PARTS = {
   bodies: () => new URL('../wasm/hearth-engine_bodies.wasm', import.meta.url),
   children: () => new URL('../wasm/hearth-engine_children.wasm', import.meta.url),
   sound: () => new URL('../wasm/hearth-engine_sound.wasm', import.meta.url),
+  films: () => new URL('../wasm/hearth-engine_films.wasm', import.meta.url),
 };
 
 /**

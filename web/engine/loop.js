@@ -22,6 +22,7 @@ const PARTS = {
   bodies: [['fuel', 'motion'], 'fuels, water and free solids'],
   children: [['children'], 'children'],
   sound: [['sound'], 'sound'],
+  films: [['films'], 'films'],
 };
 
 /**

@@ -1,5 +1,6 @@
 /**
- * The dialogs in the HTML of the page: what Hearth is, and the code that embeds the fire in another page.
+ * The dialogs of the page: what Hearth is, and the code that embeds the fire in another page, which are in its HTML, and the
+ * one that saves the fire.
  */
 
 import { onLightPage, shownAs } from '../editing/exchange.js';
@@ -14,6 +15,11 @@ const ready = new Set();
  * @param {import('../hearth-fire.js').HearthFire} fire
  */
 export async function openDialog(id, fire) {
+  if (id === 'save') {
+    const { openRecorder } = await import('../record/dialog.js');
+    openRecorder(fire);
+    return;
+  }
   const dialog = /** @type {HTMLDialogElement} */ (document.getElementById(id));
   if (!ready.has(id)) prepare(dialog);
   ready.add(id);

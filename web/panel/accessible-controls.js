@@ -94,7 +94,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   const reset = addButton('reset', 'Restart', () => fire.reset());
   const undo = addButton('undo', 'Undo', () => controller.undo());
   const redo = addButton('redo', 'Redo', () => controller.redo());
-  const picture = addButton('picture', 'Save an image', () => controller.picture());
+  const picture = addButton('picture', 'Save an image or a film', () => controller.picture());
   const fullscreen = addButton('fullscreen', 'Full screen', () => controller.fullscreen());
   const copies = COPIES.map(({ name, label }) =>
     addButton(`copy:${name}`, `Copy the ${label}`, () => controller.copy(name)),

@@ -3,12 +3,10 @@
  */
 
 import { askForSettings, offerFile, showKeys, showText } from './cards.js';
-import { download, saveSettings } from '../editing/download.js';
+import { saveSettings } from '../editing/download.js';
 import { editingOf } from '../editing/editing.js';
 import { COPIES, isSettings, settingsOf, shownAs, textOf, urlBesideModule } from '../editing/exchange.js';
-import { pictureOf } from '../editing/objects.js';
 import { ownScenesOf } from './own-scenes.js';
-import { askForPicture } from './picture-card.js';
 import { Report } from './report.js';
 import { showScenes } from './scenes.js';
 import { PRESETS } from '../parameters.js';
@@ -163,20 +161,12 @@ export class CardCommands extends EventTarget {
     this.#show(askForSettings({ host: this.#host, apply }));
   }
 
-  /** Asks for the size and the background of a picture, and saves it. */
+  /** Opens the dialog that saves an image or a film. */
   picture() {
-    if (this.#card?.isOpen('picture')) {
-      this.#card.close();
-      return;
-    }
-    const save = async (/** @type {{scale: number, background: string}} */ { scale, background }) => {
-      // A fire of low quality is drawn with fewer pixels than its place on the screen has.
-      const { left, right } = pictureOf(this.#fire);
-      const width = scale * Math.round((right - left) * devicePixelRatio);
-      download(await this.#fire.toBlob({ width, background }), 'hearth.png');
-      this.notify('picture', `Saved an image, ${width} pixels wide`);
-    };
-    this.#show(askForPicture({ host: this.#host, save }));
+    return this.attempt(async () => {
+      const { openRecorder } = await import('../record/dialog.js');
+      openRecorder(this.#fire, (message) => this.notify('picture', message));
+    });
   }
 
   /** Shows or hides the list of shortcuts. */

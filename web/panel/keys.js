@@ -14,7 +14,7 @@ export const KEYS = [
   [['R'], 'restart'],
   [['H'], 'hide or show the controls'],
   [['F'], 'full screen'],
-  [['S'], 'save an image'],
+  [['S'], 'save an image or a film'],
   [['M'], 'sound on or off'],
   [['+', '-'], 'enlarge, reduce the picture'],
   [['0'], 'the whole picture'],

@@ -15,6 +15,8 @@ pub const BODIES: &str = "bodies";
 pub const CHILDREN: &str = "children";
 /// The part that makes samples.
 pub const SOUND: &str = "sound";
+/// The part that copies a fire.
+pub const FILMS: &str = "films";
 
 /// The part that a scene needs and that is not among the `loaded` ones.
 pub fn missing(scene: &Scene, loaded: &Set) -> Option<&'static str> {

@@ -267,6 +267,9 @@ pub struct Start<'a> {
     pub paused: bool,
     /// Whether the element has children, whose list is the next call.
     pub children: bool,
+    /// The number of the fire that it copies for a film, instead of all settings; 0: none. That fire waits until the copy
+    /// is removed.
+    pub films: u32,
 }
 
 impl<'a> Argument<'a> for Start<'a> {
@@ -285,6 +288,7 @@ impl<'a> Argument<'a> for Start<'a> {
             guess: level("guess"),
             paused: Argument::read(value.field("paused")),
             children: Argument::read(value.field("children")),
+            films: value.field("films").number() as u32,
         }
     }
 }

@@ -219,6 +219,23 @@ impl Engine {
         let events = &self.events;
         let found = self.fires.iter_mut().find(|fire| fire.id() == id);
         let fire = match (found, command) {
+            (None, Command::Add { start }) if start.films > 0 => {
+                if parts::lacks(loaded, parts::FILMS) {
+                    return Ok(Answer::Missing(parts::FILMS));
+                }
+                let mut fires = self.fires.iter_mut();
+                let Some(filmed) = fires.find(|fire| fire.id() == start.films) else {
+                    let films = Untrusted::Number(start.films.into());
+                    let allowed = "the number of a fire";
+                    return Err(vec![ValidationError::new("films", &films, allowed)]);
+                };
+                let particles = MachineLimit::new(self.on_page).particles();
+                memory::reserve(None, &filmed.settings().completed(), particles)
+                    .map_err(|error| vec![error])?;
+                let copy = filmed.film(id, &start, self.on_page);
+                self.fires.push(Box::new(copy));
+                return Ok(Answer::Done);
+            }
             (None, Command::Add { start }) => {
                 if start.children && parts::lacks(loaded, parts::CHILDREN) {
                     return Ok(Answer::Missing(parts::CHILDREN));
@@ -372,7 +389,11 @@ impl Engine {
                 return Ok(Answer::Deferred);
             }
             Command::Remove {} => {
+                let filmed = fire.films();
                 self.fires.retain(|fire| fire.id() != id);
+                if let Some(fire) = self.fires.iter_mut().find(|fire| Some(fire.id()) == filmed) {
+                    fire.go_on();
+                }
                 self.share_history();
             }
             // Executed above.

@@ -1,5 +1,6 @@
 //! A fire: its simulation, and when, how and how much of it is drawn.
 
+mod film;
 mod playback;
 mod presentation;
 mod sound;
@@ -35,6 +36,10 @@ pub struct Fire {
     sound: Option<Box<Sound>>,
     /// Time of the last statistics \[ms\].
     stats_at: f64,
+    /// The number of the fire that this one copies for a film: it burns by requested steps alone, with as many particles.
+    films: Option<u32>,
+    /// Whether it waits while a copy of it is filmed.
+    waits: bool,
 }
 
 impl Fire {
@@ -50,6 +55,8 @@ impl Fire {
             pacing: Pacing::new(start, on_page),
             sound: None,
             stats_at: f64::NEG_INFINITY,
+            films: None,
+            waits: false,
         };
         fire.simulation = Simulation::new(fire.scene());
         fire
@@ -58,6 +65,17 @@ impl Fire {
     /// Number of the fire in calls and events.
     pub fn id(&self) -> u32 {
         self.id
+    }
+
+    /// The number of the fire that this one copies for a film.
+    pub fn films(&self) -> Option<u32> {
+        self.films
+    }
+
+    /// Goes on after a film. The time of the film is not made up for.
+    pub fn go_on(&mut self) {
+        self.waits = false;
+        self.restart_clock();
     }
 
     /// The settings, except for the number of particles that the quality decides.
@@ -164,7 +182,7 @@ impl Fire {
         let requests = &self.playback.requests;
         let pending = !requests.is_empty() || (requests.awaits_drawing() && !can_draw);
         let burns = self.playback.playing || self.playback.is_warming();
-        pending || (can_draw && (burns || self.presentation.needs_picture()))
+        !self.waits && (pending || (can_draw && (burns || self.presentation.needs_picture())))
     }
 
     /// Whether a frame at `now` \[ms\] does work: the limit of the frame rate allows a picture, or steps do not wait for it.

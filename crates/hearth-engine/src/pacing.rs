@@ -58,6 +58,13 @@ impl Pacing {
         }
     }
 
+    /// Limits particles and detail as another one does.
+    pub fn copy(&mut self, other: &Pacing) {
+        self.quality = other.quality.clone();
+        self.size_limit = other.size_limit;
+        self.machine_limit = other.machine_limit.clone();
+    }
+
     /// Starts after a pause: the interval before the next frame does not count.
     pub fn skip(&mut self) {
         self.fps.skip();

@@ -57,13 +57,25 @@ impl Sound {
         let speed = fire / clock.max(1e-3) * (1.0 + MAX_CORRECTION * correction);
         self.synthesis.push(steps, speed, half_width);
         self.synthesis.trim(LONGEST_FRAME);
+        let samples = self.samples();
+        self.ahead += 0.5 * samples.len() as f64 / self.rate - passed;
+        self.ahead = self.ahead.clamp(-LONGEST_FRAME, LONGEST_FRAME);
+        samples
+    }
+
+    /// The samples of steps as [`frame`](Sound::frame) returns them, as long as the steps are at a speed.
+    pub fn film(&mut self, steps: &[StepRecord], speed: f64, half_width: f32) -> Vec<f32> {
+        self.synthesis.push(steps, speed, half_width);
+        self.samples()
+    }
+
+    /// The samples that are ahead.
+    fn samples(&mut self) -> Vec<f32> {
         let frames = (self.synthesis.ahead() * self.rate) as usize;
         let mut samples = vec![0.0; 2 * frames];
         if let Some((left, right)) = samples.split_at_mut_checked(frames) {
             self.synthesis.render(left, right);
         }
-        self.ahead += frames as f64 / self.rate - passed;
-        self.ahead = self.ahead.clamp(-LONGEST_FRAME, LONGEST_FRAME);
         samples
     }
 }

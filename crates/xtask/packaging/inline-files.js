@@ -6,6 +6,7 @@
 import BODIES from 'inline:bodies';
 import CHILDREN from 'inline:children';
 import CLASSIC from 'inline:classic';
+import FILMS from 'inline:films';
 import SOUND from 'inline:sound';
 import WASM from 'inline:wasm';
 import WORKER from 'inline:worker';
@@ -22,6 +23,7 @@ export const PARTS = {
   bodies: () => unpacked(BODIES),
   children: () => unpacked(CHILDREN),
   sound: () => unpacked(SOUND),
+  films: () => unpacked(FILMS),
 };
 
 /**

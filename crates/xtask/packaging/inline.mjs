@@ -51,6 +51,7 @@ export async function inlined(sources, wasm, { name, version, license }) {
         bodies: await deflated('hearth-engine_bodies.wasm'),
         children: await deflated('hearth-engine_children.wasm'),
         sound: await deflated('hearth-engine_sound.wasm'),
+        films: await deflated('hearth-engine_films.wasm'),
         wasm: await deflated('hearth-engine_bg.wasm'),
         worker: worker.text,
       }),
@@ -77,7 +78,7 @@ function filesInside(sources, wasm, texts = {}) {
   return {
     name: 'files-inside',
     setup({ onLoad, onResolve }) {
-      onResolve({ filter: /\/(panel|tools)\.js$/ }, ({ path: name }) => ({
+      onResolve({ filter: /\/(panel|tools|record)\.js$/ }, ({ path: name }) => ({
         path: `./${path.basename(name)}`,
         external: true,
       }));

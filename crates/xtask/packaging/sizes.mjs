@@ -37,7 +37,13 @@ const sound = [
   ...(await reached(folder, ['sound/player.js'])).filter((file) => !always.includes(file)),
   'wasm/hearth-engine_sound.wasm',
 ];
-const requested = (await reached(folder, [ELEMENT], isEntry)).filter((file) => ![...always, ...sound].includes(file));
+const films = [
+  ...(await reached(folder, ['record.js', 'record/dialog.js'])).filter((file) => !always.includes(file)),
+  'wasm/hearth-engine_films.wasm',
+];
+const requested = (await reached(folder, [ELEMENT], isEntry)).filter(
+  (file) => ![...always, ...sound, ...films].includes(file),
+);
 const tools = await loaded('tools.js');
 const plots = (await reached(folder, ['tools.js'], isEntry)).filter(
   (file) => ![...tools, ...always, ...requested].includes(file),
@@ -51,6 +57,7 @@ const DOWNLOADS = [
   { name: 'children, on request', files: ['wasm/hearth-engine_children.wasm'] },
   { name: 'other scripts of the element, each on request', files: requested.filter((file) => !isPart(file)) },
   { name: 'sound, on request', files: sound },
+  { name: 'films and their dialog, on request', files: films },
   { name: 'panel, on request', files: await loaded('panel.js') },
   { name: 'tools, on request', files: tools },
   { name: 'probe and plots of the tools, on request', files: plots },

@@ -8,7 +8,7 @@ use wasm_parts::{Bound, Part};
 use crate::shell::Shell;
 
 /// The parts of the engine. `hearth_bindings::parts` determines which one a scene needs.
-const PARTS: [Part; 4] = [
+const PARTS: [Part; 5] = [
     Part {
         name: "classic",
         modules: &["hearth_core::classic::"],
@@ -33,6 +33,10 @@ const PARTS: [Part; 4] = [
             "hearth_engine::fire::sound::",
             "hearth_engine::sound::",
         ],
+    },
+    Part {
+        name: "films",
+        modules: &["hearth_engine::fire::film::"],
     },
 ];
 

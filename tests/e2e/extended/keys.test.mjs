@@ -97,7 +97,8 @@ test('plus and minus enlarge and reduce the picture, Shift and arrow keys move i
 test('S asks how to save a picture and Enter saves it, F enters and leaves full screen', async () => {
   const { tab } = await openPage(countSaved);
   await tab.key('s');
-  await tab.until('the question', () => document.activeElement?.matches('[data-card="save"]'));
+  const isAsked = () => document.activeElement?.shadowRoot?.activeElement?.matches('[name="save"]');
+  await tab.until('the question', isAsked);
   await tab.key('Enter');
   await tab.until('a picture', () => /** @type {any} */ (window).saved === 1);
   await tab.key('f');
@@ -111,7 +112,7 @@ test('with the panel hidden since the visit before, its keys work', async () => 
   const options = { width: 760, height: 600, before: () => localStorage.setItem('hearth-page-panel', 'hidden') };
   for (const [key, done] of /** @type {[string, () => unknown][]} */ ([
     ['+', () => /** @type {any} */ (document.querySelector('hearth-fire')).zoom > 1],
-    ['s', () => document.querySelector('[data-card="picture"]')?.checkVisibility()],
+    ['s', () => document.querySelector('.hearth-recorder')?.shadowRoot?.querySelector('dialog')?.open],
     ['?', () => document.querySelector('[data-card="help"]')?.checkVisibility()],
   ])) {
     const tab = await browser.open('index.html?scene=default', options);

@@ -160,22 +160,21 @@ describe('the panel', () => {
     assert.equal(await tab.page.$('.hearth-card'), null);
   });
 
-  test('saves a picture of the fire as a PNG, in the size and over the background that its card has', async () => {
+  test('saves a picture of the fire as a PNG, as wide as on the page, over the background that its dialog has', async () => {
     const { tab, panel } = await openPage({ before: keepSaved });
     await tab.burnt(0.5);
     await panel.press('picture');
-    await tab.until('the card is there', () => document.querySelector('[data-card="save"]'));
-    await tab.page.select('[data-card="scale"]', '2');
-    await tab.page.select('[data-card="background"]', 'black');
+    await tab.until('the dialog is there', () => document.querySelector('.hearth-recorder'));
+    await tab.page.select('.hearth-recorder >>> [name="background"]', '#000000');
     // As many pixels as the screen has, however few the fire is drawn with.
     await tab.fire((fire) => fire.setAttribute('max-pixels', '20000'));
-    const width = await tab.fire((fire) => fire.offsetWidth * devicePixelRatio);
-    await tab.page.click('[data-card="save"]');
+    const width = await tab.fire((fire) => 2 * Math.round((fire.offsetWidth * devicePixelRatio) / 2));
+    await tab.page.click('.hearth-recorder >>> [name="save"]');
     const { name, start, size } = await tab.until('a file', () => /** @type {any} */ (window).saved);
-    assert.match(name, /\.png$/);
+    assert.equal(name, 'hearth.png');
     assert.deepEqual(start, [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
     assert.ok(size > 1000, `${size} bytes`);
-    assert.match(await panel.message(), new RegExp(`saved.*${2 * width} pixels`, 'i'));
-    assert.equal(await tab.evaluate(() => document.querySelector('[data-card="picture"]')), null, 'the card is closed');
+    assert.match(await panel.message(), new RegExp(`saved.*${width} pixels`, 'i'));
+    assert.equal(await tab.evaluate(() => document.querySelector('.hearth-recorder')), null, 'the dialog is closed');
   });
 });

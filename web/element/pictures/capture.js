@@ -1,5 +1,5 @@
 /**
- * Copies of what the canvas shows. This code is loaded by the first `toBlob` or `captureStream`.
+ * Copies of what the canvas shows, and films. This code is loaded by the first `toBlob`, `captureStream` or `record`.
  */
 
 import { countdown } from '../../engine/time-limit.js';
@@ -60,6 +60,17 @@ export async function captureStream(session, fps) {
   const track = session.code.player?.track();
   if (track) stream.addTrack(track);
   return stream;
+}
+
+/**
+ * A film of the fire. Its code is loaded with the first one.
+ * @param {import('../session/session.js').FireSession} session
+ * @param {import('../types.js').HearthFilm} [options]
+ * @returns {Promise<Blob | undefined>}
+ */
+export async function record(session, options) {
+  const films = await session.reports.loads(import('../../record.js'), 'The code for films');
+  return films.record(session, options);
 }
 
 /**

@@ -98,6 +98,20 @@ export class EngineConnection {
     return document.hidden || (this.#known && !(this.#visible && width && height));
   }
 
+  /** The number of the fire in the engine; 0: it has none. */
+  get number() {
+    return this.#fire;
+  }
+
+  /**
+   * Makes a copy of the fire in the engine.
+   * @template T
+   * @param {(port: import('../../engine/engine.js').Port, fire: number, resolve: (call: Call) => Call) => T} make
+   */
+  copy(make) {
+    return make(this.#port, this.#fire, (call) => resolved(call, this.#host));
+  }
+
   /** The thread of the engine; empty before it runs. */
   get engineThread() {
     return this.#port?.thread ?? '';

@@ -93,7 +93,7 @@ export class OnDemandCode {
 
   /**
    * Calls a function of `capture.js` when the fire is presented.
-   * @type {(name: 'toBlob' | 'captureStream', ...options: any) => Promise<any>}
+   * @type {(name: 'toBlob' | 'captureStream' | 'record', ...options: any) => Promise<any>}
    */
   capture(name, ...options) {
     const session = this.#session;

@@ -10,6 +10,7 @@
 import { EngineError } from '../../engine/engine.js';
 import { missingFeature } from '../../engine/features.js';
 import { prewarmed } from '../../engine/files.js';
+import { trustedWorker } from '../../engine/trusted-worker.js';
 import { ID_OF_ATTRIBUTE, isOn, warmth } from '../attributes/attributes.js';
 import { postable, setOrRemove } from '../plain-data.js';
 import { EngineConnection } from './engine-connection.js';
@@ -72,6 +73,7 @@ export class FireSession {
   /** For code that is loaded on request and must not load it a second time. */
   hexOf = hexOf;
   muted = MUTED;
+  trustedWorker = trustedWorker;
 
   /**
    * @param {HearthFire} fire
@@ -168,6 +170,11 @@ export class FireSession {
   /** Whether the engine has the fire. */
   get live() {
     return Boolean(this.#connection?.live);
+  }
+
+  /** The connection to the engine, if it has the fire. */
+  get connection() {
+    return this.live ? this.#connection : null;
   }
 
   /** Whether there is a fire, or was one. */

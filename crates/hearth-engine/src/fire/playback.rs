@@ -48,6 +48,14 @@ impl Playback {
         }
     }
 
+    /// Stands where another one does, paused.
+    pub fn copy(&mut self, other: &Playback) {
+        self.playing = false;
+        self.starts = other.starts;
+        self.warm_up = other.warm_up.clone();
+        self.pointer = other.pointer;
+    }
+
     /// Sets the duration of the warm-up of new fires. The answer to `request` follows when the
     /// fire is shown or cannot be drawn.
     pub fn set_warm_up(&mut self, seconds: Option<f64>, request: u32) {

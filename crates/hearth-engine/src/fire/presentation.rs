@@ -35,6 +35,13 @@ pub struct Presentation {
 }
 
 impl Presentation {
+    /// Shows what another one does. It is not visible and has no size.
+    pub fn copy(&mut self, other: &Presentation) {
+        self.history = other.history.clone();
+        self.camera = other.camera;
+        self.drawable = other.drawable;
+    }
+
     /// Whether the fire can be drawn: it is visible, with a size and a context.
     pub fn can_draw(&self) -> bool {
         self.visible && self.size.0 > 0 && self.size.1 > 0 && self.drawable

@@ -29,18 +29,23 @@ impl Fire {
         }
     }
 
-    /// Posts the samples of a frame of a fire that plays, so many seconds after the last one. Requested steps and those
-    /// of a warm-up are silent.
+    /// Posts the samples of a frame of a fire that plays, so many seconds after the last one, or of the requested steps of
+    /// a film. Other requested steps and those of a warm-up are silent.
     // An entry of the part `sound` of the wasm.
     #[inline(never)]
     pub(super) fn make_samples(&mut self, passed: Option<f64>, events: &Events) {
         let steps = self.simulation.read_series();
-        let half_width = 0.5 * self.settings.parameters().domain_width;
-        if let (Some(sound), Some(passed)) = (self.sound.as_mut(), passed) {
-            let samples = sound.frame(&steps, passed, half_width);
-            if !samples.is_empty() {
-                events.samples(self.id, &samples);
+        let values = self.settings.parameters();
+        let half_width = 0.5 * values.domain_width;
+        let samples = match (self.sound.as_mut(), passed) {
+            (Some(sound), _) if self.films.is_some() => {
+                sound.film(&steps, values.time_scale.into(), half_width)
             }
+            (Some(sound), Some(passed)) => sound.frame(&steps, passed, half_width),
+            _ => return,
+        };
+        if !samples.is_empty() {
+            events.samples(self.id, &samples);
         }
     }
 }

@@ -108,7 +108,8 @@ impl Fire {
             self.pace(time, draw_ms, events);
         }
         let paused = !self.playback.playing;
-        if (drawn && paused) || rescaled || now - self.stats_at >= STATS_INTERVAL_MS {
+        let reports = (drawn && paused) || rescaled || now - self.stats_at >= STATS_INTERVAL_MS;
+        if reports && self.films.is_none() {
             self.stats_at = now;
             events.stats(self.id, &stats::of(self, canvas));
         }
@@ -188,7 +189,8 @@ impl Fire {
         smooth(&mut averages.power, power);
         self.presentation.current = false;
         let resolution = self.settings.resolution();
-        if resolution == Resolution::Level {
+        // The time of a step decides nothing of a film.
+        if resolution == Resolution::Level || self.films.is_some() {
             return;
         }
         // Open air has fewer particles than would fill its domain, and the limit is one of those.

@@ -51,7 +51,7 @@ pub enum Command {
     Copy(String),
     /// Paste settings.
     Paste,
-    /// Save an image.
+    /// Save an image or a film.
     Picture,
     /// Toggle full screen.
     Fullscreen,

@@ -25,7 +25,7 @@ pub enum Icon {
     Undo,
     /// Redo.
     Redo,
-    /// Save an image.
+    /// Save an image or a film.
     Camera,
     /// Full screen.
     Corners,

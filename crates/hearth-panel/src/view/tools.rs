@@ -22,7 +22,7 @@ pub enum Tool {
     Undo,
     /// Redo.
     Redo,
-    /// Save an image.
+    /// Save an image or a film.
     Picture,
     /// Toggle full screen.
     Fullscreen,
@@ -90,7 +90,7 @@ impl Tool {
             Tool::Restart => "Restart with these values (R)",
             Tool::Undo => "Undo (Ctrl Z)",
             Tool::Redo => "Redo (Ctrl Y)",
-            Tool::Picture => "Save an image (S)",
+            Tool::Picture => "Save an image or a film (S)",
             Tool::Fullscreen => "Full screen (F)",
             Tool::Share => "Copy and paste",
             Tool::Help => "Keyboard shortcuts (?)",

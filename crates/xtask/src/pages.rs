@@ -169,19 +169,12 @@ impl<'a> Frame<'a> {
             ("contents", contents(root, self.documents, open)),
             ("content", content.to_owned()),
         ];
-        // One pass, so that no text is taken for a name.
-        let mut page = String::with_capacity(FRAME.len() + content.len());
-        let mut rest = FRAME;
-        while let Some((before, (name, after))) = rest
-            .split_once('{')
-            .and_then(|(before, it)| Some((before, it.split_once('}')?)))
-        {
-            page.push_str(before);
-            let value = values.iter().find(|(known, _)| *known == name);
-            page.push_str(value.map_or("", |(_, value)| value));
-            rest = after;
-        }
-        page + rest
+        // Every second part is a name; no text is taken for one.
+        let parts = FRAME.split(['{', '}']).enumerate().map(|(at, part)| {
+            let value = values.iter().find(|(name, _)| at % 2 == 1 && *name == part);
+            value.map_or(part, |(_, value)| value)
+        });
+        parts.collect()
     }
 }
 
@@ -192,27 +185,15 @@ fn contents(root: &str, documents: &[Document], open: Option<&Document>) -> Stri
         let _ = writeln!(html, "<p>{group}</p>\n<ul>");
         for document in documents.iter().filter(|it| names.contains(&it.name)) {
             let (name, title) = (document.name, escaped(document.title()));
-            let is_open = open.is_some_and(|open| open.name == name);
-            let current = if is_open {
-                " aria-current=\"page\""
-            } else {
-                ""
-            };
-            let _ = write!(
-                html,
-                "<li><a href=\"{root}docs/{name}.html\"{current}>{title}</a>"
-            );
-            let headings: String = document
-                .sections
-                .iter()
-                .filter(|it| is_open && it.level == 2)
-                .map(|it| {
-                    format!(
-                        "<li><a href=\"#{}\">{}</a></li>\n",
-                        it.anchor,
-                        escaped(&it.heading)
-                    )
-                })
+            let here = open.filter(|open| open.name == name);
+            let current = here.map_or("", |_| " aria-current=\"page\"");
+            let link = format!("<a href=\"{root}docs/{name}.html\"{current}>{title}</a>");
+            let _ = write!(html, "<li>{link}");
+            let sections = here.map_or(&[][..], |here| &here.sections).iter();
+            let headings: String = sections
+                .filter(|it| it.level == 2)
+                .map(|it| (&it.anchor, escaped(&it.heading)))
+                .map(|(anchor, heading)| format!("<li><a href=\"#{anchor}\">{heading}</a></li>\n"))
                 .collect();
             if !headings.is_empty() {
                 let _ = write!(html, "\n<ul>\n{headings}</ul>\n");

@@ -91,20 +91,17 @@ impl<'a> Document<'a> {
                     ensure!(comment, "docs/{name}.md contains HTML: {}", tag.trim());
                 }
                 event if !in_code => {
-                    if let Some(section) = sections.last_mut() {
-                        let to = match in_heading {
-                            true => &mut section.heading,
-                            false => &mut section.text,
-                        };
-                        match event {
-                            Event::Text(text) | Event::Code(text) => to.push_str(text),
-                            Event::SoftBreak
-                            | Event::HardBreak
-                            | Event::End(TagEnd::Paragraph | TagEnd::Item | TagEnd::TableCell) => {
-                                to.push(' ')
-                            }
-                            _ => {}
-                        }
+                    let text = match event {
+                        Event::Text(text) | Event::Code(text) => &**text,
+                        Event::SoftBreak
+                        | Event::HardBreak
+                        | Event::End(TagEnd::Paragraph | TagEnd::Item | TagEnd::TableCell) => " ",
+                        _ => "",
+                    };
+                    match sections.last_mut() {
+                        Some(section) if in_heading => section.heading.push_str(text),
+                        Some(section) => section.text.push_str(text),
+                        None => {}
                     }
                 }
                 _ => {}
@@ -113,7 +110,8 @@ impl<'a> Document<'a> {
         let mut anchors = BTreeSet::new();
         for section in &mut sections {
             section.anchor = anchor(&section.heading);
-            section.text = words(&section.text);
+            let words = section.text.split_whitespace().collect::<Vec<_>>();
+            section.text = words.join(" ");
             ensure!(
                 anchors.insert(section.anchor.clone()),
                 "docs/{name}.md has two headings \"{}\"",
@@ -181,11 +179,6 @@ impl<'a> Document<'a> {
             files: page.files,
         })
     }
-}
-
-/// One blank between words.
-fn words(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// The text of the events before that end.

@@ -20,6 +20,8 @@ xflags::xflags! {
             /// The address that the site will have: its pages then name it in full to
             /// programs that preview links.
             optional --url address: Base
+            /// The address of Hearth's sources, which the documentation then links.
+            optional --repository address: Base
         }
         /// Builds the npm package in dist/npm.
         cmd package {}
@@ -88,8 +90,9 @@ mod tests {
             "serve → Serve { port: None, no_open: false }",
             "serve --port 90 --no-open → port: Some(90), no_open: true",
             "serve --no-open --port=90 → port: Some(90), no_open: true",
-            "build → Build { url: None }",
-            "build --url https://a.example → Some(Base(\"https://a.example/\"))",
+            "build → Build { url: None, repository: None }",
+            "build --url https://a.example → url: Some(Base(\"https://a.example/\"))",
+            "build --repository https://a.example → repository: Some(Base(\"https://a.example/\"))",
             "build --url=https://a.example/ → Some(Base(\"https://a.example/\"))",
             "test --skip-browser lint → stage: [\"lint\"], skip_browser: true",
             "thumbnails candle → scene: [\"candle\"]",

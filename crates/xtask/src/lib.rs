@@ -12,6 +12,7 @@ pub mod goldens;
 mod links;
 mod npm;
 mod package;
+pub mod pages;
 mod parts;
 pub mod paths;
 mod pictures;
@@ -28,6 +29,7 @@ use std::process::ExitCode;
 use anyhow::Result;
 use codegen::prewarmed;
 use flags::{Xtask, XtaskCmd};
+use pages::Places;
 
 pub use codegen::sections;
 pub use stages::browser;
@@ -46,8 +48,10 @@ fn run(command: Xtask) -> Result<ExitCode> {
         }
         XtaskCmd::Build(build) => {
             site::build()?;
-            if let Some(base) = build.url {
-                links::make_absolute(&paths::site(), &base)?;
+            let (url, repository) = (build.url.as_ref(), build.repository.as_ref());
+            pages::write(&paths::root(), &paths::site(), &Places { url, repository })?;
+            if let Some(base) = url {
+                links::make_absolute(&paths::site(), base)?;
             }
             println!(
                 "The site is in {}: copy it to any static host.",

@@ -28,6 +28,12 @@ const RELATIVE: &str = "content=\"./";
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Base(String);
 
+impl Base {
+    pub(crate) fn address(&self) -> &str {
+        &self.0
+    }
+}
+
 impl FromStr for Base {
     type Err = anyhow::Error;
 

@@ -12,6 +12,7 @@ use anyhow::{Context, Result, anyhow, ensure};
 use wasm_bindgen_cli_support::Bindgen;
 use xshell::cmd;
 
+use crate::pages::{self, Places};
 use crate::shell::Shell;
 use crate::{parts, paths, script, tools};
 
@@ -78,6 +79,7 @@ pub fn build() -> Result<()> {
     }
     let html = sh.read_file("index.html")?;
     sh.write_file(site.join("index.html"), without_trunk_links(&html))?;
+    pages::write(&root, &site, &Places::default())?;
     let seconds = start.elapsed().as_secs();
     println!("Built {} in {seconds} s.", paths::shown(&site));
     Ok(())

@@ -4,6 +4,8 @@
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
+use xtask::pages::anchor;
+
 /// Folders with documents. The package's own README is checked where it is packed.
 const FOLDERS: [&str; 9] = [
     "",
@@ -46,17 +48,6 @@ fn links(text: &str) -> Vec<&str> {
     found
 }
 
-/// The anchor of a heading, as GitHub makes it.
-fn anchor(heading: &str) -> String {
-    let words = heading.trim_start_matches('#').trim().to_lowercase();
-    let kept = words.chars().filter_map(|letter| match letter {
-        ' ' => Some('-'),
-        '-' | '_' => Some(letter),
-        letter => letter.is_alphanumeric().then_some(letter),
-    });
-    kept.collect()
-}
-
 #[test]
 fn every_link_of_the_documents_resolves() -> io::Result<()> {
     for document in documents()? {
@@ -74,7 +65,7 @@ fn every_link_of_the_documents_resolves() -> io::Result<()> {
             let page = fs::read_to_string(&target)?;
             let mut headings = page.lines().filter(|line| line.starts_with('#'));
             assert!(
-                headings.any(|heading| anchor(heading) == fragment),
+                headings.any(|heading| anchor(heading.trim_start_matches('#')) == fragment),
                 "{}: no heading for {link}",
                 document.display()
             );

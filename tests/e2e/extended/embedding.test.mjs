@@ -11,7 +11,7 @@ const read = (/** @type {string} */ file) => readFileSync(new URL(`../../../${fi
 /** Every example of a document that is a whole page, by the heading above it. */
 const examples = (/** @type {string} */ file) => {
   const text = read(file);
-  return [...text.matchAll(/```html\n([\s\S]*?)```/g)]
+  return [...text.matchAll(/```html(?: live)?\n([\s\S]*?)```/g)]
     .filter(([, html]) => html.startsWith('<!doctype'))
     .map((found) => ({
       file,

@@ -1,0 +1,14 @@
+/** A page of the documentation: contents that are open beside the text, a search, and examples that burn. */
+
+import { runExamples } from './examples.js';
+import { search } from './search.js';
+
+const contents = /** @type {HTMLDetailsElement} */ (document.querySelector('nav details'));
+// The width at which the style sheet puts them beside the text.
+contents.open = matchMedia('(min-width: 60rem)').matches;
+
+const form = /** @type {HTMLFormElement} */ (document.querySelector('form[role="search"]'));
+const field = /** @type {HTMLInputElement} */ (form.querySelector('input'));
+const found = /** @type {HTMLElement} */ (document.getElementById('found'));
+search(form, field, found);
+runExamples(document);

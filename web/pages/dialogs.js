@@ -1,9 +1,6 @@
 /**
- * The dialogs in the HTML of the page: what Hearth is, and the code that embeds the fire in another page.
+ * The dialogs of the page: what Hearth is, and the code that embeds the fire in another page.
  */
-
-import { shownAs } from '../editing/exchange.js';
-import { elementCode, iframeCode } from '../share.js';
 
 /** The dialogs that have their listeners. @type {Set<string>} */
 const ready = new Set();
@@ -17,17 +14,8 @@ export async function openDialog(id, fire) {
   const dialog = /** @type {HTMLDialogElement} */ (document.getElementById(id));
   if (!ready.has(id)) prepare(dialog);
   ready.add(id);
-  if (id === 'embed') await write(dialog, await fire.exportConfig(), shownAs(fire));
-  dialog.showModal();
-  for (const field of dialog.querySelectorAll('textarea')) showAll(field);
-}
-
-/** Fits the height of a field to its text, and scrolls to the start. @param {HTMLTextAreaElement} field */
-function showAll(field) {
-  field.style.height = 'auto';
-  field.style.height = `${field.scrollHeight + field.offsetHeight - field.clientHeight}px`;
-  field.setSelectionRange(0, 0);
-  field.scrollTop = 0;
+  if (id === 'embed') await (await import('./embed/dialog.js')).openEmbed(dialog, fire);
+  else dialog.showModal();
 }
 
 /** @param {HTMLDialogElement} dialog */
@@ -38,39 +26,4 @@ function prepare(dialog) {
     // The dialog has no padding, so this is its backdrop.
     if (event.target === dialog) dialog.close();
   });
-  const copied = dialog.querySelector('#copied');
-  for (const button of dialog.querySelectorAll('[data-copies]')) {
-    button.addEventListener('click', async () => {
-      const what = /** @type {HTMLElement} */ (button).dataset.copies;
-      const field = /** @type {HTMLTextAreaElement} */ (dialog.querySelector(`[data-code="${what}"]`));
-      field.select();
-      try {
-        await navigator.clipboard.writeText(field.value);
-        if (copied) copied.textContent = 'Copied.';
-      } catch {
-        field.focus();
-        if (copied) copied.textContent = 'This browser does not let the page copy. Copy the selected text yourself.';
-      }
-    });
-  }
-  dialog.addEventListener('close', () => copied?.replaceChildren());
-}
-
-/**
- * Fills in the code of the current fire.
- * @param {HTMLDialogElement} dialog
- * @param {import('../share.js').HearthSharedConfig} config
- * @param {import('../share.js').HearthShown} shown
- */
-async function write(dialog, config, shown) {
-  const beside = (/** @type {string} */ file) => new URL(`../${file}`, import.meta.url);
-  const codes = {
-    element: elementCode(config, beside('hearth-fire.js'), shown),
-    iframe: await iframeCode(config, beside('embed.html'), shown).catch(({ message }) => message),
-    module: `import 'hearth-fire';\n\n${elementCode(config, undefined, shown)}`,
-  };
-  for (const [what, code] of Object.entries(codes)) {
-    const field = /** @type {HTMLTextAreaElement} */ (dialog.querySelector(`[data-code="${what}"]`));
-    field.value = code;
-  }
 }

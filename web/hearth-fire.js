@@ -40,6 +40,7 @@ import { isMuted, mute } from './element/session/muted.js';
 import { postable, setOrRemove, stated } from './element/plain-data.js';
 import { quiet } from './element/promises.js';
 import { FireSession } from './element/session/session.js';
+import { connect } from './engine/engine.js';
 import { seedOf } from './element/attributes/values.js';
 import { VERSION } from './generated/version.js';
 
@@ -81,6 +82,15 @@ class FireElement extends FireAttributes {
    * @type {'auto' | 'worker' | 'main'}
    */
   static engine = 'auto';
+
+  /**
+   * Loads the engine before the first fire, which then begins sooner: its wasm is fetched and compiled once for all fires.
+   * @returns {Promise<void>}
+   */
+  static async preload() {
+    // A server has no document.
+    if (globalThis.document) await connect(FireElement.wasmUrl, FireElement.engine);
+  }
 
   #session = new FireSession(this, () => [FireElement.wasmUrl, FireElement.engine]);
 

@@ -9,13 +9,13 @@ export type PresetName = "default" | "bonfire-in-wind" | "burning-logs" | "burni
 
 /** The value of every parameter, by its id. */
 export interface HearthParameters {
-  /** Another kind of fire. Classic: the paper's equations, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
+  /** Another kind of fire. Combustion: fuel enters the air, mixes with it and burns. Classic: the paper's equations, in which hot particles are born, cool and die, and no solid burns. Default "combustion". */
   model: "classic" | "combustion";
-  /** A taller, brighter flame. Power of the burner per metre of depth: the heat of combustion of its fuel, without the heat of its hot gas. 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
+  /** A taller, brighter flame. Power of the burner per metre of depth: the heat of combustion of its fuel, without the heat of its hot gas. 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 3000. */
   fuel_power: number;
   /** A denser, brighter flame. Particles born per second, limited by the space at the source and by the number of particles. [1/s] Default in classic: 1500, from 50 to 100000. */
   emission_rate: number;
-  /** A wider fire. Width of the source. In the combustion model it is at least four particles. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
+  /** A wider fire. Width of the source. In the combustion model it is at least four particles. [m] Default in combustion: 0.4, from 0.01 to 6. Default in classic: 0.36, from 0.05 to 0.6. */
   source_width: number;
   /** A taller flame. Longest life of a particle, at least the shortest life. [s] Default in classic: 1.2, from 0.1 to 3. */
   lifetime_max: number;
@@ -33,9 +33,9 @@ export interface HearthParameters {
   smoke_opacity: number;
   /** More sparks. Embers emitted per second. The flow carries them. [1/s] Default in combustion: 40, from 0 to 1000. */
   ember_rate: number;
-  /** A wall behind the fire, in place of the background. The fire lights it. Default "none". */
+  /** A wall behind the fire, with its floor, in place of the background. The fire lights it. None: the page shows through. Default "none". */
   backdrop: "none" | "bricks";
-  /** A ground under the fire, which lights it. Solids cast shadows on it. Over a transparent background, only its light and its shadows are drawn. Default "none". */
+  /** A ground under the fire, which lights it. Solids cast shadows on it. Over a transparent background, only its light and its shadows are drawn. None: no ground or, before a wall, the stone floor of that. Default "none". */
   ground: "none" | "stone" | "earth" | "sand" | "snow";
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   time_scale: number;
@@ -199,13 +199,13 @@ export interface HearthParameters {
 
 /** The value of every parameter, as the element's properties name it. */
 export interface HearthProperties {
-  /** Another kind of fire. Classic: the paper's equations, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
+  /** Another kind of fire. Combustion: fuel enters the air, mixes with it and burns. Classic: the paper's equations, in which hot particles are born, cool and die, and no solid burns. Default "combustion". */
   model: "classic" | "combustion";
-  /** A taller, brighter flame. Power of the burner per metre of depth: the heat of combustion of its fuel, without the heat of its hot gas. 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
+  /** A taller, brighter flame. Power of the burner per metre of depth: the heat of combustion of its fuel, without the heat of its hot gas. 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 3000. */
   fuelPower: number;
   /** A denser, brighter flame. Particles born per second, limited by the space at the source and by the number of particles. [1/s] Default in classic: 1500, from 50 to 100000. */
   emissionRate: number;
-  /** A wider fire. Width of the source. In the combustion model it is at least four particles. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
+  /** A wider fire. Width of the source. In the combustion model it is at least four particles. [m] Default in combustion: 0.4, from 0.01 to 6. Default in classic: 0.36, from 0.05 to 0.6. */
   sourceWidth: number;
   /** A taller flame. Longest life of a particle, at least the shortest life. [s] Default in classic: 1.2, from 0.1 to 3. */
   lifetimeMax: number;
@@ -223,9 +223,9 @@ export interface HearthProperties {
   smokeOpacity: number;
   /** More sparks. Embers emitted per second. The flow carries them. [1/s] Default in combustion: 40, from 0 to 1000. */
   emberRate: number;
-  /** A wall behind the fire, in place of the background. The fire lights it. Default "none". */
+  /** A wall behind the fire, with its floor, in place of the background. The fire lights it. None: the page shows through. Default "none". */
   backdrop: "none" | "bricks";
-  /** A ground under the fire, which lights it. Solids cast shadows on it. Over a transparent background, only its light and its shadows are drawn. Default "none". */
+  /** A ground under the fire, which lights it. Solids cast shadows on it. Over a transparent background, only its light and its shadows are drawn. None: no ground or, before a wall, the stone floor of that. Default "none". */
   ground: "none" | "stone" | "earth" | "sand" | "snow";
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   timeScale: number;
@@ -406,9 +406,9 @@ export interface HearthSource {
   y?: number;
   /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
   angle?: number;
-  /** A wider fire. Width of the source. In the combustion model it is at least four particles. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
+  /** A wider fire. Width of the source. In the combustion model it is at least four particles. [m] Default in combustion: 0.4, from 0.01 to 6. Default in classic: 0.36, from 0.05 to 0.6. */
   width?: number;
-  /** A taller, brighter flame. Power of the burner per metre of depth: the heat of combustion of its fuel, without the heat of its hot gas. 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
+  /** A taller, brighter flame. Power of the burner per metre of depth: the heat of combustion of its fuel, without the heat of its hot gas. 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 3000. */
   power?: number;
   /** A denser, brighter flame. Particles born per second, limited by the space at the source and by the number of particles. [1/s] Default in classic: 1500, from 50 to 100000. */
   rate?: number;

@@ -45,12 +45,15 @@ export function fromQuery(search: string | URLSearchParams, names?: Iterable<str
 /** The most characters of URL parameters that are written; longer settings become a fragment. */
 export const MAX_QUERY: number;
 
+/** Whether settings become URL parameters: longer ones, and those with a mask, become a fragment. */
+export function fitsQuery(config: HearthSharedConfig, query?: string): boolean;
+
 /** The settings in the fragment of a URL; undefined if it has none. Rejects with a `RangeError` if it is damaged. */
 export function fromFragment(hash: string): Promise<HearthConfig | undefined>;
 
 /**
  * The URL of a page that shows this fire. `base` is the absolute URL of a page that applies its URL parameters.
- * Settings of more than {@link MAX_QUERY} characters become a compressed fragment. Rejects with a `RangeError` if they
+ * Settings of more than {@link MAX_QUERY} characters, or with a mask, become a compressed fragment, which no server receives. Rejects with a `RangeError` if they
  * are too long for that too.
  */
 export function pageLink(config: HearthSharedConfig, base: string | URL): Promise<string>;
@@ -60,6 +63,12 @@ export function pageLink(config: HearthSharedConfig, base: string | URL): Promis
  * Throws a `RangeError` if a name is not a parameter or an attribute.
  */
 export function elementCode(config: HearthSharedConfig, scriptUrl?: string | URL, shown?: HearthShown): string;
+
+/** The attributes of that element, in order; the value of a flag is empty. */
+export function elementAttributes(config: HearthSharedConfig, shown?: HearthShown): [name: string, value: string][];
+
+/** A text as the value of an attribute. */
+export function escaped(text: string): string;
 
 /** HTML that shows this fire in an iframe; `embedUrl` is the absolute URL of `embed.html`. Rejects as `pageLink` does. */
 export function iframeCode(

@@ -104,10 +104,21 @@ export function pageLink(config, base) {
   return urlOf('base', base, config, `${PRESET[0]}=default`);
 }
 
+/**
+ * Whether settings become URL parameters. Servers and their logs see those, but no fragment: a mask, which may be a
+ * visitor's word or logo, travels in the fragment alone.
+ * @param {Config} config
+ * @param {string} [query]  Their URL parameters.
+ */
+export function fitsQuery({ objects, ...config }, query = toQuery({ ...config, ...(objects && { objects }) })) {
+  const hasMask = objects?.some((object) => /** @type {{shape?: string}} */ (object)?.shape === 'mask');
+  return query.length <= MAX_QUERY && !hasMask;
+}
+
 /** @type {(name: string, base: string | URL, config: Config, otherwise?: string) => Promise<string>} */
 async function urlOf(name, base, config, otherwise = '') {
   const query = toQuery(config);
-  const isShort = query.length <= MAX_QUERY;
+  const isShort = fitsQuery(config, query);
   const text = textOf(name, base);
   let url;
   try {
@@ -128,21 +139,34 @@ async function urlOf(name, base, config, otherwise = '') {
  * @throws {RangeError} a name is not a parameter
  */
 export function elementCode(config, scriptUrl, shown) {
+  const named = elementAttributes(config, shown).map(([name, value]) => (value === '' ? name : attribute(name, value)));
+  const element = `<hearth-fire ${named.join(' ')}></hearth-fire>`;
+  if (scriptUrl === undefined) return element;
+  return `<script type="module" ${attribute('src', textOf('scriptUrl', scriptUrl))}></script>\n${element}`;
+}
+
+/**
+ * The attributes of that element, in order; the value of a flag is empty.
+ * @param {Config} config
+ * @param {Shown} [shown]
+ * @returns {[name: string, value: string][]}
+ * @throws {RangeError} a name is not a parameter
+ */
+export function elementAttributes(config, shown) {
   const { preset, attributes } = settingsOf(config);
   const { width, height, own } = checked(shown);
+  /** @type {[string, string][]} */
   const named = attributes.map(([name, value]) => {
     const id = name.replaceAll('-', '_');
     if (!Object.keys(DEFAULTS).includes(id) && id !== 'objects') {
       throw new RangeError(`"${cut(name)}" is not a parameter of a fire`);
     }
-    return value === 'true' ? name : attribute(name, value);
+    return [name, value === 'true' ? '' : value];
   });
-  named.push(...own.map(([name, value]) => (value === '' ? name : attribute(name, value))));
-  if (preset !== undefined) named.unshift(attribute('preset', preset));
-  named.push(attribute('style', `width: ${width}px; max-width: 100%; height: ${height}px`));
-  const element = `<hearth-fire ${named.join(' ')}></hearth-fire>`;
-  if (scriptUrl === undefined) return element;
-  return `<script type="module" ${attribute('src', textOf('scriptUrl', scriptUrl))}></script>\n${element}`;
+  named.push(.../** @type {[string, string][]} */ (own));
+  if (preset !== undefined) named.unshift(['preset', preset]);
+  named.push(['style', `width: ${width}px; max-width: 100%; height: ${height}px`]);
+  return named;
 }
 
 /**
@@ -177,7 +201,7 @@ function attribute(name, value) {
 const ESCAPES = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;', "'": '&#39;' };
 
 /** @param {string} text */
-function escaped(text) {
+export function escaped(text) {
   return text.replace(/[&<>"']/g, (character) => ESCAPES[character]);
 }
 

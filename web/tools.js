@@ -18,7 +18,7 @@ import { Inserts } from './tools/insert.js';
 import { Instruments } from './tools/instruments.js';
 import { Overlay } from './tools/overlay.js';
 import { Pointers } from './tools/pointers.js';
-import { ARROWS, TOOLS } from './tools/table.js';
+import { ARROWS, TOOLS, worded } from './tools/table.js';
 
 /**
  * @typedef {import('./hearth-fire.js').HearthFire} HearthFire
@@ -253,7 +253,7 @@ class Toolbar {
       ['sparks', 'ignite', 'extinguish', 'water'].includes(name) && this.#fire.params.model === 'classic'
         ? ' The classic model has none.'
         : '';
-    if (announces && tool) this.#showStatus(`${tool.label}: ${tool.hint}.${missing}`);
+    if (announces && tool) this.#showStatus(`${tool.label}: ${worded(tool.hint)}.${missing}`);
     this.#update();
   }
 

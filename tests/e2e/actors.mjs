@@ -274,7 +274,7 @@ export async function installActors() {
         click('[data-card="close"]');
       },
       ...Array(3).fill(() => click(`${ACTION}="compare:${editing.letter === 'A' ? 'B' : 'A'}"]`)),
-      ...clicks(ACTION, ['add:solid', 'add:source', 'randomise', 'reset-all', 'reset-all', 'reset-all']),
+      ...clicks(ACTION, ['add:solid', 'add:source', 'randomise:bold', 'reset-all', 'reset-all', 'reset-all']),
       ...clicks(ACTION, ['duplicate', 'delete', 'to:front', 'to:back']).map(atObject),
     ],
     tools: [

@@ -25,6 +25,10 @@ export async function openTools(browser, size = WIDE, query = 'scene=default&pau
   await tab.page.waitForSelector('#draw:not([hidden])');
   await tab.page.click('#draw');
   await tab.page.waitForSelector('.hearth-toolbar [data-tool="erase"]');
+  // Each new solid of wood would be two objects.
+  await tab.page.$eval('.hearth-toolbar input[type=checkbox]', (box) => {
+    /** @type {HTMLInputElement} */ (box).checked = false;
+  });
   return tab;
 }
 

@@ -84,7 +84,7 @@ test('a source lies along the upper side, within the ranges of its properties', 
   assert.deepEqual(sourceOf({ left: -20, right: 0, top: 7, bottom: 0.5, radius: 0 }, domain), {
     x: -3,
     y: 6,
-    width: 1,
+    width: 6,
   });
   assert.deepEqual(sourceOf({ left: 0, right: 0.001, top: -6, bottom: -7, radius: 0 }, domain), {
     x: 0.0005,

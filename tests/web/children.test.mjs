@@ -2,7 +2,9 @@
  * Children of a fire without a browser: which list the engine gets, and when.
  */
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { powerOf } from '../../web/mask/burning.js';
 
 /** @type {(() => void)[]} */
 let frames = [];
@@ -86,7 +88,10 @@ class Page {
   state = { started: true, objects: [], settings: {}, params: {} };
   fire = { querySelectorAll: () => this.elements };
   warnings = [];
-  reports = { refused: (errors) => this.warnings.push(...errors.map(({ message }) => message)) };
+  reports = {
+    refused: (errors) => this.warnings.push(...errors.map(({ message }) => message)),
+    loads: (/** @type {Promise<any>} */ code) => code,
+  };
 
   constructor() {
     frames = [];
@@ -279,4 +284,55 @@ test('a child that leaves the fire is observed no longer', () => {
   page.elements = [second];
   page.children.update();
   assert.deepEqual([...observed], [second]);
+});
+
+/** A page with a solid that burns, and what the engine gets of it. */
+async function burning(attributes) {
+  const page = new Page();
+  const solid = page.append('hearth-solid', { burning: '', shape: 'box', width: '1', height: '0.291', ...attributes });
+  page.children.update();
+  assert.deepEqual(page.frame(), [], 'its code is not loaded');
+  await import('../../web/element/children/child-burning.js');
+  await null;
+  return { page, solid, all: page.frame() };
+}
+
+test('a solid that burns is glowing coal before the flame, with a source on its outline', async () => {
+  const { page, solid, all } = await burning({});
+  const [coal, flame] = all;
+  assert.deepEqual([coal.id, coal.kind, flame.id, flame.kind], [1001, 'solid', 1002, 'source']);
+  const { material, plane, temperature, width } = coal.values;
+  assert.deepEqual([material, plane, temperature, width], ['coal', 'before', 800, '1']);
+  const { shape, solid: of, power } = flame.values;
+  assert.deepEqual([shape, of, power], ['solid', 1001, Math.round(119 * 2 * 1.291)]);
+  assert.deepEqual(flame.changed, Object.keys(flame.values));
+
+  solid.setAttribute('material', 'iron');
+  const [iron, same] = page.frame();
+  assert.deepEqual([iron.values.material, same.changed], ['iron', []]);
+  solid.setAttribute('burning', 'false');
+  assert.deepEqual(
+    page.frame().map(({ id, values }) => [id, values.plane]),
+    [[1001, undefined]],
+  );
+});
+
+test('a flame that an engine has not answered is stated anew, and a refusal of it names the solid', async () => {
+  const { page, all } = await burning({ id: 'logo' });
+  const call = [...page.children.sent.keys()].at(-1);
+  const error = { id: 'children[1].power', message: 'children[1].power = -1 is refused' };
+  const [named] = page.children.named([/** @type {any} */ (error)], call) ?? [];
+  assert.match(String(named.message), /^<hearth-solid id="logo">: power/);
+  for (const { reject } of page.answers) reject({});
+  await new Promise(setImmediate);
+  page.children.report(/** @type {any} */ ({ type: 'ready' }));
+  assert.deepEqual(page.frame()[1].changed, all[1].changed);
+});
+
+test('the power by the outline is that of the scene for its word, and less by the root of its height', () => {
+  const { objects } = JSON.parse(readFileSync(new URL('../../scenes/burning-word.json', import.meta.url), 'utf8'));
+  const [{ power }, word] = objects;
+  assert.ok(Math.abs(powerOf(word) / power - 1) < 0.01, `${powerOf(word)} kW/m`);
+  const small = { ...word, width: word.width / 4, height: word.height / 4 };
+  assert.ok(Math.abs(powerOf(small) / (powerOf(word) / 4 / 2) - 1) < 1e-9);
 });

@@ -2,10 +2,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { PARAMETERS, PRESETS } from '../../web/parameters.js';
-import { randomValues } from '../../web/editing/random-values.js';
+import { STRENGTHS, otherScene, randomValues } from '../../web/editing/random-values.js';
 
-/** The largest ratio to the value of the scene. */
-const FAR = 3;
+/** The largest ratio of the power to that of the scene, by strength. */
+const FAR = { mild: 3, bold: 3.4, wild: 3.4 };
 
 /** A fire that shows a scene. */
 function fireOf({ name, values }) {
@@ -23,12 +23,12 @@ function numbers(seed) {
   };
 }
 
-for (const preset of PRESETS) {
-  test(`of ${preset.name}: in range, of its character, and never the same twice`, () => {
+for (const [preset, strength] of PRESETS.flatMap((of) => STRENGTHS.map((by) => /** @type {const} */ ([of, by])))) {
+  test(`${strength} ones of ${preset.name}: in range, of its character, and never the same twice`, () => {
     const fire = fireOf(preset);
     const seen = new Set();
     for (let seed = 1; seed <= 50; seed += 1) {
-      const values = randomValues(fire, numbers(seed * 7_919));
+      const values = randomValues(fire, strength, numbers(seed * 7_919));
       seen.add(JSON.stringify(values));
       for (const [id, value] of Object.entries(values)) {
         const { min, max } = PARAMETERS.find((entry) => entry.id === id).domains[fire.params.model] ?? {};
@@ -36,7 +36,10 @@ for (const preset of PRESETS) {
       }
       const power = fire.params.fuel_power;
       if (values.fuel_power)
-        assert.ok(Math.abs(Math.log(values.fuel_power / power)) <= Math.log(FAR), `${values.fuel_power} kW/m`);
+        assert.ok(
+          Math.abs(Math.log(values.fuel_power / power)) <= Math.log(FAR[strength]),
+          `${values.fuel_power} kW/m`,
+        );
       if (values.hot_colour) assert.match(`${values.hot_colour}${values.cool_colour}`, /^(#[0-9a-f]{6}){2}$/);
       assert.ok(Object.keys(values).length > 5);
     }
@@ -47,7 +50,16 @@ for (const preset of PRESETS) {
 test('the lowest and the highest number are values, too', () => {
   const fire = fireOf(PRESETS[0]);
   for (const number of [0, 1 - 2 ** -53]) {
-    const values = Object.values(randomValues(fire, () => number));
+    const values = Object.values(randomValues(fire, 'mild', () => number));
     assert.ok(values.every((value) => typeof value === 'string' || Number.isFinite(value)));
   }
+});
+
+test('another scene is never the present one, nor one of the paper', () => {
+  for (const { name } of PRESETS)
+    for (let at = 0; at < 1; at += 0.02)
+      assert.doesNotMatch(
+        otherScene(PRESETS, name, () => at),
+        RegExp(`^(${name}|classic|paper-.*)$`),
+      );
 });

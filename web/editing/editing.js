@@ -4,11 +4,12 @@
  */
 
 import { isBody, objectsOf } from './objects.js';
-import { randomValues } from './random-values.js';
+import { otherScene, randomValues } from './random-values.js';
 
 /**
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
  * @typedef {import('./objects.js').Fields} Fields
+ * @typedef {import('./random-values.js').Strength} Strength
  * @typedef {'A' | 'B'} Letter
  */
 
@@ -194,9 +195,15 @@ export class Editing extends EventTarget {
     this.#changed();
   }
 
-  /** Sets random values near those of the scene: one step. */
-  randomise() {
-    return this.group()(() => this.#fire.set(randomValues(this.#fire)));
+  /** Sets random values, at the greatest strength of another scene: one step. @param {Strength} strength */
+  async randomise(strength) {
+    const step = this.group();
+    if (strength === 'wild') {
+      const { PRESETS } = await import('../parameters.js');
+      const preset = otherScene(PRESETS, this.#fire.preset);
+      await step(() => this.#fire.importConfig({ hearth: 3, preset, values: {} }));
+    }
+    await step(() => this.#fire.set(randomValues(this.#fire, strength)));
   }
 
   #changed() {

@@ -1,5 +1,8 @@
 /**
- * Random values of a scene's character: each stays near the scene's own value, so a candle remains a candle.
+ * Random values of a scene, in three strengths. Mild values stay near those of the scene, so a candle remains a candle.
+ * Bold ones go three times as far, mostly with colours of their own. Wild ones are bold ones of another scene.
+ *
+ * @typedef {'mild' | 'bold' | 'wild'} Strength
  */
 
 import { DOMAINS, sceneValue } from './scene.js';
@@ -37,16 +40,33 @@ const DIFFERENCES = {
   detail: 0.4,
 };
 
-/** The share of the results with colours of their own. */
-const COLOURED = 0.35;
+/** @type {Strength[]} */
+export const STRENGTHS = ['mild', 'bold', 'wild'];
+
+/** How far values go beyond the largest ratios and differences, and the share of results with colours of their own. */
+const FARTHER = { mild: 1, bold: 3, wild: 3 };
+const COLOURED = { mild: 0.35, bold: 0.8, wild: 0.6 };
+
+/** Pages of the paper show its equations, not a fire that may surprise. */
+const PAPER = /^(paper-|classic$)/;
+
+/**
+ * The name of another scene.
+ * @param {readonly {name: string}[]} scenes @param {string} present @param {() => number} [random]
+ */
+export function otherScene(scenes, present, random = Math.random) {
+  const others = scenes.filter(({ name }) => name !== present && !PAPER.test(name));
+  return /** @type {import('../parameters.js').PresetName} */ (others[Math.floor(random() * others.length)].name);
+}
 
 /**
  * Values for `set`.
  * @param {import('./scene.js').Fire} fire
+ * @param {Strength} strength
  * @param {() => number} [random]  A number of 0 to 1, without 1.
  * @returns {Values}
  */
-export function randomValues(fire, random = Math.random) {
+export function randomValues(fire, strength, random = Math.random) {
   const model = fire.params.model;
   /** @type {{[id: string]: number | string}} */
   const values = {};
@@ -56,14 +76,14 @@ export function randomValues(fire, random = Math.random) {
       const domain = DOMAINS.get(id)?.[model];
       const value = sceneValue(fire, /** @type {Id} */ (id));
       if (!domain || typeof value !== 'number') continue;
-      const moved = Number(move(value, most, 2 * random() - 1).toPrecision(3));
+      const moved = Number(move(value, most, FARTHER[strength] * (2 * random() - 1)).toPrecision(3));
       values[id] = Math.min(Math.max(moved, Number(domain.min)), Number(domain.max));
     }
   };
   draw(RATIOS, (value, most, by) => value * most ** by);
   draw(DIFFERENCES, (value, most, by) => value + most * by);
   const hue = 360 * random();
-  if (random() < COLOURED) {
+  if (random() < COLOURED[strength]) {
     values.palette = 'custom';
     values.hot_colour = hex(hue + 20 + 40 * random(), 0.65);
     values.cool_colour = hex(hue, 0.5);

@@ -358,6 +358,11 @@ export interface HearthReflected {
    */
   interactive: boolean;
   /**
+   * The fire is decoration alone: visitors who prefer reduced motion get a still picture without a play button.
+   * @default false
+   */
+  decorative: boolean;
+  /**
    * How the domain fits the picture: `height` and `width` match that side, `contain` shows the whole
    * domain, `cover` fills the picture with it.
    * @default height

@@ -10,7 +10,8 @@ const IDLE_MS = 6000;
 const INPUT = ['pointermove', 'pointerdown', 'keydown', 'focusin', 'wheel', 'touchstart'];
 
 /** What keeps the chrome visible: an open dialog, the pointer or the keyboard's focus in it. */
-const KEEPS = 'dialog[open], #head:hover, #scenes:hover, #head :focus-visible, #scenes :focus-visible';
+const KEEPS =
+  'dialog[open], #word:not([hidden]), #head:hover, #scenes:hover, #head :focus-visible, #scenes :focus-visible';
 
 /**
  * Starts to observe input.

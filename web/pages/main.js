@@ -14,13 +14,17 @@ import '../hearth-fire.js';
 import { fadeChrome } from './chrome.js';
 import { KEPT, applyFragment, hasFragment, keep, keepLast } from './fragment.js';
 import { frameScenes } from './framing.js';
-import { showHint } from './hint.js';
+import { offerAgain, showHint } from './hint.js';
 import { PagePanel } from './panel.js';
-import { MAX_QUERY, toQuery } from '../share.js';
+import { fitsQuery, toQuery } from '../share.js';
 import { offerTools } from '../tools/tools-button.js';
 
 /** How long a message stays [ms]. */
 const TOAST_MS = 8000;
+
+/** The step and the largest value of the zoom. */
+const ZOOM_STEP = 1.25;
+const MAX_ZOOM = 10;
 
 /** The maximum number of messages at a time. */
 const TOASTS = 4;
@@ -114,7 +118,7 @@ function updateUrl(options) {
     const query = queryOf(config);
     const others = new URLSearchParams(options).toString().replace(/=(?=&|$)/g, '');
     const url = new URL(location.href);
-    const isShort = query.length <= MAX_QUERY;
+    const isShort = fitsQuery(config, query);
     url.search = [isShort ? query : '', others].filter(Boolean).join('&');
     if (!isShort) url.hash = await fragmentOrKept(config);
     else if (hasFragment()) url.hash = '';
@@ -142,19 +146,51 @@ function updateUrl(options) {
   return plan;
 }
 
-/** Opens the dialog that a button names. Its code is loaded with the first dialog. */
-function openDialogs() {
+/** Opens what a button names: a dialog, the strip of scenes, or the form of a word. Code is loaded with the first one. */
+function openParts() {
+  const part = (/** @type {string} */ id) => /** @type {any} */ (document.getElementById(id));
+  const openWord = async (/** @type {File | undefined} */ file = undefined) =>
+    (await import('./word/word.js')).openWord(part('word'), fire, notify, file);
+  const attempt = async (/** @type {() => unknown} */ open) => {
+    try {
+      await open();
+    } catch (error) {
+      console.warn('Hearth: a part of the page could not be opened.', error);
+      notify('This part could not be opened. Reload the page and try again.');
+    }
+  };
   for (const button of document.querySelectorAll('[data-opens]')) {
     const id = /** @type {HTMLElement} */ (button).dataset.opens ?? '';
-    button.addEventListener('click', async () => {
-      try {
-        const { openDialog } = await import('./dialogs.js');
-        await openDialog(id, fire);
-      } catch (error) {
-        console.warn('Hearth: the dialog could not be opened.', error);
-        notify('The dialog could not be opened. Reload the page and try again.');
-      }
-    });
+    button.addEventListener('click', () =>
+      attempt(async () => {
+        if (id === 'word') await openWord();
+        else if (id === 'scenes') part(id).querySelector('[tabindex="0"]')?.focus({ focusVisible: true });
+        else await (await import('./dialogs.js')).openDialog(id, fire);
+      }),
+    );
+  }
+  // A picture that is dropped on the page is a logo, unless the tools take it.
+  const takes = (/** @type {DragEvent} */ { dataTransfer }) =>
+    document.documentElement.dataset.tools !== 'shown' && dataTransfer?.types.includes('Files');
+  document.addEventListener('dragover', (event) => takes(event) && event.preventDefault());
+  document.addEventListener(
+    'drop',
+    (event) => {
+      const [file] = event.dataTransfer?.files ?? [];
+      if (!takes(event) || !file?.type.startsWith('image/')) return;
+      event.preventDefault();
+      event.stopPropagation();
+      attempt(() => openWord(file));
+    },
+    true,
+  );
+}
+
+/** The buttons that enlarge and reduce the picture. */
+function offerZoom() {
+  for (const button of document.querySelectorAll('[data-zooms]')) {
+    const by = /** @type {HTMLElement} */ (button).dataset.zooms === 'in' ? ZOOM_STEP : 1 / ZOOM_STEP;
+    button.addEventListener('click', () => (fire.zoom = Math.min(Math.max(fire.zoom * by, 1), MAX_ZOOM)));
   }
 }
 
@@ -183,7 +219,8 @@ async function showSpeaker() {
 applyLocation();
 frameScenes(fire);
 fadeChrome(document.documentElement);
-openDialogs();
+openParts();
+offerZoom();
 const panel = new PagePanel(fire, notify);
 fire.ready.then(
   () => {
@@ -198,7 +235,10 @@ fire.ready.then(
     offerTools({ button, host, fire, page: true, shown, failed });
     button.hidden = false;
     showSpeaker();
-    showHint(/** @type {HTMLElement} */ (document.getElementById('hint')), fire);
+    const hint = /** @type {HTMLElement} */ (document.getElementById('hint'));
+    showHint(hint, fire);
+    offerAgain(hint, fire);
+    for (const id of ['handle', 'zoom']) document.getElementById(id)?.removeAttribute('hidden');
     return showScenes();
   },
   // Without a fire there is nothing to control; the element shows the reason.

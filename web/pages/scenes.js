@@ -34,27 +34,40 @@ export function showStrip(parent, fire, first, warn) {
     image.src = new URL(`../scenes/${name}.jpg`, import.meta.url).href;
     tile.append(image);
     tile.addEventListener('click', () => {
+      // A scene may take seconds to begin, which its picture shows.
+      tile.setAttribute('aria-busy', 'true');
       fire
         .importConfig({ hearth: 3, preset: name, values: {} })
-        .then(mark, (/** @type {Error} */ error) => warn(error.message));
+        .then(() => shownSoon(fire))
+        .then(mark, (/** @type {Error} */ error) => warn(error.message))
+        .finally(() => tile.removeAttribute('aria-busy'));
     });
     tile.addEventListener('focus', () => focus(tile));
-    tile.addEventListener('pointerenter', () => describe(label));
-    tile.addEventListener('pointerleave', () => describe(''));
-    tile.addEventListener('blur', () => describe(''));
+    tile.addEventListener('pointerenter', () => describe(tile));
+    tile.addEventListener('pointerleave', () => describe(undefined));
+    tile.addEventListener('blur', () => describe(undefined));
     return tile;
   });
   let focused = tiles[0];
-  const describe = (/** @type {string} */ label) => {
-    caption.textContent = label;
+  /** The tile whose name stands beside it. @type {HTMLButtonElement | undefined} */
+  let named;
+  const place = () => {
+    if (named)
+      caption.style.top = `${named.offsetTop - list.scrollTop + (named.offsetHeight - caption.offsetHeight) / 2}px`;
   };
+  const describe = (/** @type {HTMLButtonElement | undefined} */ tile) => {
+    named = tile;
+    caption.textContent = tile?.getAttribute('aria-label') ?? '';
+    place();
+  };
+  list.addEventListener('scroll', place, { passive: true });
 
   /** A roving tab index: the Tab key stops once in the strip. @param {HTMLButtonElement} tile */
   const focus = (tile) => {
     focused.tabIndex = -1;
     focused = tile;
     focused.tabIndex = 0;
-    describe(tile.getAttribute('aria-label') ?? '');
+    describe(tile);
   };
   list.addEventListener('keydown', (event) => {
     const { key, ctrlKey, altKey, metaKey } = event;
@@ -80,9 +93,17 @@ export function showStrip(parent, fire, first, warn) {
   fire.addEventListener('params-change', mark);
   mark();
   focus(tiles.find((tile) => tile.hasAttribute('aria-current')) ?? tiles[0]);
-  describe('');
+  describe(undefined);
   list.append(...tiles);
   parent.append(caption, list);
   parent.hidden = false;
   focused.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+}
+
+/** Resolves when the fire has measured its new scene. @param {import('../hearth-fire.js').HearthFire} fire */
+function shownSoon(fire) {
+  if (fire.paused) return undefined;
+  return new Promise((resolve) => {
+    fire.addEventListener('stats', resolve, { once: true });
+  });
 }

@@ -14,12 +14,18 @@ import { OBJECTS, mountAccessibleObjects } from './accessible-objects.js';
 import { idDomain } from '../editing/objects.js';
 import { addQuality, makeControl, noteConditions } from './native-controls.js';
 import { PARAMETERS } from '../parameters.js';
+import { STRENGTHS } from '../editing/random-values.js';
 
 /** The parameter that decides which others exist. */
 const MODEL = 'model';
 
 /** The parameter that decides which others of the combustion model exist. */
 const EDGES = 'edges';
+
+/** As on the panel, the model is in the group of the physics. */
+const [[model], others] = [true, false].map((is) => PARAMETERS.filter(({ id }) => (id === MODEL) === is));
+const PHYSICS = others.findIndex(({ group }) => group === 'Physics');
+const ROWS = [...others.slice(0, PHYSICS), { ...model, group: 'Physics' }, ...others.slice(PHYSICS)];
 
 /** The parameters that decide whether others have an effect. */
 const CONDITIONS = new Set(PARAMETERS.flatMap(({ when, unless }) => Object.keys({ ...when, ...unless })));
@@ -84,7 +90,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   }
   const limited = controller.only !== undefined;
   const shownParameters =
-    controller.only?.flatMap((id) => PARAMETERS.filter((parameter) => parameter.id === id)) ?? PARAMETERS;
+    controller.only?.flatMap((id) => PARAMETERS.filter((parameter) => parameter.id === id)) ?? ROWS;
 
   const pause = addButton('pause', 'Pause', () => (fire.paused ? fire.play() : fire.pause()));
   const step = addButton('step', 'One step', () => {
@@ -111,7 +117,10 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   const states = /** @type {const} */ (['A', 'B']).map((letter) =>
     addButton(`compare:${letter}`, `State ${letter}`, () => controller.compare(letter)),
   );
-  const variants = [...states, addButton('randomise', 'Randomise', () => controller.randomise())];
+  const strengths = STRENGTHS.map((strength) =>
+    addButton(`randomise:${strength}`, `Randomise: ${strength}`, () => controller.randomise(strength)),
+  );
+  const variants = [...states, ...strengths];
   for (const button of variants) button.addEventListener('focus', () => reveal('tools'));
   const resetAll = addButton('reset-all', 'Reset all to the scene', () => controller.restoreAll());
   if (!limited) resetAll.addEventListener('focus', () => reveal('tools'));
@@ -154,9 +163,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     });
     control.dataset.parameter = id;
     control.title = parameter.doc;
-    // As on the panel, the model comes before the search.
-    if (id === MODEL && !limited) resetAll.before(row);
-    else parent.append(row);
+    parent.append(row);
     counterparts.set(id, control);
     const restore = addButton(
       `restore:${id}`,
@@ -176,7 +183,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
       // As on the panel, each kind of edges has its own parameters.
       const isUsed = domain && !unmet.includes(EDGES);
       row.hidden = !isUsed;
-      restore.hidden = !isUsed || id === MODEL || value === controller.defaultOf(id);
+      restore.hidden = !isUsed || value === controller.defaultOf(id);
       if (domain) show(value, domain);
     });
     control.addEventListener('focus', () => reveal(id));

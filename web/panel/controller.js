@@ -227,9 +227,9 @@ export class PanelController extends CardCommands {
     return this.#editing.compare(letter);
   }
 
-  /** Sets random values near those of the scene. */
-  randomise() {
-    return this.#editing.randomise();
+  /** Sets random values. @param {import('../editing/random-values.js').Strength} strength */
+  randomise(strength) {
+    return this.#editing.randomise(strength);
   }
 
   /** @param {string} name */

@@ -20,13 +20,16 @@
 import { element, iconButton } from '../element/controls/icon-button.js';
 import { entriesOf, isBody, nameOf } from '../editing/objects.js';
 import { SPEAKER } from '../sound/speaker.js';
-import { ALIGNMENTS, ARROWS, ICONS, TOOLS } from './table.js';
+import { ALIGNMENTS, ARROWS, GROUPS, ICONS, TOOLS, worded } from './table.js';
 
-/** The options of a list of materials, of which one is chosen. @param {string} [chosen] */
-export const materialOptions = (chosen) =>
-  (entriesOf('solid').find(({ name }) => name === 'material')?.choices ?? []).map(
-    (name) => new Option(name === 'none' ? 'invisible' : name, name, false, name === chosen),
-  );
+/** The material of new solids, which burns. */
+const FIRST = 'wood';
+
+/** The options of a list of materials, of which one is chosen: wood first. */
+export const materialOptions = (chosen = FIRST) =>
+  [...(entriesOf('solid').find(({ name }) => name === 'material')?.choices ?? [])]
+    .sort((a, b) => Number(b === FIRST) - Number(a === FIRST))
+    .map((name) => new Option(name === 'none' ? 'invisible' : name, name, false, name === chosen));
 
 /** The bar of one toolbar. */
 export class Bar {
@@ -40,7 +43,9 @@ export class Bar {
   align = element('div', { class: 'hearth-align', role: 'toolbar', 'aria-label': 'Align', hidden: '' });
   #list = element('select', { 'aria-label': 'Selected object', title: 'Selected object' });
   #material = element('select', { 'aria-label': 'Material of new solids', title: 'Material of new solids' });
-  #burns = element('input', { type: 'checkbox' });
+  #burns = element('input', { type: 'checkbox', checked: '' });
+  /** @type {{[name: string]: HTMLElement}} */
+  #groups = {};
   /** @type {Map<string, HTMLButtonElement>} */
   #buttons = new Map();
   /** @type {HTMLButtonElement} */
@@ -49,9 +54,11 @@ export class Bar {
 
   /** @param {BarActions} acts */
   constructor(acts) {
-    for (const { name, key, label, hint, icon } of TOOLS) {
-      const shown = key.toUpperCase();
-      this.#button(name, `${label} (${shown})`, icon, () => acts.tool(name)).title = `${label}: ${hint} (${shown})`;
+    for (const [name, label] of GROUPS) {
+      const group = element('div', { class: 'group', role: 'group', 'aria-label': label });
+      group.append(element('span', { 'aria-hidden': 'true' }, label));
+      this.#groups[name] = group;
+      this.element.append(group);
     }
     const file = element('input', { type: 'file', accept: 'image/*', hidden: '' });
     file.addEventListener('change', () => {
@@ -60,28 +67,44 @@ export class Bar {
       // The same file can be chosen again.
       file.value = '';
     });
-    this.#button('picture', 'Picture', ICONS.picture, () => file.click()).title =
-      'A picture from a file; it may also be dropped or pasted';
+    const { draw, edit, view } = this.#groups;
     this.#material.append(...materialOptions());
     const burns = element('label', { title: 'New solids burn all around' }, this.#burns, 'on fire');
     this.#list.addEventListener('change', () =>
       acts.select(this.#list.value === '' ? undefined : Number(this.#list.value)),
     );
-    this.element.append(element('div', { class: 'settings' }, this.#material, burns, this.#list, file));
-    this.#several = this.#button('several', 'Select several', ICONS.several, () => this.#setSeveral(!this.several));
+    draw.append(element('div', { class: 'settings' }, this.#material, burns, file));
+    for (const { name, group, key, label, hint, icon } of TOOLS) {
+      const shown = key.toUpperCase();
+      const press = () => acts.tool(name);
+      const button = this.#button(name, `${label} (${shown})`, icon, press, this.#groups[group]);
+      button.title = `${label}: ${worded(hint)} (${shown})`;
+    }
+    this.#button('picture', 'Picture', ICONS.picture, () => file.click(), draw).title =
+      'A picture from a file; it may also be dropped or pasted';
+    edit.append(element('div', { class: 'settings' }, this.#list));
+    this.#several = this.#button(
+      'several',
+      'Select several',
+      ICONS.several,
+      () => this.#setSeveral(!this.several),
+      edit,
+    );
     this.#several.title = 'Select several: each click adds an object, as with Shift';
     this.#setSeveral(false);
-    this.#button('duplicate', 'Duplicate (Ctrl D)', ICONS.duplicate, acts.duplicate);
-    this.#button('remove', 'Delete (Delete)', ICONS.remove, acts.remove);
-    this.#button('back', 'To back', ICONS.back, () => acts.order(false)).title = 'Draw the solid behind the others';
-    this.#button('front', 'To front', ICONS.front, () => acts.order(true)).title = 'Draw the solid before the others';
-    this.#button('plots', 'Plots (G)', ICONS.plots, acts.plots);
+    this.#button('duplicate', 'Duplicate (Ctrl D)', ICONS.duplicate, acts.duplicate, edit);
+    this.#button('remove', 'Delete (Delete)', ICONS.remove, acts.remove, edit);
+    this.#button('back', 'To back', ICONS.back, () => acts.order(false), edit).title =
+      'Draw the solid behind the others';
+    this.#button('front', 'To front', ICONS.front, () => acts.order(true), edit).title =
+      'Draw the solid before the others';
+    this.#button('plots', 'Plots (G)', ICONS.plots, acts.plots, view);
     this.mark('plots', false);
-    this.speaker = this.#button('speaker', 'Sound', SPEAKER, () => {});
+    this.speaker = this.#button('speaker', 'Sound', SPEAKER, () => {}, view);
     this.speaker.title = 'Sound on or off (M)';
-    this.#button('undo', 'Undo (Ctrl Z)', ICONS.undo, acts.undo);
-    this.#button('redo', 'Redo (Ctrl Y)', ICONS.redo, acts.redo);
-    this.#button('close', 'Close the tools', ICONS.close, acts.close);
+    this.#button('undo', 'Undo (Ctrl Z)', ICONS.undo, acts.undo, view);
+    this.#button('redo', 'Redo (Ctrl Y)', ICONS.redo, acts.redo, view);
+    this.#button('close', 'Close the tools', ICONS.close, acts.close, view);
     for (const [to, icon] of ALIGNMENTS)
       this.#button(`align-${to}`, `Align: ${to}`, icon, () => acts.align(to), this.align);
   }
@@ -106,12 +129,13 @@ export class Bar {
     this.#several.setAttribute('aria-pressed', String(on));
   }
 
-  /** @type {(name: string, label: string, icon: string, act: () => void, bar?: HTMLElement) => HTMLButtonElement} */
-  #button(name, label, icon, act, bar = this.element) {
+  /** @type {(name: string, label: string, icon: string, act: () => void, bar: HTMLElement) => HTMLButtonElement} */
+  #button(name, label, icon, act, bar) {
     const button = iconButton(icon, { 'aria-label': label, title: label, 'data-tool': name });
     button.addEventListener('click', act);
-    button.tabIndex = bar.querySelector('button') ? -1 : 0;
     bar.append(button);
+    const [first] = this.#barOf(button).querySelectorAll('button');
+    button.tabIndex = first === button ? 0 : -1;
     this.#buttons.set(name, button);
     return button;
   }
@@ -156,12 +180,20 @@ export class Bar {
     }
   }
 
+  /** The bar that a button is in. @param {HTMLElement} button */
+  #barOf(button) {
+    return this.align.contains(button) ? this.align : this.element;
+  }
+
   /**
-   * Arrow keys lead through the buttons, of which the Tab key reaches one.
+   * Arrow keys lead through the buttons as they are on the screen; the Tab key reaches one of them.
    * @type {(button: HTMLElement, key: string) => boolean}
    */
   rove(button, key) {
-    const all = [...this.#buttons.values()].filter((other) => other.parentElement === button.parentElement);
+    const orderOf = (/** @type {Element} */ shown) => Number(getComputedStyle(shown).order);
+    const all = /** @type {HTMLButtonElement[]} */ ([...this.#barOf(button).querySelectorAll('button')]).sort(
+      (a, b) => orderOf(a) - orderOf(b),
+    );
     const at = all.indexOf(/** @type {HTMLButtonElement} */ (button));
     const [right, up] = ARROWS[key] ?? [0, 0];
     const to = { Home: 0, End: all.length - 1 }[key] ?? (at + right - up + all.length) % all.length;

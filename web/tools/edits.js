@@ -41,11 +41,6 @@ export class Edits {
     this.#showStatus = showStatus;
   }
 
-  /** The material of new solids. */
-  get material() {
-    return this.#newSolidStyle().material;
-  }
-
   /** Does something that the fire may refuse; a refusal becomes a message. @param {() => unknown} act */
   async attempt(act) {
     try {

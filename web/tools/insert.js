@@ -11,10 +11,6 @@ import { isSettings, settingsOf } from '../editing/exchange.js';
 import { materialOptions } from './bar.js';
 import { rounded } from './geometry.js';
 
-/** The largest file [bytes], and the most pixels of an image. */
-const MAX_BYTES = 20e6;
-const MAX_PIXELS = 40e6;
-
 /** The longest word. */
 const MAX_LETTERS = 60;
 
@@ -31,9 +27,16 @@ const FAMILIES = [
   'Brush Script MT',
 ];
 
-/** Width of a letter [m], and the largest share of the visible width that a word or a picture takes. */
-const LETTER = 0.25;
+/** The weights of letters. */
+const WEIGHTS = [
+  ['Regular', '400'],
+  ['Semi-bold', '600'],
+  ['Bold', '800'],
+];
+
+/** The largest share of the visible width that a word takes, and that of a picture. */
 const LARGEST = 0.8;
+const PICTURE = 0.4;
 
 /** A word that burns is as hot as embers, so that it is read before any wall. */
 const GLOWING = { thermal: 'conducting', temperature: 800, heat_capacity: 400 };
@@ -97,7 +100,7 @@ export class Inserts {
         style,
       );
     };
-    this.close = wordForm(this.#host, seen.width, this.#edits.material, add, () => (this.close = () => {}));
+    this.close = wordForm(this.#host, seen.width, add, () => (this.close = () => {}));
   }
 
   /**
@@ -107,8 +110,9 @@ export class Inserts {
   picture(file, at) {
     return this.#edits.attempt(async () => {
       const { width, x, y } = this.#overlay.seen;
-      const fields = await pictureOf(file, width);
-      await this.#edits.add({ ...fields, x: rounded(at?.x ?? x), y: rounded(at?.y ?? y) });
+      const { maskOfFile } = await import('../mask/file.js');
+      const fields = await maskOfFile(file, PICTURE * width);
+      await this.#edits.add({ kind: 'solid', ...fields, x: rounded(at?.x ?? x), y: rounded(at?.y ?? y) });
     });
   }
 
@@ -139,18 +143,38 @@ export class Inserts {
  * Asks for a word.
  * @param {HTMLElement} host  Gets the form.
  * @param {number} across  The width that is seen [m].
- * @param {string} chosen  The material at first.
  * @param {(fields: Fields, style: import('./edits.js').NewSolidStyle) => void} add  Adds the solid, which has no
  *   position yet.
  * @param {() => void} closed
  * @returns {() => void} closes the form
  */
-function wordForm(host, across, chosen, add, closed) {
+function wordForm(host, across, add, closed) {
   const text = { spellcheck: 'false', autocomplete: 'off' };
   const word = element('input', { ...text, value: 'FIRE', maxlength: String(MAX_LETTERS) });
   const family = element('input', { ...text, value: 'sans-serif', maxlength: '100', list: 'hearth-families' });
   const families = FAMILIES.map((name) => element('option', { value: name }));
-  const material = element('select', {}, ...materialOptions(chosen));
+  const weight = element(
+    'select',
+    {},
+    ...WEIGHTS.map(([name, value]) => new Option(name, value, false, value === '800')),
+  );
+  const widest = LARGEST * across;
+  const size = element('input', {
+    type: 'range',
+    min: '0.1',
+    max: '1',
+    step: '0.05',
+    value: '0.6',
+    'aria-label': 'Size',
+  });
+  const preview = element('output', { 'aria-hidden': 'true' });
+  // Coal glows, so the word is read before any wall.
+  const material = element('select', {}, ...materialOptions('coal'));
+  const showPreview = () => {
+    preview.textContent = word.value;
+    Object.assign(preview.style, { fontFamily: family.value, fontWeight: weight.value });
+    preview.style.fontSize = `${16 + 32 * Number(size.value)}px`;
+  };
   const burns = element('input', { type: 'checkbox', checked: '' });
   const alert = element('p', { role: 'alert' });
   const done = element('button', { type: 'submit' }, 'Place it');
@@ -159,7 +183,10 @@ function wordForm(host, across, chosen, add, closed) {
     'form',
     { class: 'hearth-text', 'aria-label': 'A word as a solid' },
     element('label', {}, 'Word', word),
-    element('label', {}, 'Font', family),
+    preview,
+    element('label', { class: 'half' }, 'Font', family),
+    element('label', { class: 'half' }, 'Weight', weight),
+    element('label', {}, 'Size', size),
     element('datalist', { id: 'hearth-families' }, ...families),
     element('label', {}, 'Material', material),
     element('label', {}, burns, 'On fire'),
@@ -182,7 +209,8 @@ function wordForm(host, across, chosen, add, closed) {
     if (done.disabled) return;
     done.disabled = true;
     try {
-      const fields = await textOf(word.value, family.value, across);
+      const style = { family: family.value, weight: weight.value, width: widest * Number(size.value) };
+      const fields = await textOf(word.value, style);
       if (!form.isConnected) return;
       close();
       add(fields, { material: material.value, burns: burns.checked });
@@ -191,6 +219,8 @@ function wordForm(host, across, chosen, add, closed) {
     }
     done.disabled = false;
   });
+  form.addEventListener('input', showPreview);
+  showPreview();
   host.append(form);
   word.select();
   word.focus();
@@ -200,12 +230,12 @@ function wordForm(host, across, chosen, add, closed) {
 /**
  * A word as a solid.
  * @param {string} word
- * @param {string} family  A CSS font family, or a list of them.
- * @param {number} across  The width that is seen [m].
+ * @param {{family: string, weight: string, width: number}} style  A CSS font family, or a list of them; its weight; the
+ *   width of the word [m].
  * @returns {Promise<Fields>}
  * @throws {Error} there is no such font, or nothing of the word is seen
  */
-async function textOf(word, family, across) {
+async function textOf(word, { family, weight, width }) {
   if (word.trim() === '') throw new Error('A word has at least one letter.');
   const names = family
     .split(',')
@@ -213,8 +243,7 @@ async function textOf(word, family, across) {
     .filter(Boolean);
   const absent = names.find((name) => !isPresent(name));
   if (absent !== undefined || names.length === 0) throw new Error(`This computer has no font “${absent ?? family}”.`);
-  const font = `700 100px ${names.map((name) => (GENERIC.includes(name) ? name : JSON.stringify(name))).join(', ')}`;
-  const width = Math.min(LARGEST * across, LETTER * [...word.trim()].length);
+  const font = `${weight} 100px ${names.map((name) => (GENERIC.includes(name) ? name : JSON.stringify(name))).join(', ')}`;
   const { maskOfText } = await import('../mask.js');
   return { kind: 'solid', ...maskOfText(word.trim(), font, width) };
 }
@@ -231,38 +260,4 @@ function isPresent(name) {
     return context.measureText('mmmwwwiii0123').width;
   };
   return ['serif', 'monospace'].some((next) => widthIn(`${JSON.stringify(name)}, ${next}`) !== widthIn(next));
-}
-
-/**
- * An image file as a solid: what is opaque in it.
- * @param {Blob} file
- * @param {number} across  The width that is seen [m].
- * @returns {Promise<Fields>}
- * @throws {Error} it is no image, too large, or nothing in it is opaque
- */
-async function pictureOf(file, across) {
-  const name = 'name' in file && file.name ? `“${file.name}”` : 'What was pasted';
-  if (!file.type.startsWith('image/')) throw new Error(`${name} is no image.`);
-  if (file.size > MAX_BYTES)
-    throw new Error(`${name} has ${Math.round(file.size / 1e6)} MB; an image has at most ${MAX_BYTES / 1e6} MB.`);
-  if (file.type.includes('svg')) {
-    const { MAX_DRAWN, elementsDrawn } = await import('../mask/svg-elements.js');
-    if (elementsDrawn(await file.text()) > MAX_DRAWN) throw new Error(`${name} draws more than ${MAX_DRAWN} elements.`);
-  }
-  const image = new Image();
-  const url = URL.createObjectURL(file);
-  try {
-    const { maskOfImage } = await import('../mask.js');
-    image.src = url;
-    await new Promise((resolve, reject) => {
-      image.onload = resolve;
-      image.onerror = () => reject(new Error(`${name} cannot be read as an image.`));
-    });
-    const pixels = image.naturalWidth * image.naturalHeight;
-    if (pixels > MAX_PIXELS)
-      throw new Error(`${name} has ${Math.round(pixels / 1e6)} megapixels; an image has at most ${MAX_PIXELS / 1e6}.`);
-    return { kind: 'solid', ...maskOfImage(image, 0.4 * across) };
-  } finally {
-    URL.revokeObjectURL(url);
-  }
 }

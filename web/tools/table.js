@@ -3,6 +3,7 @@
  *
  * @typedef {object} Tool
  * @property {string} name
+ * @property {'act' | 'draw' | 'edit' | 'view'} group
  * @property {string} key  The key that chooses it.
  * @property {string} label
  * @property {string} hint  What a visitor does with it.
@@ -10,10 +11,19 @@
  * @property {string} cursor
  */
 
-/** In the order of the toolbar. @type {Tool[]} */
+/** The groups of the toolbar, in its order, with their labels. @type {[Tool['group'], string][]} */
+export const GROUPS = [
+  ['act', 'Fire'],
+  ['draw', 'Draw'],
+  ['edit', 'Edit'],
+  ['view', 'View'],
+];
+
+/** In the order of their groups. @type {Tool[]} */
 export const TOOLS = [
   {
     name: 'stir',
+    group: 'act',
     key: '1',
     label: 'Stir',
     hint: 'Move to blow, click for sparks',
@@ -22,6 +32,7 @@ export const TOOLS = [
   },
   {
     name: 'blow',
+    group: 'act',
     key: 'b',
     label: 'Blow',
     hint: 'Drag to blow; arrow keys blow from the cross and, with Shift, move it',
@@ -30,6 +41,7 @@ export const TOOLS = [
   },
   {
     name: 'sparks',
+    group: 'act',
     key: 'k',
     label: 'Sparks',
     hint: 'Drag to throw sparks, or press Enter at the cross',
@@ -38,6 +50,7 @@ export const TOOLS = [
   },
   {
     name: 'ignite',
+    group: 'act',
     key: 'i',
     label: 'Ignite',
     hint: 'Press a solid or a wet source, or drag along it, to light it',
@@ -46,6 +59,7 @@ export const TOOLS = [
   },
   {
     name: 'water',
+    group: 'act',
     key: 'w',
     label: 'Water',
     hint: 'Hold to spray water downwards',
@@ -54,14 +68,16 @@ export const TOOLS = [
   },
   {
     name: 'extinguish',
+    group: 'act',
     key: 'x',
     label: 'Extinguish',
     hint: 'Press or drag to put out what burns',
     cursor: 'crosshair',
-    icon: 'M6 18L18 6M14 3c1 3 4 4 4 7a4 4 0 0 1-8 0c0-2 1-3 1-4 1 0 2 1 2 2 1-1 1-3 1-5z',
+    icon: 'M8 9h7v12H8zM8 13h7M11.5 9V5M7 5h9l3 4M9 5l-4 4',
   },
   {
     name: 'probe',
+    group: 'view',
     key: 'p',
     label: 'Probe',
     hint: 'Point at a place to measure it, or move the cross with the arrow keys',
@@ -70,6 +86,7 @@ export const TOOLS = [
   },
   {
     name: 'select',
+    group: 'edit',
     key: '2',
     label: 'Select',
     hint: 'Click an object, with Shift several; drag them, or the handles of one',
@@ -78,15 +95,25 @@ export const TOOLS = [
   },
   {
     name: 'brush',
+    group: 'draw',
     key: '3',
     label: 'Brush',
     hint: 'Draw a stroke',
     cursor: 'crosshair',
     icon: 'M20 4c-5 2-9 6-11 10M9 14c-3 0-3 2-4 4-.5 1-1 1.5-2 2 4 1 8 0 8-3a3 3 0 0 0-2-3z',
   },
-  { name: 'line', key: '4', label: 'Line', hint: 'Drag from end to end', cursor: 'crosshair', icon: 'M5 19L19 5' },
+  {
+    name: 'line',
+    group: 'draw',
+    key: '4',
+    label: 'Line',
+    hint: 'Drag from end to end',
+    cursor: 'crosshair',
+    icon: 'M5 19L19 5',
+  },
   {
     name: 'box',
+    group: 'draw',
     key: '5',
     label: 'Box',
     hint: 'Drag from corner to corner',
@@ -95,6 +122,7 @@ export const TOOLS = [
   },
   {
     name: 'circle',
+    group: 'draw',
     key: '6',
     label: 'Circle',
     hint: 'Drag from the centre outwards',
@@ -103,6 +131,7 @@ export const TOOLS = [
   },
   {
     name: 'polygon',
+    group: 'draw',
     key: '7',
     label: 'Polygon',
     hint: 'Click corners; click the first one again to close',
@@ -111,6 +140,7 @@ export const TOOLS = [
   },
   {
     name: 'text',
+    group: 'draw',
     key: '8',
     label: 'Text',
     hint: 'Click where a word goes',
@@ -119,6 +149,7 @@ export const TOOLS = [
   },
   {
     name: 'source',
+    group: 'draw',
     key: '9',
     label: 'Source',
     hint: 'Drag a line of fire',
@@ -127,6 +158,7 @@ export const TOOLS = [
   },
   {
     name: 'erase',
+    group: 'edit',
     key: '0',
     label: 'Erase',
     hint: 'Drag over objects to remove them',
@@ -134,6 +166,16 @@ export const TOOLS = [
     icon: 'M9 20h11M4 15l9-10 7 6-8 9H8z',
   },
 ];
+
+/** A hint in the words of a finger, where the pointer is one. */
+export const worded = (/** @type {string} */ hint) =>
+  globalThis.matchMedia?.('(pointer: coarse)').matches
+    ? hint
+        .replace(', with Shift several', '; Select several adds more')
+        .replace(/; arrow keys.*|, or press Enter.*|, or move the cross.*/, '')
+        .replaceAll('Click', 'Tap')
+        .replaceAll('click', 'tap')
+    : hint;
 
 /** Icons of the buttons that act at once. */
 export const ICONS = {

@@ -20,7 +20,7 @@ pub(super) fn page(scenes: &[Scene]) -> String {
     for model in models() {
         let _ = write!(
             tables,
-            "\n## In the {} model\n\n| | | differs in |\n|---|---|---|\n",
+            "\n## In the {} model\n\n| | | over a page | differs in |\n|---|---|---|---|\n",
             model.name()
         );
         for scene in scenes.iter().filter(|scene| scene.model == model) {
@@ -54,8 +54,13 @@ fn row(scene: &Scene) -> String {
         true => "nothing".to_owned(),
         false => values.join(", "),
     };
+    let has_wall = scene
+        .all_values()
+        .into_iter()
+        .any(|(id, value)| id == "backdrop" && value != "none");
+    let over = if has_wall { "its wall" } else { "transparent" };
     format!(
-        "| ![{label}](../web/scenes/{name}.jpg) | **{label}** `{name}`<br>{} | {} |",
+        "| ![{label}](../web/scenes/{name}.jpg) | **{label}** `{name}`<br>{} | {over} | {} |",
         cell(&scene.description),
         cell(&differs),
         label = cell(&scene.label),

@@ -79,7 +79,7 @@ test('an invalid object is rejected with its mistake, and nothing changes', asyn
   await tab.ready();
   const wrong = [
     [(fire) => fire.addObject({ kind: 'stone' }), 'objects[1].kind', /it must be source or solid/],
-    [(fire) => fire.addObject({ kind: 'source', power: 700 }), 'objects[1].power', /from 0 to 600 kW\/m/],
+    [(fire) => fire.addObject({ kind: 'source', power: 3500 }), 'objects[1].power', /from 0 to 3000 kW\/m/],
     [(fire) => fire.changeObject(9, { x: 0 }), 'id', /the id of an object/],
     [(fire) => fire.changeObject(1, { x: 'far' }), 'objects[0].x', /from -3 to 3 m/],
     [(fire) => fire.removeObject(9), 'id', /the id of an object/],
@@ -93,8 +93,8 @@ test('an invalid object is rejected with its mistake, and nothing changes', asyn
     assert.match(error.message, words);
   }
   assert.deepEqual(await places(tab), { 1: 0 });
-  const { min, max, value } = await refusal(tab, (fire) => fire.changeObject(1, { power: 700 }));
-  assert.deepEqual([min, max, value], [0, 600, 700]);
+  const { min, max, value } = await refusal(tab, (fire) => fire.changeObject(1, { power: 3500 }));
+  assert.deepEqual([min, max, value], [0, 3000, 3500]);
 });
 
 test('the attribute holds objects as JSON, and bad JSON is rejected with a message', async () => {

@@ -51,14 +51,13 @@ for (const size of [WIDE, ...PHONES]) {
       await tap(tab, ...place, touch);
     const [, , polygon] = await until(tab, 'a polygon', (all) => all.length === 3);
     assert.deepEqual([polygon.shape, polygon.points.split(' ').length], ['polygon', 3]);
-    await tab.page.select('.hearth-toolbar [aria-label="Material of new solids"]', 'iron');
     await tool(tab, 'text');
     await tap(tab, 0, 0.8, touch);
     await tab.page.waitForSelector('.hearth-text');
     await tab.page.keyboard.type('OK');
     await tab.key('Enter');
     const [, , , word] = await until(tab, 'a word that burns', (all) => all.length === 5);
-    assert.deepEqual([word.shape, word.material, word.plane], ['mask', 'iron', 'before']);
+    assert.deepEqual([word.shape, word.material, word.plane], ['mask', 'coal', 'before']);
     assert.ok(close(word.x, 0) && close(word.y, 0.8));
     await tool(tab, 'erase');
     await drag(tab, [-0.3, 1.05], [0.05, 1.05], touch);

@@ -86,7 +86,7 @@ test('refusals and misspellings are reported with the element, and names of soli
   const tab = await openChildren(
     browser,
     `<hearth-solid id="lid" x="0.1" width="0" y="0.7" materal="wood"></hearth-solid>
-    <hearth-source power="700" x="0.2" shape="solid" solid="#lid"></hearth-source>
+    <hearth-source power="3500" x="0.2" shape="solid" solid="#lid"></hearth-source>
     <hearth-solid motion="free" y="0.6" hangs-from="#hook" materal="wood"></hearth-solid><hearth-solid id="hook" y="0.9">`,
   );
   const [solid, source, ball, hook] = await owned(tab);
@@ -97,13 +97,13 @@ test('refusals and misspellings are reported with the element, and names of soli
   const errors = await events(tab, 'error');
   assert.deepEqual(errors.map(({ id, value, min, max }) => [id, value, min, max]).sort(), [
     ['material', 'straw', undefined, undefined],
-    ['power', '700', 0, 600],
+    ['power', '3500', 0, 3000],
     ['width', '0', 0.002, 10],
   ]);
   await tab.until('the misspelling is reported', (count) => count >= 4, warnings(tab).length);
   const all = warnings(tab).join('\n');
   assert.match(all, /<hearth-solid id="lid">: width = "0" is refused: it must be a number from 0.002 to 10 m/);
-  assert.match(all, /<hearth-source>: power = "700" is refused: it must be a number from 0 to 600 kW\/m/);
+  assert.match(all, /<hearth-source>: power = "3500" is refused: it must be a number from 0 to 3000 kW\/m/);
   assert.match(all, /<hearth-solid id="lid">: material = "straw" is refused: it must be one of stone, wood/);
   assert.match(all, /<hearth-solid>: it has no attribute materal; did you mean material\?/);
   assert.equal(warnings(tab).length, 4, all);

@@ -240,28 +240,38 @@ test('the embed dialog shows the code of the current fire, and Escape closes it'
   const tab = await browser.open('index.html?scene=candle&exposure=0.3', WIDE);
   await tab.ready();
   await tab.page.click('[data-opens="embed"]');
-  await tab.until('the dialog', () => document.querySelector('dialog[open] [data-code="element"]'));
-  const codes = await tab.evaluate(() =>
-    Object.fromEntries(
-      [...document.querySelectorAll('[data-code]')].map((field) => [
-        field.getAttribute('data-code'),
-        /** @type {HTMLTextAreaElement} */ (field).value,
-      ]),
-    ),
-  );
-  // As this page shows it.
-  const style = 'width: 660px; max-width: 100%; height: 640px';
+  await tab.until('the dialog', () => document.querySelector('dialog[open] [data-code="html"]'));
+  const code = () => tab.page.$eval('#embed textarea', (field) => /** @type {HTMLTextAreaElement} */ (field).value);
+  const chooses = async (name, value) => {
+    await tab.page.select(`#embed [name=${name}]`, value);
+    await tab.frames();
+  };
+  const style = 'width: 320px; max-width: 100%; height: 400px';
   const element = `<hearth-fire preset="candle" exposure="0.3" warm interactive style="${style}"></hearth-fire>`;
-  assert.ok(codes.element.endsWith(`\n${element}`), codes.element);
-  const address = 'embed.html?scene=candle&amp;exposure=0.3&amp;warm&amp;interactive';
-  assert.ok(codes.iframe.includes(`/${address}" width="660" height="640"`), codes.iframe);
-  assert.match(codes.module, /^import 'hearth-fire';/);
-  await tab.page.click('#light-page');
-  await tab.until('the code of a lit room', () =>
-    /** @type {HTMLTextAreaElement} */ (document.querySelector('[data-code="iframe"]')).value.includes(
-      'ambient-light=1',
-    ),
+  assert.ok((await code()).replace(/\s+/g, ' ').replace('" >', '">').endsWith(`</script> ${element}`), await code());
+  await chooses('fit', 'contain');
+  await chooses('ground', 'white');
+  /** The attributes of the code, and those of the preview, which differ in its size and place alone. */
+  const shown = await tab.evaluate(() => {
+    const fire = /** @type {HTMLElement} */ (document.querySelector('#embed .preview hearth-fire'));
+    const names = fire.getAttributeNames().filter((name) => !['style', 'loading'].includes(name));
+    const { width, height } = fire.style;
+    return { width, height, ...Object.fromEntries(names.map((name) => [name, fire.getAttribute(name)])) };
+  });
+  const [tag] = /<hearth-fire[^>]*>/.exec(await code()) ?? [''];
+  const named = [...tag.matchAll(/\s([\w-]+)(?:="([^"]*)")?/g)].map(([, name, value = '']) => [name, value]);
+  const { style: size, ...written } = Object.fromEntries(named);
+  const [width, height] = ['width', 'height'].map((side) => RegExp(`(?:^| )${side}: (\\d+px)`).exec(size)?.[1]);
+  assert.deepEqual(shown, { width, height, ...written });
+  assert.deepEqual([written.fit, written['ambient-light']], ['contain', '1']);
+  await chooses('ground', 'black');
+  await chooses('form', 'iframe');
+  const address = 'embed.html?scene=candle&amp;exposure=0.3&amp;warm&amp;interactive&amp;fit=contain';
+  await tab.until('the iframe', () =>
+    /** @type {any} */ (document.querySelector('#embed textarea')).value.includes('<iframe'),
   );
+  assert.ok((await code()).includes(`/${address}" width="320" height="400"`), await code());
+  assert.match(await tab.page.$eval('#embed .note', (note) => String(note.textContent)), /about \d+ KB/);
   // The page ignores keys in a dialog.
   const before = await panelIs(tab);
   await tab.key('h');
@@ -269,6 +279,7 @@ test('the embed dialog shows the code of the current fire, and Escape closes it'
   await tab.key('Escape');
   assert.equal(await tab.evaluate(() => document.querySelector('dialog[open]')), null);
   assert.equal(await tab.evaluate(() => document.activeElement?.getAttribute('data-opens')), 'embed');
+  assert.equal(await tab.fire((fire) => fire.paused), false, 'the fire of the page goes on');
 });
 
 test('the picture that links show looks like the page', async () => {

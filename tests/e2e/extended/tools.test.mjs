@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
-import { assertScaleApart, chord, close, drag, openTools, toolStatus, WIDE } from '../tools.mjs';
+import { PHONES, assertScaleApart, chord, close, drag, openTools, toolStatus, WIDE } from '../tools.mjs';
 import { objectsUntil as until } from '../waits.mjs';
 
 /** @type {Browser} */
@@ -42,6 +42,51 @@ test('keys draw, choose, move, turn, scale, duplicate and delete without a point
   await until(tab, 'one', (all) => all.length === 1);
   assert.deepEqual(tab.problems, []);
 });
+
+for (const size of [WIDE, ...PHONES]) {
+  test(`at ${size.width} × ${size.height}, arrow keys follow the four groups as they are on the screen`, async () => {
+    const tab = await openTools(browser, size);
+    const bar = await tab.evaluate(() => {
+      const groups = [...document.querySelectorAll('.hearth-toolbar [role="group"]')];
+      const [material] = document.querySelectorAll('.hearth-toolbar select');
+      return {
+        groups: groups.map((group) => group.getAttribute('aria-label')),
+        labels: groups.map((group) => /** @type {Element} */ (group.firstElementChild).checkVisibility()),
+        material: /** @type {HTMLSelectElement} */ (material).value,
+      };
+    });
+    assert.deepEqual(bar.groups, ['Fire', 'Draw', 'Edit', 'View']);
+    assert.equal(bar.material, 'wood');
+    assert.ok(bar.labels.every((shown) => shown === (size.height >= 780 && size.width >= 560)));
+    const row = size.width < 560 || size.height < 600;
+    await tab.page.focus('.hearth-toolbar button');
+    await tab.key('Home');
+    const reached = [];
+    for (;;) {
+      const at = await tab.evaluate(() => {
+        const button = /** @type {HTMLElement} */ (document.activeElement);
+        button.scrollIntoView({ block: 'nearest', inline: 'center' });
+        const bar = /** @type {Element} */ (button.closest('.hearth-toolbar'));
+        const { x, y } = button.getBoundingClientRect();
+        return { name: String(button.dataset.tool), along: x + bar.scrollLeft, down: y + bar.scrollTop };
+      });
+      if (at.name === reached[0]?.name) break;
+      reached.push(at);
+      await tab.key('ArrowRight');
+    }
+    assert.equal(reached.length, 27);
+    for (const [at, { name, along, down }] of reached.slice(1).entries()) {
+      const before = reached[at];
+      // The ends stick to the sides.
+      if ([name, before.name].some((end) => ['undo', 'close'].includes(end))) continue;
+      assert.ok(
+        row ? along > before.along : down > before.down || along > before.along,
+        `${name} after ${before.name}`,
+      );
+    }
+    if (row) assert.equal(reached[0].name, 'undo');
+  });
+}
 
 test('a fire with controls offers the tools inside of it, loaded on request', async () => {
   const tab = await browser.open('<hearth-fire controls style="width: 700px; height: 500px"></hearth-fire>', WIDE);

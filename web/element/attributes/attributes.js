@@ -177,7 +177,8 @@ for (const [name, initial] of /** @type {const} */ ([
     (element, value) => setOrRemove(element, name, value),
   );
 }
-reflect('interactive', (element) => isOn(element.getAttribute('interactive')), setFlag('interactive'));
+for (const name of ['interactive', 'decorative'])
+  reflect(name, (element) => isOn(element.getAttribute(name)), setFlag(name));
 // A flag, or a list of parameters.
 reflect(
   'controls',

@@ -10,6 +10,9 @@
 /** The elements whose pixels count; a `<picture>` has an `<img>`. */
 const PICTURES = ['img', 'svg', 'canvas'];
 
+/** Whether the pixels of an element count. @param {Element} element */
+export const isPicture = ({ localName }) => PICTURES.includes(localName);
+
 /**
  * The code that reads pixels: undefined until it is loaded, null if it did not arrive.
  * @type {Reader | null | undefined}
@@ -43,7 +46,7 @@ export class Look {
    * @returns {Box & {mask?: string} | null | undefined}
    */
   of(target, box, glyphs) {
-    if (!(glyphs || PICTURES.includes(target.localName)) || Reader === null) {
+    if (!(glyphs || isPicture(target)) || Reader === null) {
       this.close();
       return box;
     }

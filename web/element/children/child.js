@@ -9,7 +9,8 @@
 import { PROPERTIES } from '../../generated/properties.js';
 import { cut } from '../../quoted.js';
 import { TARGET_PROPERTIES, boxOf, inMetres, solidOf, sourceOf, targetOf } from './child-box.js';
-import { Look } from './child-look.js';
+import { Look, isPicture } from './child-look.js';
+import { isOn } from '../attributes/attributes.js';
 
 /** The kind of object of each element. @type {{[name: string]: string}} */
 export const KINDS = Object.fromEntries(Object.keys(PROPERTIES).map((kind) => [`hearth-${kind}`, kind]));
@@ -42,10 +43,18 @@ export const attributeOf = (/** @type {string} */ property) => property.replaceA
 /** The property of an attribute. */
 const propertyOf = (/** @type {string} */ attribute) => attribute.replaceAll('-', '_');
 
+/** The attributes of a solid that burns by a recipe, and of a word that it is; their code is loaded on request. */
+const BURNING_ATTRIBUTE = 'burning';
+const TEXT_ATTRIBUTE = 'text';
+const WORD_ATTRIBUTES = [TEXT_ATTRIBUTE, 'font'];
+
+/** The properties that a word has from its attributes. */
+const WORD_PROPERTIES = ['shape', 'x', 'y', 'width', 'height', 'mask'];
+
 /** The attributes of a kind. */
 export const attributesOf = (/** @type {string} */ kind) => [
   TARGET_ATTRIBUTE,
-  ...(PROPERTIES[kind].mask ? [TARGET_TEXT_ATTRIBUTE] : []),
+  ...(PROPERTIES[kind].mask ? [TARGET_TEXT_ATTRIBUTE, BURNING_ATTRIBUTE, ...WORD_ATTRIBUTES] : []),
   ...Object.keys(PROPERTIES[kind]).map(attributeOf),
 ];
 
@@ -67,6 +76,9 @@ export class Child {
   look;
   /** The id of the solid that it named last. @type {number | undefined} */
   #solid;
+  /** The number of its flame, once it burns, and what that stated last. */
+  #flame = 0;
+  #flameStated = '';
   /** The warnings and refusals so far that are not repeated. @type {Set<string>} */
   #warned = new Set();
 
@@ -113,8 +125,13 @@ export class Child {
   /** An attribute has changed. @param {string} attribute */
   attribute(attribute) {
     const property = propertyOf(attribute);
-    if (attribute === TARGET_ATTRIBUTE || attribute === TARGET_TEXT_ATTRIBUTE) {
+    if ([TARGET_ATTRIBUTE, TARGET_TEXT_ATTRIBUTE, BURNING_ATTRIBUTE].includes(attribute)) {
       if (!this.readTarget()) return;
+    } else if (this.#isWord && [...WORD_ATTRIBUTES, ...WORD_PROPERTIES].includes(attribute)) {
+      this.#stateAll();
+      this.#writeWord();
+    } else if (WORD_ATTRIBUTES.includes(attribute)) {
+      this.readTarget();
     } else if (this.of && TARGET_PROPERTIES[this.kind]?.includes(property)) {
       return;
     } else {
@@ -138,9 +155,43 @@ export class Child {
     this.look.close();
     this.#stateAll();
     if (id) this.#owner.watch();
-    else this.#placed = {};
+    else this.#placed = this.#isWord ? undefined : {};
+    this.#writeWord();
     this.follow();
     return true;
+  }
+
+  /** Whether it burns by the recipe. */
+  get #burns() {
+    return this.kind === 'solid' && isOn(this.element.getAttribute(BURNING_ATTRIBUTE));
+  }
+
+  /** Whether it is a word: without `of`, it has a text. */
+  get #isWord() {
+    return this.kind === 'solid' && !this.of && this.element.hasAttribute(TEXT_ATTRIBUTE);
+  }
+
+  /** Whether it is a word that waits for the domain of the fire. */
+  get waits() {
+    return this.#isWord && this.#placed === undefined;
+  }
+
+  /** The code of what burns and of words; undefined before it is loaded, or if it is not needed. */
+  get #recipe() {
+    return this.#burns || this.#isWord ? this.#owner.recipe() : undefined;
+  }
+
+  /** Places its word, once that code is loaded and the fire has a domain. A refused word leaves the last one. */
+  #writeWord() {
+    const { state, reports } = this.#owner.session;
+    if (!this.#isWord || !this.#recipe || !state.started) return;
+    try {
+      this.#placed = this.#recipe.wordOf(this.element, state.params.domain_width);
+    } catch (error) {
+      const { id, message } = /** @type {Refusal} */ (error);
+      reports.refused([{ id, value: '', message: `${this.name}: ${message}` }]);
+      this.#placed ??= null;
+    }
   }
 
   #stateAll() {
@@ -149,7 +200,9 @@ export class Child {
 
   /** Whether an attribute states a property. A body with the box of an element is invisible: that element is seen. */
   #states(/** @type {string} */ property) {
-    return this.element.hasAttribute(attributeOf(property)) || (this.of !== '' && property === 'material');
+    return (
+      this.element.hasAttribute(attributeOf(property)) || (this.of !== '' && property === 'material' && !this.#burns)
+    );
   }
 
   /** What an attribute states. @param {string} property @returns {unknown} */
@@ -160,20 +213,33 @@ export class Child {
     return text.length > longest ? `a text of more than ${longest} letters` : text;
   }
 
-  /** The child for the engine; undefined until it is known what its target states. */
+  /** The child for the engine, with its flame if it burns; empty until it is known what its target states. */
   take() {
     this.updateReference();
-    if (this.#placed === undefined) return undefined;
+    if (this.waits) this.#writeWord();
+    const recipe = this.#recipe;
+    if (this.#placed === undefined || (this.#burns && !recipe)) return [];
     const names = Object.keys(PROPERTIES[this.kind]).filter((property) => this.#states(property));
-    const values = Object.fromEntries(names.map((property) => [property, this.#valueOf(property)]));
-    const sent = {
-      id: this.number,
-      kind: this.kind,
-      values: this.#placed && { ...values, ...this.#placed },
-      changed: [...this.changed],
-    };
+    const stated = Object.fromEntries(names.map((property) => [property, this.#valueOf(property)]));
+    const values = this.#placed && { ...(this.#burns && recipe?.SOLID), ...stated, ...this.#placed };
+    const solid = { id: this.number, kind: this.kind, values, changed: [...this.changed] };
     this.changed.clear();
-    return sent;
+    return this.#burns && recipe ? [solid, this.#flameOf(recipe.sourceOn(this.number, values))] : [solid];
+  }
+
+  /** The flame for the engine. @param {Values | null} values */
+  #flameOf(values) {
+    this.#flame ||= this.#owner.nextNumber();
+    const text = JSON.stringify(values);
+    const changed = text === this.#flameStated ? [] : Object.keys(values ?? {});
+    this.#flameStated = text;
+    return { id: this.#flame, kind: 'source', values, changed };
+  }
+
+  /** The engine has lost what was sent. @param {string[]} changed */
+  restate(changed) {
+    this.#flameStated = '';
+    for (const property of changed) this.changed.add(property);
   }
 
   /** The property that names a solid. */
@@ -245,6 +311,11 @@ export class Child {
     this.#warnOnce(TARGET_ATTRIBUTE, `${TARGET_ATTRIBUTE} = ${this.#shownTarget}`, why);
   }
 
+  /** Whether the glyphs of its target count. */
+  get #takesGlyphs() {
+    return (this.element.getAttribute(TARGET_TEXT_ATTRIBUTE) ?? 'false') !== 'false';
+  }
+
   /** @returns {Values | null | undefined} */
   #targetValues() {
     const { fire, view, state } = this.#owner.session;
@@ -259,7 +330,7 @@ export class Child {
     }
     /** @type {ReturnType<Look['of']>} */
     const seen = PROPERTIES[this.kind].mask
-      ? this.look.of(target, box, (this.element.getAttribute(TARGET_TEXT_ATTRIBUTE) ?? 'false') !== 'false')
+      ? this.look.of(target, box, this.#takesGlyphs || (this.#burns && !isPicture(target)))
       : box;
     if (!seen) return seen;
     const metres = inMetres(seen, fire.getBoundingClientRect(), viewport);

@@ -31,6 +31,10 @@ export class Children {
   /** Whether the fire is in sight; undefined before a child has a target. @type {boolean | undefined} */
   #inSight;
   #frame = 0;
+  /** @type {Promise<void> | undefined} */
+  #loading;
+  /** @type {typeof import('./child-burning.js') | undefined} */
+  #recipe;
 
   /** @param {import('../session/session.js').FireSession} session */
   constructor(session) {
@@ -60,18 +64,35 @@ export class Children {
 
   /** @param {Element} element */
   #join(element) {
-    do this.#last += 1;
-    while (this.session.state.objects.some(({ id }) => id === this.#last));
     const names = new MutationObserver((records) => {
       for (const { attributeName: name } of records) if (name && element.hasAttribute(name)) spell(element, name);
       // A child may name a solid by its id.
       if (records.some(({ attributeName }) => attributeName === 'id')) this.change();
     });
     names.observe(element, { attributes: true });
-    const child = new Child(this, element, this.#last, names);
+    const child = new Child(this, element, this.nextNumber(), names);
     CHILDREN.set(element, child);
     for (const name of element.getAttributeNames()) spell(element, name);
     return child;
+  }
+
+  /** The next number that no object has. */
+  nextNumber() {
+    do this.#last += 1;
+    while (this.session.state.objects.some(({ id }) => id === this.#last));
+    return this.#last;
+  }
+
+  /** The code of what burns and of words: undefined until it is loaded, which happens with the first such child. */
+  recipe() {
+    this.#loading ??= this.session.reports.loads(import('./child-burning.js'), 'The code for what burns').then(
+      (recipe) => {
+        this.#recipe = recipe;
+        this.change();
+      },
+      () => {},
+    );
+    return this.#recipe;
   }
 
   /** The list has changed: it is sent with the next frame, or at once where there is none. */
@@ -95,8 +116,8 @@ export class Children {
     const sent = [];
     const list = this.#children.flatMap((child) => {
       const fields = child.take();
-      if (fields) sent.push([child, fields.changed]);
-      return fields ?? [];
+      for (const { changed } of fields) sent.push([child, changed]);
+      return fields;
     });
     const answer = this.session.call('children', list);
     this.sent.set(answer, sent);
@@ -105,7 +126,7 @@ export class Children {
         // The engine has stopped before an answer. The next one gets the list.
         if (errors) return;
         this.#isDirty = true;
-        for (const [child, changed] of sent) for (const property of changed) child.changed.add(property);
+        for (const [child, changed] of sent) child.restate(changed);
       })
       .finally(() => this.sent.delete(answer));
   }
@@ -131,7 +152,7 @@ export class Children {
 
   /** The fire has begun, or its settings have changed. @param {Message} message */
   report({ type }) {
-    if (type === 'ready' && this.#isDirty) this.change();
+    if (type === 'ready' && (this.#isDirty || this.#children.some(({ waits }) => waits))) this.change();
     if (this.#children.filter((child) => child.updateReference()).length > 0) this.change();
     this.#follow(type === 'ready');
   }

@@ -81,12 +81,12 @@ export function listenToPointer(session, signal) {
       return isOn(solid, from, CLICK_PX * perPixel) ? { ...from, id: solid.id } : undefined;
     }
     const reach = GRIP_PX * perPixel;
-    // The lower flame is about as high as the source is wide.
+    // The lower half of the flame is up to one and a half times as high as its source is wide.
     const up = metres.y - source.y;
     const near =
-      Math.abs(metres.x - source.x) <= Math.max(source.half, reach) &&
+      Math.abs(metres.x - source.x) <= Math.max(source.half, 2 * reach) &&
       up >= -reach &&
-      up <= Math.max(2 * source.half, reach);
+      up <= Math.max(3 * source.half, 4 * reach);
     // The box of another shape may be mostly empty.
     const isOnAttached = () =>
       attachedObjects(fire).some(

@@ -45,7 +45,7 @@ export class Playback {
   }
 
   /** Shows the button that plays or pauses, or hides it. Its code is loaded on request. */
-  async showButton(action = this.#still ? 'play' : this.#stoppable ? 'pause' : '') {
+  async showButton(action = this.#fire.decorative ? '' : this.#still ? 'play' : this.#stoppable ? 'pause' : '') {
     if (action) {
       const press = () => void (this.#still ? this.set(false) : this.set(true, true));
       this.#button ??= this.#session.reports

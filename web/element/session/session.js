@@ -211,6 +211,8 @@ export class FireSession {
       this.#connection?.reschedule();
     } else if (name === 'reduced-motion' && this.#connection) {
       this.playback.follow();
+    } else if (name === 'decorative') {
+      this.playback.showButton();
     }
   }
 

@@ -64,18 +64,18 @@ const WALL: &[&str] = &["bricks"];
 
 parameters! {
     "Basics" {
-        /// Another kind of fire. Classic: the paper's equations, in which hot particles
-        /// are born, cool and die. Combustion: fuel enters the air, mixes with it and burns.
+        /// Another kind of fire. Combustion: fuel enters the air, mixes with it and burns. Classic: the
+        /// paper's equations, in which hot particles are born, cool and die, and no solid burns.
         model: (choice Model) "Model" { Every(DEFAULT) }
         /// A taller, brighter flame. Power of the burner per metre of depth: the heat of
         /// combustion of its fuel, without the heat of its hot gas. 0 turns it off.
-        @power: fuel_power: number "Strength" ["kW/m"] Linear { Combustion(220.0, 0.0..=600.0) }
+        @power: fuel_power: number "Strength" ["kW/m"] Linear { Combustion(220.0, 0.0..=3000.0) }
         /// A denser, brighter flame. Particles born per second, limited by the space at the
         /// source and by the number of particles.
         @rate: emission_rate: number "Strength" ["1/s"] Log { Classic(1500.0, 50.0..=100_000.0) }
         /// A wider fire. Width of the source. In the combustion model it is at least four
         /// particles.
-        @width: source_width: number "Size" ["m"] Linear { Classic(0.36, 0.05..=0.6) Combustion(0.4, 0.01..=1.0) } when { source_shape: LINE }
+        @width: source_width: number "Size" ["m"] Linear { Classic(0.36, 0.05..=0.6) Combustion(0.4, 0.01..=6.0) } when { source_shape: LINE }
         /// A taller flame. Longest life of a particle, at least the shortest life.
         @life_max: lifetime_max: number "Longest life" ["s"] Linear { Classic(1.2, 0.1..=3.0) }
         /// A livelier, wilder flame. Acceleration by a random field of drifting eddies, which
@@ -95,10 +95,12 @@ parameters! {
         [Look] smoke_opacity: number "Smoke" [""] Linear { Every(0.3, 0.0..=2.0) } when { display_mode: FIRE, layers: SMOKY }
         /// More sparks. Embers emitted per second. The flow carries them.
         ember_rate: number "Sparks" ["1/s"] Linear { Combustion(40.0, 0.0..=1000.0) } when { display_mode: FIRE, layers: LIT }
-        /// A wall behind the fire, in place of the background. The fire lights it.
-        [Look] backdrop: (choice Backdrop) "Backdrop" { Every(None) } when { display_mode: FIRE }
+        /// A wall behind the fire, with its floor, in place of the background. The fire lights it. None:
+        /// the page shows through.
+        [Look] backdrop: (choice Backdrop) "Wall" { Every(None) } when { display_mode: FIRE }
         /// A ground under the fire, which lights it. Solids cast shadows on it. Over a
-        /// transparent background, only its light and its shadows are drawn.
+        /// transparent background, only its light and its shadows are drawn. None: no ground or,
+        /// before a wall, the stone floor of that.
         [Look] ground: (choice Ground) "Ground" { Every(None) } when { display_mode: FIRE }
         /// A faster fire; below 1 slow motion. Seconds of fire for each second of the clock.
         [View] time_scale: number "Speed" [""] Log { Every(1.0, 0.1..=2.0) }

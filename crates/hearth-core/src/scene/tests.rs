@@ -199,8 +199,8 @@ fn an_error_names_object_property_value_and_range_and_changes_nothing() {
             "objects[1].kind = \"stone\" is refused: it must be source or solid",
         ),
         (
-            &[SOURCE, ("power", number(700.0))],
-            "objects[1].power = 700 is refused: it must be a number from 0 to 600 kW/m",
+            &[SOURCE, ("power", number(3500.0))],
+            "objects[1].power = 3500 is refused: it must be a number from 0 to 3000 kW/m",
         ),
         (
             &[SOURCE, ("pwer", number(7.0))],

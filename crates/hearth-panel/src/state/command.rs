@@ -31,8 +31,8 @@ pub enum Command {
     Scenes,
     /// Show one of the two states that are compared, by letter.
     Compare(&'static str),
-    /// Set random values near those of the scene.
-    Randomise,
+    /// Set random values, by the name of a strength.
+    Randomise(&'static str),
     /// Set the quality, by name.
     Quality(&'static str),
     /// Resume the simulation.

@@ -26,6 +26,9 @@ const EDGES: &str = "edges";
 /// The qualities that a fire can be set to, as its API names them.
 pub const QUALITIES: [&str; 4] = ["auto", "low", "medium", "high"];
 
+/// The largest strength and size on a slider, in those of the scene.
+const SCENE_RATIO: f64 = 2.0;
+
 /// The length of the history in samples: half a minute at four a second.
 pub const HISTORY_LENGTH: usize = 120;
 
@@ -128,7 +131,7 @@ impl Fire {
 
     /// The range of a slider. A coordinate of an object may be far outside of the domain, and a
     /// slider of all coordinates would be too coarse: it spans the domain and the value. A slider
-    /// of ids spans the ids of the solids and the value.
+    /// of ids spans the ids of the solids and the value; one of strength or size follows the scene.
     pub fn slider_range(&self, subject: Subject) -> (f64, f64) {
         let (min, max) = self.range_of(subject);
         if ["source_solid", "hangs_from"].contains(&subject.param.id) {
@@ -139,6 +142,9 @@ impl Fire {
                 .filter(|object| object.solid().is_some());
             let solids = solids.map(|object| f64::from(object.id));
             return (min, solids.fold(value.max(1.0), f64::max));
+        }
+        if let Some(most) = self.most_in_scene(subject) {
+            return (min, max.min(most));
         }
         let linear = subject.param.kind == Kind::Number(Scale::Linear);
         if subject.object.is_none() || !linear || subject.param.unit != "m" {
@@ -153,11 +159,22 @@ impl Fire {
         (min.max(value.min(-size)), max.min(value.max(size)))
     }
 
+    /// The largest value of a slider whose range follows the scene: the strength and the size of a candle and of
+    /// a hero differ by two orders, and one range for both makes a candle a wall of fire. A value beyond it extends it.
+    fn most_in_scene(&self, subject: Subject) -> Option<f64> {
+        if !["fuel_power", "source_width"].contains(&subject.param.id) {
+            return None;
+        }
+        let of_scene = self.default_of(subject).as_number().filter(|x| *x > 0.0)?;
+        let value = self.value(subject).as_number().unwrap_or_default();
+        Some(value.max(of_scene * SCENE_RATIO))
+    }
+
     fn domain_of(&self, subject: Subject) -> &'static Domain {
         subject.param.any_domain(self.parameters().model())
     }
 
-    /// The parameters of the present model and of its edges, without the model itself.
+    /// The parameters of the present model and of its edges, without the model itself, which stands in another group.
     pub fn used(&self) -> impl Iterator<Item = &'static Param> + '_ {
         PARAMETERS.iter().filter(|param| {
             let mut unmet = param.unmet_conditions(|id| self.objects.get(id));

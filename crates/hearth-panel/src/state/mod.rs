@@ -32,6 +32,9 @@ pub use self::subject::{Owner, Subject};
 use crate::search;
 use crate::theme::Measures;
 
+/// The group of the model.
+pub const PHYSICS: &str = "Physics";
+
 /// The name of copy and paste, for [`State::reveal`].
 pub const SHARE: &str = "share";
 
@@ -118,6 +121,15 @@ pub struct State {
     pub anchor: Anchor,
 }
 
+/// The group of a parameter on the panel: the model, on which all others depend, is a choice of the physics.
+pub fn group_of(param: &Param) -> &'static str {
+    if param.id == MODEL {
+        PHYSICS
+    } else {
+        param.group()
+    }
+}
+
 impl State {
     /// The state of a panel without a message from its fire.
     pub fn new(measures: Measures) -> State {
@@ -152,10 +164,10 @@ impl State {
             self.open.sharing = false;
         }
         match id {
-            SHARE | TOOLS | SEARCH | MODEL => {
+            SHARE | TOOLS | SEARCH => {
                 self.search.focus |= id == SEARCH;
                 self.open.tools = true;
-                self.reveal.tools = id != MODEL;
+                self.reveal.tools = true;
                 self.reveal.row = true;
             }
             QUALITY => {
@@ -177,9 +189,9 @@ impl State {
                 self.show_objects();
             }
         }
-        if let Some(param) = param.filter(|param| param.id != MODEL) {
+        if let Some(param) = param {
             self.reveal.row = true;
-            self.memory.folded.remove(param.group());
+            self.memory.folded.remove(group_of(param));
             if !search::matches(&self.search.text, param) {
                 self.search.text.clear();
             }

@@ -129,11 +129,6 @@ fn text_room(rect: Rect) -> Rect {
         .with_max_x(rect.right() - 24.0)
 }
 
-/// Whether a text fits into a button that opens a list.
-pub fn fits(ui: &Ui, rect: Rect, text: &str) -> bool {
-    width_of(ui, text) <= text_room(rect).width()
-}
-
 /// Shows a button that opens a list, with its present choice.
 pub fn unfolder(ui: &Ui, rect: Rect, id: Id, text: &str, open: bool) -> Response {
     let face = Face {

@@ -6,7 +6,7 @@
 
 use egui::style::ScrollAnimation;
 use egui::{EventFilter, Id, Key, PointerButton, Rect, Ui};
-use hearth_core::params::AnyValue;
+use hearth_core::params::{AnyValue, Value};
 
 use crate::format::choice_text;
 use crate::state::{Action, Fire, State, Subject};
@@ -67,6 +67,16 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject, name
     }
 }
 
+/// A choice in words. A wall has a floor of its own where no ground is chosen.
+fn text_of(fire: &Fire, subject: Subject, name: &str) -> String {
+    let has_wall = || fire.objects.get("backdrop") != Some(Value::Choice("none"));
+    if subject.id == "ground" && name == "none" && has_wall() {
+        "Of the wall".to_owned()
+    } else {
+        choice_text(name)
+    }
+}
+
 /// The button that unfolds the list and shows the present name. Returns whether it was
 /// clicked. The arrow keys go through the names while it has the focus.
 fn unfolder(
@@ -84,7 +94,7 @@ fn unfolder(
         ui,
         rect,
         Id::new(("list", subject.id)),
-        &choice_text(now),
+        &text_of(fire, subject, now),
         open,
     );
     // egui counts Space as a click, but Space pauses the fire.
@@ -124,7 +134,7 @@ pub fn buttons(
 ) {
     let now = fire.value(subject);
     for (rect, &name) in button::split(rect, parts, 4.0).zip(names) {
-        let text = choice_text(name);
+        let text = text_of(fire, subject, name);
         let face = Face {
             lit: now == AnyValue::Choice(name),
             ..Face::text(&text)

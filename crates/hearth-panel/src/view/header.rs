@@ -1,22 +1,18 @@
-//! The header: measurements, tools, scene, variants, model and search.
+//! The header: measurements, tools, scene, variants and search.
 
 use egui::{Id, Rect, Ui, pos2, vec2};
-use hearth_core::params::{Kind, Param};
 
-use crate::state::{Action, ControllerState, MODEL, State};
+use crate::state::{Action, ControllerState, State};
 use crate::theme;
 use crate::view::button::{self, Face};
 use crate::view::icons::Icon;
-use crate::view::layout::{beside_label, labelled, paragraph, strip};
+use crate::view::layout::{labelled, paragraph, strip};
 use crate::view::output::Output;
 use crate::view::tools::{self, Tool};
-use crate::view::{choices, row, search_field, telemetry, title, variants};
+use crate::view::{search_field, telemetry, variants};
 
 /// Width of the button that resets all.
 const RESET_WIDTH: f32 = 100.0;
-
-/// Least width of the button of the scene beside others.
-const MIN_SCENE_WIDTH: f32 = 110.0;
 
 /// The part that never scrolls: one line where the panel is low, or where the page
 /// selects the parameters.
@@ -45,23 +41,11 @@ pub fn fixed(state: &State, out: &mut Output, ui: &mut Ui, low: bool) {
         ui.add_space(gap);
         tools::show(state, out, ui, false);
         ui.add_space(gap);
-        let line = labelled(ui, control, "Scene");
-        let room = line.right() - variants::width(control);
-        let (scene, beside) = if room - gap >= line.left() + MIN_SCENE_WIDTH {
-            let (scene, beside) = line.split_left_right_at_x(room);
-            (scene.with_max_x(room - gap), Some(beside))
-        } else {
-            (line, None)
-        };
+        let scene = labelled(ui, control, "Scene");
         scene_button(&state.controller, out, ui, scene);
         ui.add_space(gap);
-        let variants = beside.unwrap_or_else(|| {
-            let line = labelled(ui, control, "Compare");
-            ui.add_space(gap);
-            line
-        });
+        let variants = labelled(ui, control, "Variants");
         variants::line(&state.controller, out, ui, variants);
-        model(state, out, ui, false);
         ui.add_space(gap);
         search(state, out, ui);
     }
@@ -80,10 +64,8 @@ pub fn movable(state: &State, out: &mut Output, ui: &mut Ui) {
         ui.add_space(4.0);
         tools::show(state, out, ui, true);
         ui.add_space(8.0);
-        let rect = labelled(ui, state.device.measures.control, "Compare");
+        let rect = labelled(ui, state.device.measures.control, "Variants");
         variants::line(&state.controller, out, ui, rect);
-        ui.add_space(8.0);
-        model(state, out, ui, true);
         ui.add_space(8.0);
         search(state, out, ui);
         ui.add_space(6.0);
@@ -98,34 +80,12 @@ fn measurements(state: &State, out: &mut Output, ui: &mut Ui) {
     telemetry::show(&state.fire, state.memory.times, out, ui, control);
 }
 
-/// The model comes first because it decides which parameters exist.
-fn model(state: &State, out: &mut Output, ui: &mut Ui, scrolls: bool) {
-    let Some(param) = Param::find(MODEL) else {
-        return;
-    };
-    let Kind::Choice(names) = param.kind else {
-        return;
-    };
-    row::framed(state, out, ui, param.into(), scrolls, |out, ui| {
-        let line = strip(ui, state.device.measures.control);
-        title::name(state, out, ui, param.into(), line);
-        let rect = beside_label(line);
-        choices::buttons(&state.fire, out, ui, param.into(), names, rect, names.len());
-        out.record(ui, param.id, rect);
-    });
-}
-
-/// The button of the scene that the fire started from, which shows all scenes. Where the words "Campfire,
-/// changed" have no room, a dot stands for the change.
+/// The button of the scene that the fire started from, which shows all scenes.
 fn scene_button(controller: &ControllerState, out: &mut Output, ui: &Ui, rect: Rect) {
     let name = "action:scenes";
-    let ControllerState { scene, preset, .. } = controller;
-    let dotted = format!("{preset} •");
-    let scene = match &**scene {
+    let scene = match &*controller.scene {
         "" => "All scenes",
-        whole if whole == preset => whole,
-        whole if button::fits(ui, rect, whole) => whole,
-        _ => &dotted,
+        scene => scene,
     };
     let response = button::unfolder(ui, rect, Id::new(name), scene, false);
     out.record(ui, name, rect);

@@ -5,7 +5,7 @@ use hearth_core::params::{AnyValue, Kind};
 
 use crate::cost;
 use crate::format::{bound_text, text_in_short, value_text, with_unit};
-use crate::state::{State, Subject};
+use crate::state::{MODEL, State, Subject};
 use crate::theme;
 use crate::view::layout::{paragraph, scroll_into_view};
 use crate::view::output::Output;
@@ -14,6 +14,10 @@ use crate::view::{choices, colour, control, title};
 /// Opacity of a control without effect. It can still be set, so its text keeps a contrast
 /// of 4.5:1 on every ground.
 const IDLE_OPACITY: f32 = 0.8;
+
+/// What the choice of the model means.
+const CLASSIC: &str =
+    "Classic is the model of the paper: hot particles rise and cool. Nothing in it burns down.";
 
 /// Shows the row of a parameter or a property.
 pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: impl Into<Subject>) {
@@ -27,6 +31,9 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: impl Into<Sub
             Kind::Choice(names) => choices::show(state, out, ui, subject, names),
             Kind::Colour => colour::show(state, out, ui, subject),
             Kind::Text(_) => control::text(state, out, ui, subject),
+        }
+        if subject.id == MODEL {
+            paragraph(ui, CLASSIC, theme::weak());
         }
     });
     ui.add_space(state.device.measures.gap);

@@ -6,7 +6,7 @@ use egui::{CursorIcon, Id, Sense, Ui, pos2, vec2};
 use hearth_core::params::Param;
 
 use crate::search;
-use crate::state::{Action, BASICS, OBJECTS, QUALITY, State};
+use crate::state::{Action, BASICS, MODEL, OBJECTS, PHYSICS, QUALITY, State};
 use crate::theme;
 use crate::view::layout::{paragraph, strip};
 use crate::view::output::Output;
@@ -41,6 +41,9 @@ fn groups(state: &State, out: &mut Output, ui: &mut Ui) {
         if !open {
             continue;
         }
+        if name == PHYSICS {
+            model(state, out, ui);
+        }
         for param in group {
             let top = ui.cursor().top();
             match anchor {
@@ -62,6 +65,13 @@ fn groups(state: &State, out: &mut Output, ui: &mut Ui) {
     }
 }
 
+/// The row of the model.
+fn model(state: &State, out: &mut Output, ui: &mut Ui) {
+    if let Some(param) = Param::find(MODEL) {
+        row::show(state, out, ui, param);
+    }
+}
+
 /// The group of the objects.
 fn object_group(state: &State, out: &mut Output, ui: &mut Ui) {
     let open = !state.memory.folded.contains(OBJECTS);
@@ -78,7 +88,8 @@ fn object_group(state: &State, out: &mut Output, ui: &mut Ui) {
 fn results(state: &State, out: &mut Output, ui: &mut Ui) {
     let query = &*state.search.text;
     let rank = |param| Some((search::rank(query, param)?, param));
-    let mut found: Vec<(u32, &'static Param)> = state.fire.used().filter_map(rank).collect();
+    let all = state.fire.used().chain(Param::find(MODEL));
+    let mut found: Vec<(u32, &'static Param)> = all.filter_map(rank).collect();
     found.sort_by_key(|(rank, _)| *rank);
     ui.add_space(6.0);
     let starts = |name: &str| {

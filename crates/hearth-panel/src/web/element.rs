@@ -134,7 +134,7 @@ impl Element {
             Command::Quality(name) => ("quality", vec![name.into()]),
             Command::Copy(what) => ("copy", vec![what.into()]),
             Command::Compare(letter) => ("compare", vec![letter.into()]),
-            Command::Randomise => ("randomise", vec![]),
+            Command::Randomise(strength) => ("randomise", vec![strength.into()]),
             Command::Scenes => ("scenes", vec![]),
             Command::Play => ("play", vec![]),
             Command::Pause => ("pause", vec![]),

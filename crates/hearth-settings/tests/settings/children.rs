@@ -330,7 +330,7 @@ fn what_is_refused_is_named_and_left_out() {
             &[("x", "0.1"), ("width", "0"), ("y", "0.7")],
             &[],
         ),
-        Child(1002, "source", &[("power", "700"), ("x", "0.2")], &[]),
+        Child(1002, "source", &[("power", "3500"), ("x", "0.2")], &[]),
         Child(1003, "fluid", &[], &[]),
     ];
     let mut errors = Vec::new();
@@ -344,7 +344,7 @@ fn what_is_refused_is_named_and_left_out() {
         named,
         [
             ("children[0].width", Some((0.002, 10.0))),
-            ("children[1].power", Some((0.0, 600.0))),
+            ("children[1].power", Some((0.0, 3000.0))),
             ("children[2].kind", None)
         ]
     );

@@ -139,6 +139,15 @@ mod tests {
     }
 
     #[test]
+    fn a_fire_fills_its_domain_with_the_particles_that_it_asks_for() {
+        for asked in [1500, 6700] {
+            let particles = Scene::combustion(asked, 6.0).expect("a fire").particles();
+            let share = f64::from(particles) / f64::from(asked);
+            assert!((0.7..1.4).contains(&share), "{particles} of {asked}");
+        }
+    }
+
+    #[test]
     fn a_refusal_names_the_parameter() {
         let refusal = Scene::combustion(10, 6.0).err();
         assert!(refusal.is_some_and(|text| text.contains("particles")));

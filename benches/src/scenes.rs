@@ -114,7 +114,11 @@ pub fn combustion_after(
         ("particles", f64::from(particles)),
         ("stiffness", stiffness),
     ];
-    Ok(burnt(with(Model::Combustion, &values)?, seconds))
+    let mut scene = with(Model::Combustion, &values)?;
+    let mut world = scene.world().clone();
+    world.complete(&|id| id == "particles", particles);
+    scene.set_world(world);
+    Ok(burnt(scene, seconds))
 }
 
 /// The default fire on a floor with so many free bodies of wood, paper, coal, wax and cloth in it,

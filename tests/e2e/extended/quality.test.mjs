@@ -13,7 +13,7 @@ import { table } from '../site.mjs';
 const { DEFAULTS } = await table();
 
 /** Particles of each quality, in the combustion model. */
-const PARTICLES = { low: 1200, medium: 3000, high: 6700 };
+const PARTICLES = { low: 1500, medium: 3000, high: 6700 };
 
 /** @type {Browser} */
 let browser;
@@ -88,7 +88,7 @@ test('with quality auto, a fire that does not fit its frames gets a lower qualit
     params: fire.params,
   }));
   assert.equal(requested, 'auto');
-  assert.match(reason, /\d ms .*1,200 particles instead of [36],\d00$/);
+  assert.match(reason, /\d ms .*1,500 particles instead of [36],\d00$/);
   assert.deepEqual(params, DEFAULTS);
 });
 

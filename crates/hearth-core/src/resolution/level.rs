@@ -27,7 +27,7 @@ impl Level {
 
     /// Default number of particles of the combustion model.
     pub fn particles(self) -> u32 {
-        [1200, 3000, 6700][self as usize]
+        [1500, 3000, 6700][self as usize]
     }
 
     /// Default maximum of pixels in a picture: those of a 720p, 1080p or 1440p screen.

@@ -32,7 +32,7 @@ fn particles(settings: &Settings) -> [u32; 3] {
 }
 
 /// The default spacing, of three digits, gives 3007 particles instead of 3000.
-const FOLLOWS: [u32; 3] = [1200, 3007, 6700];
+const FOLLOWS: [u32; 3] = [1500, 3007, 6700];
 
 #[test]
 fn the_level_decides_the_number_until_it_is_stated() {

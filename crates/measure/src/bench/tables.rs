@@ -130,7 +130,7 @@ fn fires_table(text: &mut String, figures: &Figures) {
         let free = throttled["freeStepMs"].as_f64().unwrap_or_default();
         let _ = writeln!(
             text,
-            "\nThe combustion model with max_particles 1200 ({} particles, {steps:.1} steps a \
+            "\nThe lowest level ({} particles, {steps:.1} steps a \
              frame) on a page that Chromium slows down {} ×: {:.3} ms a step, {:.2} ms a frame's \
              steps; {:.2} ms without that.",
             word(&throttled["particles"]),

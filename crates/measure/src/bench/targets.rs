@@ -183,7 +183,7 @@ pub(super) fn absolute(figures: &Figures) -> [Target; 9] {
         frame("default", 3000, 10.0),
         frame("high", 6700, 45.0),
         target(
-            "the automatic 1200 on a processor slowed down 4 ×, steps of a 60 Hz frame",
+            "the lowest level on a processor slowed down 4 ×, steps of a 60 Hz frame",
             Bound::AtMost(14.0, Milliseconds),
             throttled.map(|(step, steps)| step.map(|ms| ms * steps)),
         ),

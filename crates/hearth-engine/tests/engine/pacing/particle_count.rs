@@ -34,7 +34,7 @@ fn the_number_follows_from_settings_level_size_and_machine() {
             false,
             600.0,
             u32::MAX,
-            1200,
+            1500,
             by_level(Low),
         ),
         (

@@ -159,7 +159,7 @@ fn a_fire_that_exceeds_its_frames_falls_with_a_reason() {
     assert!(reason.starts_with("steps and drawing took "), "{reason}");
     assert!(reason.contains(" ms for a frame of 16.7 ms: "), "{reason}");
     assert!(
-        reason.ends_with("1,200 particles instead of 6,700"),
+        reason.ends_with("1,500 particles instead of 6,700"),
         "{reason}"
     );
 }

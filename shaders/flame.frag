@@ -28,6 +28,7 @@ uniform float smoke;            // optical depth of cold gas with a soot of 1
 uniform float gain; // brightness of gas of 1500 K
 uniform float fire_share;       // 1: fire is visible; 0: only its smoke
 uniform float roundness;        // 0: a plane flame; 1: a flame that is round about its axis
+uniform float kernel_variance;  // of the squared soot of a single particle, in squared source widths
 uniform float premixed;         // burn time of gas that was mixed with air [s]; 0: gas that forms soot
 uniform float soot_per_fuel;    // soot that a share of fuel leaves
 uniform float per_soft_floor;   // 1 / height over which gas fades above a visible floor, in heights of the domain
@@ -58,6 +59,7 @@ const float GLOWING = 1.35;
 // The mean of gas below this temperature is of thin hot sheets and cold gas, and the sheets shine [kK].
 const float SHEETS = 1.6;
 const float SHEET_SHARE = 0.65;
+const float ROUND_SHARE = 0.2;   // of a round flame, whose temperature is about that of its sheet
 // Thin sheets burn out before they have cooled: soot that is gone from gas at the lower temperature and none at the upper [kK].
 const float BURNT_OUT = 0.2;
 const float COOLED = 1.0;
@@ -191,7 +193,8 @@ void main() {
             burning += gas_there.w * gas_there.zw;
         }
         float axis = moments.y / max(moments.x, 1e-6);
-        float variance = max(moments.z / max(moments.x, 1e-6) - axis * axis, 1e-4);
+        // Without that of the kernels: a flame is as wide with few particles as with many.
+        float variance = max(moments.z / max(moments.x, 1e-6) - axis * axis - kernel_variance, 1e-4);
         float hottest = sums.x / max(sums.y, 1e-4);
         float soot_inside = sums.z / max(sums.w, 1e-6);
         float burns = burning.y / max(burning.x, 1e-6) * soot_inside;
@@ -213,7 +216,7 @@ void main() {
 
     float glowing = smoothstep(DARK, GLOWING, kilokelvin) * fire_share;
     float covered = 1.0 - exp(-OPTICAL_DEPTH * depth * left);
-    vec3 emitted = radiance(mix(kilokelvin, max(kilokelvin, SHEETS), SHEET_SHARE), GAS_ROW) * (gain * covered * glowing) + blue * (gain * fire_share);
+    vec3 emitted = radiance(mix(kilokelvin, max(kilokelvin, SHEETS), mix(SHEET_SHARE, ROUND_SHARE, roundness)), GAS_ROW) * (gain * covered * glowing) + blue * (gain * fire_share);
     float aloft = smoke * smoothstep(ALOFT, HIGH, above / (1.0 + ROUND_HIGH * roundness));
     float hidden = 0.0;
     if (aloft > 0.0) {

@@ -179,6 +179,9 @@ const float EMBER_COOLEST = 0.8;
 const float EMBER_RANGE = 0.35;
 // Embers breathe by the heat of the flame: they are hotter by so much for its light nearby, up to a most [kK].
 const float PER_LIGHT = 0.12;
+// Without a fire, as where water has put it out, embers are cooler by the first [kK]; a fire of the second light keeps them hot.
+const float COOLED = 0.45;
+const float KEPT_HOT = 0.04;
 const float MOST_HEAT = 0.25;
 
 vec4 rough(vec2 place) {
@@ -333,7 +336,7 @@ void main() {
         // A solid of a fixed temperature glows everywhere.
         ember = 1.0 - RIM_DARK * rim * rim;
     } else {
-        kilokelvin = EMBER_COOLEST + EMBER_RANGE * ember + min(PER_LIGHT * nearby.r, MOST_HEAT);
+        kilokelvin = EMBER_COOLEST + EMBER_RANGE * ember + min(PER_LIGHT * nearby.r, MOST_HEAT) - COOLED * (1.0 - smoothstep(0.0, KEPT_HOT, fire_light.r));
     }
     if (ember > 0.0) seen += radiance(kilokelvin, SOLID_ROW) * (gain * ember);
     cover = max(cover, min(gloss * fire_light.r, GLINT));

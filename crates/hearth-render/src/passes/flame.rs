@@ -17,6 +17,9 @@ const TILES_OF_TONGUES: [f32; 2] = [1.15, 0.75];
 /// Maximum height above a visible floor over which gas fades, in heights of the domain.
 const FLOOR_FADE_HEIGHT: f32 = 0.04;
 
+/// Variance of squared soot under a kernel (1 − q²)², normally distributed: half of that of soot, an eighth of the squared radius.
+const KERNEL_VARIANCE: f32 = 1.0 / 16.0;
+
 /// Light and coverage of the gas of a slice, in front of the slices behind it.
 pub struct Flame;
 
@@ -73,6 +76,7 @@ impl Pass for Flame {
             light_scale: frame.format.light_scale(),
             fire_share: frame.fire_share(),
             roundness: frame.parameters.roundness,
+            kernel_variance: KERNEL_VARIANCE * (frame.kernel.radius / source.width).powi(2),
             premixed: if is_premixed {
                 parameters.burn_time
             } else {

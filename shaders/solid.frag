@@ -104,7 +104,7 @@ const vec3 SAWN = vec3(0.2, 0.125, 0.075);
 const float RING_CONTRAST = 0.2;
 const float DARKER_OUTSIDE = 0.45;
 const float END_SLOPE = 0.45; // of its normal, to the side that is in view
-const float GRAZING = 0.4; // loss of the light from before it
+const float GRAZING = 0.5; // loss of the light from before it
 const float END_DOME = 0.4; // of the normal of a cross section, at its rim
 // Burning bark glows in furrows of this width, where fine noise is above zero.
 const float GLOWING_FURROW = 0.2;
@@ -163,16 +163,17 @@ const vec3 GLASS_COLOUR = vec3(0.8, 0.9, 0.9);
 const float GLASS_COVER = 0.12;
 const float GLASS_RIM = 0.6;
 
-// Cloth: a sheet hangs in folds, two across a box, whose edges are in them; a line is a rope. Turns of both for each half
+// Cloth: a sheet hangs in folds, one across a box, whose edges are between them; a line is a rope. Turns of both for each half
 // thickness [rad], their slope and relief, and the light in a fold.
 const vec3 CLOTH_COLOUR = vec3(0.55, 0.44, 0.31);
-const float FOLDS = 6.283;
+const float FOLDS = 3.1416;
 const float TWIST = 3.59;
 const float FOLD_SLOPE = 0.75;
 const float TWIST_RELIEF = 0.4;
-const float IN_FOLD = 0.45;
+const float IN_FOLD = 0.25;
 const float SHARP_FOLDS = 0.5; // narrowness of the dark side of a turn
 const float CREST_DULL = 0.75; // charred cloth glows in its turns
+const float FINE_FOLDS = 0.25; // share of three narrow folds in each
 const float UNEVEN_FOLDS = 0.14; // meander of folds, none at the ends, where another cloth may hang
 const float CLOTH_SOFT = 0.3; // light passes through cloth
 
@@ -313,11 +314,14 @@ void main() {
     } else if (material == CLOTH) {
         float turns = body.z > 0.0 ? TWIST * (place.x + place.y) : FOLDS * (place.x + UNEVEN_FOLDS * worn.x * (1.0 - pow(local.y / body.y, 2.0)));
         float crest = 0.5 - 0.5 * cos(turns + SHARP_FOLDS * sin(turns));
-        if (body.z <= 0.0) rim = 0.0;
+        if (body.z <= 0.0) {
+            crest = 0.5 + 0.5 * mix(cos(turns), cos(3.0 * turns), FINE_FOLDS);
+            rim = 0.0;
+        }
         dull = CREST_DULL * crest;
         colour = CLOTH_COLOUR * mix(IN_FOLD, 1.0, crest) * (1.0 + CLAY_GRAIN * fine.w);
         bump = vec3(0.0, 0.0, TWIST_RELIEF * (crest - 0.5));
-        if (body.z <= 0.0) normal = vec2(FOLD_SLOPE * sin(turns), 0.0);
+        if (body.z <= 0.0) normal = vec2(FOLD_SLOPE * mix(sin(turns), sin(3.0 * turns), FINE_FOLDS), 0.0);
         soft = CLOTH_SOFT;
     } else if (material == GLASS) {
         colour = GLASS_COLOUR * rim * rim * rim;
@@ -344,7 +348,8 @@ void main() {
     float gloss = pow(max(dot(facing, normalize(towards + vec3(0.0, 0.0, 1.0))), 0.0), SHARPNESS) * shine;
     // The floor, and what lies before a rim, take light away.
     float open = (1.0 - LOST_AT_RIM * rim * rim * rim) * mix(AT_FLOOR, 1.0, smoothstep(0.0, ABOVE_FLOOR, (uv.y - floor_middle.y) * picture_size.y / size));
-    open *= beside_solid(world, towards.xy, frame_a, box_a) * beside_solid(world, towards.xy, frame_b, box_b);
+    // Sheets of cloth that hang side by side are one.
+    if (material != CLOTH) open *= beside_solid(world, towards.xy, frame_a, box_a) * beside_solid(world, towards.xy, frame_b, box_b);
     if (material == WOOD) {
         // Wood in the flame is black, and its cracks glow.
         float burnt = grid.y > 0.0 ? 0.0 : smoothstep(SINGED, CHARRED, max(nearby.r, FAR_CHARS * fire_light.r));

@@ -28,6 +28,9 @@ const float WARM = 0.35;
 const float HOT = 1.1;
 const float THIN = 0.05;      // weight below which the temperature is uncertain
 const float DENSE = 1.5;      // 1 / weight of complete displacement
+// The share of ground at which it is whole by day, and the light of the sky of a day.
+const float DAY_HORIZON = 0.15;
+const float DAY = 0.2;
 const float FLOOR_LIGHT = 0.2; // height in the picture of the light that reaches the ground
 const float FLOOR_GAIN = 2.2; // light on the ground, which faces the flame, relative to the wall
 // Distance before and behind the fire at which the ground gets half of it, as it is seen, in heights of the domain.
@@ -59,6 +62,8 @@ void main() {
     vec4 wave = textureLod(noise, tile, 0.0) + 0.5 * textureLod(noise, tile * 2.0 + APART, 0.0).wzyx - MEAN;
     vec2 bent = wave.xy * hot * haze_bend * vec2(haze_tiles.y / haze_tiles.x, 1.0);
     vec4 behind = texture(scenery, uv + bent);
+    // By day the ground begins at once; by night it is seen as far as the fire lights it.
+    behind.a = mix(behind.a, smoothstep(0.0, DAY_HORIZON, behind.a), smoothstep(0.0, DAY, sky.b));
     // The ground below the flame faces it and shows a pool of light.
     vec3 root = texture(irradiance, vec2(uv.x, mix(uv.y, FLOOR_LIGHT, behind.a))).rgb;
     vec2 from = (uv - foot) * size;

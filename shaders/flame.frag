@@ -103,19 +103,20 @@ const float CORE = 0.85;         // radius of the fuel in its middle, in radii
 const float THIN = 0.55;         // optical depth relative to that of a plane flame: a small flame is thin
 // Time in which soot forms above the source, and mean time since the soot's fuel burnt in which the fuel in the middle
 // burns [s].
-const float FORMATION = 0.03;
-const float BURNOUT = 0.2;
+const float FORMATION = 0.036;
+const float BURNOUT = 0.12;
 const float GRAVITY = 9.81;      // [m/s²]
 const float ROOT = 0.2;          // height over which the flame begins, in source widths
+const float CUP = 0.45;          // height of its root at the rim above that at the axis, in source widths
 // Gas that was mixed with air burns without soot: shares of it that burn in the burn time at the end of the mantle, at the
 // cone and in the unburnt middle of the cone, and the chord of that middle.
-const float OXIDES = 0.0025;
-const float CONE = 0.01;
-const float UNBURNT = 0.014;
-const float CONE_CORE = 0.8;
+const float OXIDES = 0.004;
+const float CONE = 0.015;
+const float UNBURNT = 0.019;
+const float CONE_CORE = 1.0;
 // Light of the cone, mostly of C2*, and of the mantle, where carbon monoxide burns with a pale continuum.
 const vec3 SWAN = vec3(0.06, 0.5, 1.8);
-const vec3 MANTLE = vec3(0.04, 0.06, 0.25);
+const vec3 MANTLE = vec3(0.014, 0.026, 0.1);
 // Light of CH* (431 nm) and C2* (473, 516 nm) of gas that burns at 1/s.
 const vec3 BLUE = vec3(0.03, 0.18, 1.0) * 0.1;
 
@@ -207,7 +208,7 @@ void main() {
         float formed = max(above, 0.0) * source_width / (0.5 * FORMATION * FORMATION * GRAVITY * max(hottest / air - 1.0, 0.1));
         formed = 1.0 - exp(-formed * formed * formed);
         float core = exp(-age * age / (BURNOUT * BURNOUT));
-        float begun = max(smoothstep(-0.5 * ROOT, 0.5 * ROOT, above - ROOT * squared), on_solid) * step(EDGE, hottest);
+        float begun = max(smoothstep(-0.5 * ROOT, 0.5 * ROOT, above - CUP * squared), on_solid) * step(EDGE, hottest);
         float chord = (half_chord(1.0 - squared) - core * half_chord(CORE * CORE - squared)) * begun;
         left = mix(left, THIN * soot_inside * chord * formed, roundness);
         kilokelvin = mix(kilokelvin, hottest, roundness);

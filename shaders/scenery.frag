@@ -16,10 +16,11 @@ const float PERSPECTIVE = 0.3;  // depth below the wall at which the floor appea
 const float STONE_ROW = 0.9;    // texture coordinate of the visible row of stones
 const float WALL_SHADE = 0.04;  // height of the dark edge to the ground, on the wall
 const float FLOOR_SHADE = 0.02; // and on the ground
-const float HORIZON = 0.06; // depth over which a ground without a wall begins
-const vec3 MORTAR = vec3(0.11, 0.1, 0.09);
-const vec3 DARK_CLAY = vec3(0.34, 0.15, 0.09);
-const vec3 PALE_CLAY = vec3(0.5, 0.27, 0.17);
+const float HORIZON = 0.15; // depth over which a ground without a wall begins
+const float UNEVEN = 0.05; // and by how much of it noise moves that
+const vec3 MORTAR = vec3(0.085, 0.077, 0.07);
+const vec3 DARK_CLAY = vec3(0.24, 0.115, 0.075);
+const vec3 PALE_CLAY = vec3(0.42, 0.24, 0.16);
 
 const float FOOT = 0.005;  // least depth: the edge itself is not black
 const vec2 WALL_BRICK = vec2(0.17, 0.062); // a brick of the wall
@@ -30,6 +31,7 @@ const float ROW_PLACE = 0.37;
 const float ROW_START = 0.1;
 const vec2 CELL_PLACE = vec2(0.173, 0.291);
 const float CELL_START = 0.05;
+const float HORIZON_PLACE = 0.6;
 const vec2 WIDE_PLACE = vec2(0.7, 2.1); // stretched across, as things lie on the ground
 const vec2 FINE_PLACE = vec2(2.9, 7.3);
 const vec2 FINER_PLACE = vec2(7.9, 19.0);
@@ -40,11 +42,15 @@ const float STAGGER = 0.12;
 const float JOINT = 0.03;
 const float BRICK_FACE = 0.12;
 const float RAGGED = 0.03;
+// Light along an edge of a brick: its width in heights of the brick, and how much brighter or darker it is.
+const float EDGE_LIGHT = 0.22;
+const float EDGE_CONTRAST = 0.45;
 // Share of noise in the brightness of a brick, and of all: broad and fine.
 const float UNLIKE = 0.5;
 const float STAINS = 0.22;
 const float GRAIN = 0.3;
-const vec3 SOIL = vec3(0.2, 0.14, 0.09);
+const vec3 SLAB_COLOUR = vec3(1.4, 1.0, 0.8);
+const vec3 SOIL = vec3(0.2, 0.12, 0.075);
 const float SOIL_WIDE = 0.5; // shares of noise in the brightness: clods, crumbs, grain
 const float SOIL_FINE = 0.7;
 const float SOIL_GRAIN = 0.6;
@@ -71,16 +77,19 @@ vec3 bricks(vec2 place, vec2 brick) {
     float row = floor(cell.y);
     cell.x += 0.5 * mod(row, 2.0) + STAGGER * rough(vec2(row * ROW_PLACE, ROW_START)).x;
     vec2 edge = (0.5 - abs(fract(cell) - 0.5)) * brick / brick.y;
+    float edge_side = sign(fract(cell.y) - 0.5);
     float face = smoothstep(JOINT, BRICK_FACE, min(edge.x, edge.y) + RAGGED * worn.w);
     vec4 own = rough(floor(cell) * CELL_PLACE + CELL_START);
     vec3 clay = mix(DARK_CLAY, PALE_CLAY, 0.5 + own.x) * (1.0 + UNLIKE * own.y);
-    return mix(MORTAR, clay, face) * (1.0 + STAINS * worn.z + GRAIN * worn.w);
+    // A joint is recessed: it is dark below the upper brick, whose lower edge is dark, too, and the upper edge of a brick is bright.
+    float down = edge_side * (1.0 - smoothstep(0.0, EDGE_LIGHT, edge.y));
+    return mix(MORTAR, clay, face) * (1.0 + STAINS * worn.z + GRAIN * worn.w) * (1.0 + EDGE_CONTRAST * down);
 }
 
 // The ground approaches the viewer downwards.
 vec3 ground_at(vec2 place, float near) {
     vec2 flat_place = vec2(place.x, STONE_ROW) / near;
-    if (ground < EARTH) return bricks(flat_place, SLAB).ggb;
+    if (ground < EARTH) return bricks(flat_place, SLAB).g * SLAB_COLOUR;
     vec4 wide = rough(flat_place * WIDE_PLACE);
     vec4 fine = rough(flat_place * FINE_PLACE) + 0.5 * rough(flat_place * FINER_PLACE);
     if (ground < SAND) return SOIL * max(1.0 + SOIL_WIDE * wide.x + SOIL_FINE * fine.x + SOIL_GRAIN * fine.w, SOIL_DARKEST);
@@ -94,6 +103,6 @@ void main() {
     // Wall and ground are dark along the foot of the wall.
     vec3 colour = depth > 0.0 ? ground_at(place, 1.0 + depth / PERSPECTIVE) : bricks(place, WALL_BRICK);
     float joint = smoothstep(0.0, depth > 0.0 ? FLOOR_SHADE : WALL_SHADE, abs(depth) + FOOT);
-    float share = wall > 0.5 ? step(0.0, depth) : smoothstep(0.0, HORIZON, depth);
+    float share = wall > 0.5 ? step(0.0, depth) : smoothstep(0.0, HORIZON, depth - UNEVEN * abs(rough(vec2(place.x * HORIZON_PLACE, 0.0)).x));
     scenery = vec4(sqrt(colour * joint), share);
 }

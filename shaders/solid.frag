@@ -81,14 +81,14 @@ const float ACROSS_PLANK = 0.3;
 const float ACROSS_TRUNK = 0.35;
 const float CROWDED = 0.15;
 const float FURROWS = 0.5; // share of fine noise in the furrows
-const vec3 FURROW = vec3(0.05, 0.03, 0.018);
-const vec3 BARK = vec3(0.3, 0.18, 0.1);
+const vec3 FURROW = vec3(0.085, 0.053, 0.034);
+const vec3 BARK = vec3(0.25, 0.16, 0.1);
 const float BARK_STAINS = 0.4;
-const float FURROW_WIDTH = 0.4;
+const float FURROW_WIDTH = 0.55;
 // The sawn end of a trunk in view: place and size in half thicknesses; that of a disc is its face.
 const float END_PLACE = 0.42;
 const vec2 END_SIZE = vec2(0.52, 0.8);
-const float DISC_SIZE = 0.92;
+const float DISC_SIZE = 0.88;
 const float NO_END = 9.0; // radius of a plank, beyond every face
 const float END_EDGE = 0.95;
 const float RINGS = 22.0; // [rad] for each radius
@@ -100,10 +100,11 @@ const float CHECK_WIDTH = 0.1;
 const float CHECK_PLACE = 0.13;
 const float CHECK_INNER = 0.15;
 const float CHECK_OUTER = 0.6;
-const vec3 SAWN = vec3(0.46, 0.3, 0.165);
+const vec3 SAWN = vec3(0.2, 0.125, 0.075);
 const float RING_CONTRAST = 0.2;
-const float DARKER_OUTSIDE = 0.3;
+const float DARKER_OUTSIDE = 0.45;
 const float END_SLOPE = 0.45; // of its normal, to the side that is in view
+const float GRAZING = 0.5; // loss of the light from before it
 const float END_DOME = 0.4; // of the normal of a cross section, at its rim
 // Burning bark glows in furrows of this width, where fine noise is above zero.
 const float GLOWING_FURROW = 0.2;
@@ -126,9 +127,13 @@ const vec2 MAX_BRICK = vec2(1.8, 0.667);
 const float JOINT = 0.03;
 const float BRICK_FACE = 0.12;
 const float BRICK_RAGGED = 0.03;
-const vec3 MORTAR = vec3(0.17, 0.16, 0.145);
-const vec3 DARK_CLAY = vec3(0.34, 0.15, 0.09);
-const vec3 PALE_CLAY = vec3(0.5, 0.27, 0.17);
+// Joints are recessed: the step towards the fire whose height shades a place, in heights of a brick, and how much.
+const float JOINT_STEP = 0.09;
+const float JOINT_RELIEF = 1.1;
+const vec3 MORTAR = vec3(0.11, 0.1, 0.09);
+const vec3 DARK_CLAY = vec3(0.2, 0.095, 0.065);
+const vec3 PALE_CLAY = vec3(0.4, 0.23, 0.155);
+const float UNLIKE = 0.45; // share of a brick's own noise in its brightness
 const vec2 CELL_PLACE = vec2(0.173, 0.291); // decorrelates the clay of bricks
 const float CLAY_GRAIN = 0.3;
 const float BRICK_BUMPS = 0.3;
@@ -146,23 +151,30 @@ const float WAX_SOFT = 0.6; // light spreads in wax
 const float WAX_SHINE = 0.15;
 // Light enters wax at its top and is lost on the way down: the share that is left far below, what the top gains, and the
 // depth over which it is lost [m].
-const float WAX_DARK = 0.45;
+const float WAX_DARK = 0.28;
 const float WAX_LIT = 1.9;
 const float WAX_DEPTH = 0.022;
+const float WAX_ASIDE = 0.4; // share that is lost at its sides, away from the wick
+const vec3 PAPER_COLOUR = vec3(0.8, 0.78, 0.72);
+const float CRUMPLED = 0.5; // slope of paper by broad noise
 
 // Glass is seen at its rim.
 const vec3 GLASS_COLOUR = vec3(0.8, 0.9, 0.9);
 const float GLASS_COVER = 0.12;
 const float GLASS_RIM = 0.6;
 
-// Cloth: a sheet hangs in folds, two across a box, whose edges are in them; a line is a rope. Turns of both for each half
+// Cloth: a sheet hangs in folds, one across a box, whose edges are between them; a line is a rope. Turns of both for each half
 // thickness [rad], their slope and relief, and the light in a fold.
 const vec3 CLOTH_COLOUR = vec3(0.55, 0.44, 0.31);
-const float FOLDS = 6.283;
+const float FOLDS = 3.1416;
 const float TWIST = 3.59;
 const float FOLD_SLOPE = 0.75;
 const float TWIST_RELIEF = 0.4;
-const float IN_FOLD = 0.35;
+const float IN_FOLD = 0.25;
+const float SHARP_FOLDS = 0.5; // narrowness of the dark side of a turn
+const float CREST_DULL = 0.75; // charred cloth glows in its turns
+const float FINE_FOLDS = 0.25; // share of three narrow folds in each
+const float UNEVEN_FOLDS = 0.14; // meander of folds, none at the ends, where another cloth may hang
 const float CLOTH_SOFT = 0.3; // light passes through cloth
 
 // A solid with fuel: loss of colour by char, and the char of a full loss, which begins in spots.
@@ -196,7 +208,7 @@ vec3 light_at(vec2 side) {
 // A place in the noise of bark, which is stretched along a trunk and crowds towards its sides, or of a plank. Around
 // a cross section it runs inwards.
 vec2 bark_place(vec2 place) {
-    if (max(body.x, body.y) <= 0.0) return ACROSS_TRUNK * place / (length(place) + DARKEST);
+    if (max(body.x, body.y) <= 0.0) return ACROSS_TRUNK * place * (0.5 / (length(place) + DARKEST) + 0.5);
     return vec2(ALONG * place.x, body.y > 0.0 ? ACROSS_PLANK * place.y : place.y * (ACROSS_TRUNK + CROWDED * place.y * place.y));
 }
 
@@ -218,6 +230,14 @@ float beside_solid(vec2 place, vec2 towards, vec4 frame, vec3 box) {
     vec2 beyond = abs(vec2(dot(from, frame.zw), frame.z * from.y - frame.w * from.x)) - box.xy;
     float away = length(max(beyond, 0.0)) + min(max(beyond.x, beyond.y), 0.0) - box.z;
     return 1.0 - CONTACT * (1.0 - smoothstep(CONTACT_FULL * thick, CONTACT_END * thick, away)) * step(DARKEST, thick);
+}
+
+// A brick and the height of its face above the mortar. Every other course is shifted by half a brick.
+vec3 brick_at(vec2 place, vec2 brick, float ragged) {
+    vec2 cell = place + 0.5;
+    cell.x += 0.5 * mod(floor(cell.y), 2.0);
+    vec2 edge = (0.5 - abs(fract(cell) - 0.5)) * brick / brick.y;
+    return vec3(floor(cell), smoothstep(JOINT, BRICK_FACE, min(edge.x, edge.y) + ragged));
 }
 
 void main() {
@@ -251,6 +271,8 @@ void main() {
     float shine = 0.0; // brightness of the highlight
     float cover = 1.0;
     float ember = 0.0; // share of the surface that glows
+    float end_on = 0.0; // share of a cross section
+    float dull = 0.0;  // loss of glow
     float soft = 0.0;  // share of the light that spreads inside
     if (material == WOOD) {
         // Bark around a trunk, or a plank. One end of a trunk shows its rings.
@@ -265,20 +287,20 @@ void main() {
         colour = mix(colour, SAWN * (1.0 + RING_CONTRAST * ring - DARKER_OUTSIDE * radius) * mix(1.0, CHECK, check), face);
         bump = vec3(0.0, 0.0, BARK_RELIEF * (1.0 - face) * (min(ridge, FURROW_WIDTH) - min(ridge_of(beside), FURROW_WIDTH)));
         ember = (1.0 - smoothstep(0.0, GLOWING_FURROW, ridge)) * smoothstep(0.0, GLOWING_SPOTS, fine.x) * (1.0 - face);
+        end_on = body.x > 0.0 ? 0.0 : face;
         normal = mix(normal, body.x > 0.0 ? vec2(END_SLOPE * side, 0.0) : END_DOME * place, face);
     } else if (material == IRON) {
         colour = IRON_COLOUR * (1.0 + IRON_GRAIN * fine.w);
         bump *= IRON_BUMPS;
         shine = IRON_SHINE;
     } else if (material == BRICK) {
-        // Courses, every other one shifted by half a brick.
         vec2 brick = min(BRICK_SIZE, size * MAX_BRICK);
-        vec2 cell = local / brick + 0.5;
-        cell.x += 0.5 * mod(floor(cell.y), 2.0);
-        vec2 edge = (0.5 - abs(fract(cell) - 0.5)) * brick / brick.y;
-        float joint = smoothstep(JOINT, BRICK_FACE, min(edge.x, edge.y) + BRICK_RAGGED * fine.w);
-        colour = mix(MORTAR, mix(DARK_CLAY, PALE_CLAY, 0.5 + rough(floor(cell) * CELL_PLACE).x) * (1.0 + CLAY_GRAIN * fine.x), joint);
+        vec3 here = brick_at(local / brick, brick, BRICK_RAGGED * fine.w);
+        vec3 there = brick_at(local / brick + JOINT_STEP * (towards.xy * turned) * brick.y / brick, brick, BRICK_RAGGED * fine.w);
+        vec4 own = rough(here.xy * CELL_PLACE);
+        colour = mix(MORTAR, mix(DARK_CLAY, PALE_CLAY, 0.5 + own.x) * (1.0 + UNLIKE * own.y + CLAY_GRAIN * fine.x + STAINS * worn.x), here.z);
         bump *= BRICK_BUMPS;
+        bump.z += JOINT_RELIEF * (here.z - there.z);
         normal *= rim * rim;
     } else if (material == COAL) {
         colour = COAL_COLOUR * (1.0 + fine.w);
@@ -286,18 +308,23 @@ void main() {
         ember = (1.0 - smoothstep(0.0, COAL_CRACK, abs(worn.x + RAGGED * fine.w))) * smoothstep(-COAL_DARK, COAL_BRIGHT, worn.y);
         soft = COAL_SOFT;
     } else if (material == WAX) {
-        colour = WAX_COLOUR;
-        // What has fuel is thin, as paper and cloth.
-        if (grid.y == 0.0) fire_light *= WAX_DARK + WAX_LIT * exp((local.y - body.y - body.z) / WAX_DEPTH);
-        bump *= 0.0;
+        // What has fuel is paper: thin, white and crumpled.
+        colour = grid.y > 0.0 ? PAPER_COLOUR : WAX_COLOUR;
+        bump = vec3(grid.y > 0.0 ? CRUMPLED * worn.yz : vec2(0.0), 0.0);
+        if (grid.y == 0.0) fire_light *= WAX_DARK + WAX_LIT * exp((local.y - body.y - body.z) / WAX_DEPTH) * (1.0 - WAX_ASIDE * place.x * place.x);
         soft = WAX_SOFT;
         shine = WAX_SHINE;
     } else if (material == CLOTH) {
-        float turns = body.z > 0.0 ? TWIST * (place.x + place.y) : FOLDS * (place.x + 0.08 * worn.x);
-        float crest = 0.5 - 0.5 * cos(turns);
+        float turns = body.z > 0.0 ? TWIST * (place.x + place.y) : FOLDS * (place.x + UNEVEN_FOLDS * worn.x * (1.0 - pow(local.y / body.y, 2.0)));
+        float crest = 0.5 - 0.5 * cos(turns + SHARP_FOLDS * sin(turns));
+        if (body.z <= 0.0) {
+            crest = 0.5 + 0.5 * mix(cos(turns), cos(3.0 * turns), FINE_FOLDS);
+            rim = 0.0;
+        }
+        dull = CREST_DULL * crest;
         colour = CLOTH_COLOUR * mix(IN_FOLD, 1.0, crest) * (1.0 + CLAY_GRAIN * fine.w);
         bump = vec3(0.0, 0.0, TWIST_RELIEF * (crest - 0.5));
-        if (body.z <= 0.0) normal = vec2(FOLD_SLOPE * sin(turns), 0.0);
+        if (body.z <= 0.0) normal = vec2(FOLD_SLOPE * mix(sin(turns), sin(3.0 * turns), FINE_FOLDS), 0.0);
         soft = CLOTH_SOFT;
     } else if (material == GLASS) {
         colour = GLASS_COLOUR * rim * rim * rim;
@@ -318,11 +345,14 @@ void main() {
     vec3 touch = texture(glow, uv + tilt * TOUCH * per_height).rgb;
     fire_light *= 0.25 * FAR_LIT * light_range;
     vec3 nearby = touch * touch * NEAR_LIT * light_range;
-    float lit = mix(max(FACING * (dot(facing, towards) + bump.z) + ACROSS, 0.0), INSIDE, soft);
+    // The fire is beside a cross section, so its light grazes the face.
+    towards.z -= GRAZING * end_on;
+    float lit = mix(max(FACING * (dot(facing, towards) + bump.z) + ACROSS * (1.0 - 0.6 * end_on), 0.0), INSIDE, soft);
     float gloss = pow(max(dot(facing, normalize(towards + vec3(0.0, 0.0, 1.0))), 0.0), SHARPNESS) * shine;
     // The floor, and what lies before a rim, take light away.
     float open = (1.0 - LOST_AT_RIM * rim * rim * rim) * mix(AT_FLOOR, 1.0, smoothstep(0.0, ABOVE_FLOOR, (uv.y - floor_middle.y) * picture_size.y / size));
-    open *= beside_solid(world, towards.xy, frame_a, box_a) * beside_solid(world, towards.xy, frame_b, box_b);
+    // Sheets of cloth that hang side by side are one.
+    if (material != CLOTH) open *= beside_solid(world, towards.xy, frame_a, box_a) * beside_solid(world, towards.xy, frame_b, box_b);
     if (material == WOOD) {
         // Wood in the flame is black, and its cracks glow.
         float burnt = grid.y > 0.0 ? 0.0 : smoothstep(SINGED, CHARRED, max(nearby.r, FAR_CHARS * fire_light.r));
@@ -331,7 +361,7 @@ void main() {
     }
     vec3 seen = open * (colour * (lit * fire_light + nearby + (NIGHT + sky) * (SKY_FROM_ABOVE + facing.y)) + gloss * fire_light);
     if (grid.y > 0.0) {
-        ember = smoothstep(CELL_DARK, CELL_GLOWING, kilokelvin + CELL_UNEVEN * fine.w);
+        ember = smoothstep(CELL_DARK, CELL_GLOWING, kilokelvin + CELL_UNEVEN * fine.w) * (1.0 - dull);
     } else if (kilokelvin > 0.0) {
         // A solid of a fixed temperature glows everywhere.
         ember = 1.0 - RIM_DARK * rim * rim;

@@ -1,5 +1,5 @@
 /**
- * Round flames in still air: a candle with a bright rim and a blue root, and the cones of a gas burner.
+ * Round flames in still air: a candle with a bright body and a blue root, and the cones of a gas burner.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -12,7 +12,7 @@ const [PICTURES, APART] = [8, 0.2];
 /** Relative luminance from which a pixel is of the flame. */
 const LUMINOUS = 0.1;
 /** Relative luminance from which a pixel is of a cone of gas that was mixed with air. */
-const CONE = 0.12;
+const CONE = 0.17;
 
 const painter = new Painter();
 after(() => painter.close());
@@ -70,14 +70,18 @@ function blueShare(rgba, top, bottom) {
   return sum[2] / (sum[0] + sum[1] + sum[2]);
 }
 
-test('a candle has a bright rim around a darker middle', () => {
+test('a candle has a bright body without a rim, above a darker zone at its wick', () => {
   for (const rgba of pictures) {
-    const row = across(rgba, Math.round(foot - tip(rgba) / 3));
+    const height = tip(rgba);
+    const row = across(rgba, Math.round(foot - height / 2));
     const [left, right] = [row.findIndex((y) => y > LUMINOUS), row.findLastIndex((y) => y > LUMINOUS)];
     const quarter = Math.round((right - left) / 4);
-    const middle = Math.min(...row.slice(left + quarter, right - quarter + 1));
-    const rims = [row.slice(left, left + 2 * quarter), row.slice(right - 2 * quarter + 1, right + 1)];
-    for (const rim of rims) assert.ok(Math.max(...rim) > 1.05 * middle, `${row.slice(left, right + 1)}`);
+    const body = Math.max(...row.slice(left + quarter, right - quarter + 1));
+    const rim = Math.max(...row.slice(left, left + quarter), ...row.slice(right - quarter + 1));
+    assert.ok(body >= rim, `${row.slice(left, right + 1)}`);
+    const middle = Math.round((left + right) / 2);
+    const dark = across(rgba, Math.round(foot - height / 8))[middle];
+    assert.ok(dark < 0.7 * body, `${dark} at the wick, ${body} in the body`);
   }
 });
 
@@ -111,18 +115,22 @@ test('each nozzle of the gas burner has an equal blue cone that narrows, and a p
       for (let column = columns[0]; column < columns[1]; column += 1) {
         const at = 4 * (row * width + column);
         const light = relativeLuminance(rgba[at], rgba[at + 1], rgba[at + 2]);
-        if (light >= least && light < most) found.push(light);
+        if (light >= least && light < most) found.push({ column, light });
       }
       return found;
     };
     const rows = Array.from({ length: Math.round(0.77 * height) }, (_, row) => row);
     const cone = rows.filter((row) => across(row, CONE).length > 0);
     const mantle = rows.filter((row) => across(row, CONE / 8, CONE).length > 0);
-    const wide = (/** @type {number} */ share) => across(cone[Math.floor(share * cone.length)], CONE).length;
+    /** From the first to the last pixel of the cone: its sheet is around unburnt gas. */
+    const wide = (/** @type {number} */ share) => {
+      const found = across(cone[Math.floor(share * cone.length)], CONE);
+      return found[found.length - 1].column - found[0].column + 1;
+    };
     assert.ok(wide(0.2) < 0.75 * wide(0.65), `${wide(0.2)} above ${wide(0.65)} pixels`);
     assert.ok(cone.length > 1.4 * wide(0.65), `${cone.length} high, ${wide(0.65)} wide`);
     assert.ok(cone[0] - mantle[0] > 0.5 * cone.length, `${cone[0] - mantle[0]} above ${cone.length} pixels`);
-    lights.push(cone.flatMap((row) => across(row, CONE)).reduce((sum, light) => sum + light, 0));
+    lights.push(cone.flatMap((row) => across(row, CONE)).reduce((sum, { light }) => sum + light, 0));
   }
   assert.ok(Math.min(...lights) > 0.8 * Math.max(...lights), `${lights}`);
 });

@@ -1,6 +1,6 @@
 //! What surrounds the gas of a fire, and how far it has moved: slices of another scene are not seen.
 
-use hearth_core::params::Material;
+use hearth_core::params::{Fuel, Material, Motion};
 use hearth_core::scene::Pose;
 use hearth_core::{Scene, SourcePlace};
 
@@ -39,6 +39,11 @@ impl Surroundings {
                 solid.material != Material::None
                     && pose.is_some_and(|pose| is_in_flame(pose, first))
             });
+        let is_free_fuel = |pose: &&Pose| {
+            scene.surfaces().any(|(id, solid, _)| {
+                id == pose.id && solid.fuel != Fuel::None && solid.motion == Motion::Free
+            })
+        };
         let mut angles = scene.sources().map(|source| source.angle);
         Surroundings {
             symmetric: free
@@ -47,7 +52,11 @@ impl Surroundings {
                 && is_symmetric(&sources),
             free,
             sources,
-            poses: poses.to_vec(),
+            poses: poses
+                .iter()
+                .filter(|pose| !is_free_fuel(pose))
+                .copied()
+                .collect(),
             wind: values.wind,
             width: first.width,
         }

@@ -1,5 +1,6 @@
 use super::*;
 use crate::bounds::tests::particle;
+use hearth_core::params::Input;
 
 /// A fire of the combustion model with these values, and some gas above its source.
 fn fire(values: &[(&str, f64)]) -> Scene {
@@ -88,6 +89,27 @@ fn slices_of_another_scene_fade_out_and_return() {
         assert_eq!(visible(&history, &other, 2.3), [0]);
         burn(&mut history, &other, 2.31, 5.0);
         assert_eq!(visible(&history, &other, 5.0), [0, 1, 2, 3, 4]);
+    }
+}
+
+#[test]
+fn a_free_solid_hides_slices_while_it_falls_unless_it_burns() {
+    for (fuel, left) in [("paper", &[0, 1, 2, 3, 4][..]), ("none", &[0])] {
+        let mut scene = fire(&[]);
+        let solid = [("kind", "solid"), ("motion", "free"), ("fuel", fuel)];
+        let added = scene.add(&solid.map(|(field, text)| (field, Input::Text(text))));
+        assert!(added.is_ok(), "{added:?}");
+        let (mut history, mut poses) = (History::default(), scene.poses(0.0));
+        for step in 0..=90 {
+            poses[0].frame.centre.y -= 0.05;
+            history.record(&Moment {
+                time: f64::from(step) / RATE,
+                scene: &scene,
+                poses: &poses,
+                particles: &[],
+            });
+        }
+        assert_eq!(visible(&history, &scene, 3.0), left, "{fuel}");
     }
 }
 

@@ -51,10 +51,22 @@ export const WAYS = {
  * @param {keyof typeof WAYS} [way]
  */
 export async function installed(name, way = 'archive') {
+  const folder = await project(name);
+  // npm takes a package of a name and version that it has for the same one.
+  await rm(path.join(folder, 'node_modules/hearth-fire'), { recursive: true, force: true });
+  await npm(folder, 'install', '--no-save', '--no-package-lock', '--prefer-offline', ...(await WAYS[way]()));
+  await writeFile(path.join(folder, MARKER), await readFile(path.join(folder, 'package-lock.json')));
+  return folder;
+}
+
+/** A file of a project with the lock file of the packages that are there. */
+const MARKER = 'node_modules/.installed-for';
+
+/** A project beside this file, with the packages of its lock file; gives its folder. @param {string} name */
+export async function project(name) {
   const folder = path.join(YARD, name);
-  const modules = path.join(folder, 'node_modules');
   const lock = await readFile(path.join(HERE, name, 'package-lock.json'), 'utf8');
-  const marker = path.join(modules, '.installed-for');
+  const marker = path.join(folder, MARKER);
   const fresh = (await readFile(marker, 'utf8').catch(() => '')) === lock;
   if (!fresh) await rm(folder, { recursive: true, force: true });
   await cp(path.join(HERE, name), folder, {
@@ -65,10 +77,6 @@ export async function installed(name, way = 'archive') {
     await npm(folder, 'ci');
     await writeFile(marker, lock);
   }
-  // npm takes a package of a name and version that it has for the same one.
-  await rm(path.join(modules, 'hearth-fire'), { recursive: true, force: true });
-  await npm(folder, 'install', '--no-save', '--no-package-lock', '--prefer-offline', ...(await WAYS[way]()));
-  await writeFile(marker, lock);
   return folder;
 }
 

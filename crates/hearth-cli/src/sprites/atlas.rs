@@ -72,11 +72,12 @@ pub fn tres(description: &Description<'_>) -> String {
         tile, kept, count, ..
     } = description.grid;
     let [left, top, width, height] = kept;
+    let quoted = |text: &str| text.replace('\\', "\\\\").replace('"', "\\\"");
     let mut text = format!(
         "[gd_resource type=\"SpriteFrames\" load_steps={} format=3]\n\n\
          [ext_resource type=\"Texture2D\" path=\"res://{}\" id=\"1\"]\n",
         count + 2,
-        description.image
+        quoted(description.image)
     );
     for number in 0..count {
         let [x, y] = description.grid.corner(number);
@@ -94,7 +95,7 @@ pub fn tres(description: &Description<'_>) -> String {
     text += &format!(
         "\n[resource]\nanimations = [{{\n\"frames\": [{}],\n\"loop\": true,\n\"name\": &\"{}\",\n\"speed\": {:?}\n}}]\n",
         frames.collect::<Vec<_>>().join(", "),
-        description.name,
+        quoted(description.name),
         1.0 / description.rate.time(1)
     );
     text

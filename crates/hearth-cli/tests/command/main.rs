@@ -11,4 +11,5 @@ mod scene_files;
 mod sheet;
 mod sprites;
 mod streams;
+mod tres;
 mod without_driver;

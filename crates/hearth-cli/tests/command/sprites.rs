@@ -142,7 +142,13 @@ fn each_sheet_has_a_file_and_the_motion_of_rising_gas_is_upwards() {
     let (emission, smoke) = (light(0), light(2));
     assert!(emission > 3 * smoke, "{emission} {smoke}");
     let text = String::from_utf8(folder.read("a_4x2.tres")).expect("text");
-    assert_eq!(text.matches("type=\"AtlasTexture\"").count(), 6);
+    let tags = crate::tres::Reader(&text).headings();
+    let of_tile = |tag: &&String| *tag == "sub_resource";
+    assert_eq!((tags.len(), tags.iter().filter(of_tile).count()), (9, 6));
+    let odd = sprites(&folder, &["--out", "o\"dd\\.png", "--atlas", "tres"]);
+    assert_eq!((odd.code, &*odd.errors), (0, ""));
+    let odd = String::from_utf8(folder.read("o\"dd\\.tres")).expect("text");
+    assert_eq!(crate::tres::Reader(&odd).headings(), tags);
     assert!(
         text.contains("res://a_4x2.png") && text.contains("load_steps=8"),
         "{text}"

@@ -76,6 +76,7 @@ pub(super) fn consumers() -> Result<()> {
         .env("HEARTH_CHROMIUM", chromium)
         .env("HEARTH_PACKAGE", package::folder())
         .env("HEARTH_YARD", tools::target()?.join("consumers"))
+        .envs(goldens::programs()?)
         .run()?)
 }
 

@@ -54,7 +54,9 @@ before(async () => {
     const members = own.filter(([name]) => !lifecycle.test(name));
     return {
       attributes: Fire.observedAttributes,
-      methods: members.filter(([, { value }]) => typeof value === 'function').map(([name]) => name),
+      methods: [...members, ...Object.entries(Object.getOwnPropertyDescriptors(Fire))]
+        .filter(([, { value }]) => typeof value === 'function')
+        .map(([name]) => name),
       properties: members.filter(([, { get }]) => get).map(([name]) => name),
       stats: Object.keys(fire.stats),
       parts: [...fire.shadowRoot.querySelectorAll('[part]')].map((element) => element.getAttribute('part')),
@@ -82,7 +84,10 @@ test('the reference names the attributes, properties, methods and parts of the e
 });
 
 test('a pointer reaches the play button of each fire that something lies above or below, and it hides no words', async () => {
-  const layered = EXAMPLES.filter(({ html }) => /position: absolute/.test(html) && html.includes('<hearth-fire'));
+  const layered = EXAMPLES.filter(
+    ({ html }) =>
+      /position: absolute/.test(html) && html.includes('<hearth-fire') && !/<hearth-fire[^>]* decorative/.test(html),
+  );
   assert.ok(layered.length >= 4);
   for (const { heading, html } of layered) {
     const tab = await browser.open(html, { width: 800, height: 600, reducedMotion: true });
@@ -97,6 +102,29 @@ test('a pointer reaches the play button of each fire that something lies above o
       return isApart && document.elementFromPoint((left + right) / 2, (top + bottom) / 2) === fire;
     });
   }
+});
+
+test('a fire that is decoration has no button with reduced motion, and its engine may be loaded before it', async () => {
+  const tab = await browser.open('<p></p><script type="module" src="/web/hearth-fire.js"></script>', {
+    reducedMotion: true,
+  });
+  await tab.evaluate(async () => {
+    const Fire = /** @type {any} */ (await customElements.whenDefined('hearth-fire'));
+    await Fire.preload();
+    const loaded = () =>
+      performance.getEntriesByType('resource').filter(({ name }) => name.includes('_bg.wasm')).length;
+    const before = loaded();
+    const fire = Object.assign(document.createElement('hearth-fire'), { decorative: true });
+    document.body.append(fire);
+    await /** @type {any} */ (fire).ready;
+    if (before !== 1 || loaded() !== 1) throw new Error(`${before} and ${loaded()} files of wasm`);
+  });
+  const buttons = () => tab.fire((fire) => fire.shadowRoot.querySelectorAll('.play:not([hidden])').length);
+  assert.equal(await buttons(), 0);
+  await tab.fire((fire) => (fire.decorative = false));
+  await tab.until('the button', () =>
+    document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.play:not([hidden])'),
+  );
 });
 
 /** How many examples run beside each other, in iframes of one page. */

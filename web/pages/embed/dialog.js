@@ -188,7 +188,7 @@ class EmbedForm {
     Object.assign(/** @type {HTMLElement} */ (preview).style, {
       width: `${width}px`,
       height: `${height}px`,
-      transform: `scale(${scale})`,
+      scale: `${scale}`,
     });
     if (!present) this.#preview.append(preview);
   }

@@ -30,13 +30,18 @@ test('every parameter of the model has an accessible control with a name', async
   const { tab, panel } = await sharePage();
   const names = await tab.page.$$eval('[data-parameter]', (found) =>
     found.map((control) => {
-      const { labels, ariaLabel } = /** @type {HTMLInputElement} */ (control);
-      return ariaLabel || labels?.[0]?.textContent?.trim();
+      const { labels, ariaLabel, dataset } = /** @type {HTMLInputElement} */ (control);
+      return [dataset.parameter, ariaLabel || labels?.[0]?.textContent?.trim()];
     }),
   );
-  for (const [at, { id, label }] of PARAMETERS.entries()) {
-    assert.ok(names[at]?.includes(label), `${id} is called ${names[at]}`);
+  for (const { id, label } of PARAMETERS) {
+    const [, name] = names.find(([of]) => of === id) ?? [];
+    assert.ok(name?.includes(label), `${id} is called ${name}`);
   }
+  // The model begins the group of the physics.
+  const others = PARAMETERS.map(({ id }) => id).filter((id) => id !== 'model');
+  const physics = PARAMETERS.filter(({ id }) => id !== 'model').findIndex(({ group }) => group === 'Physics');
+  const order = [...others.slice(0, physics), 'model', ...others.slice(physics)];
   for (const values of [
     { model: 'combustion', edges: 'open' },
     { model: 'combustion', edges: 'periodic' },
@@ -45,7 +50,8 @@ test('every parameter of the model has an accessible control with a name', async
     await tab.fire((fire, values) => fire.set(values), values);
     const used = Object.values(entriesOf(PARAMETERS, values.model, values.edges))
       .filter((entry) => entry.used)
-      .map(({ id }) => id);
+      .map(({ id }) => id)
+      .sort((a, b) => order.indexOf(a) - order.indexOf(b));
     assert.deepEqual(await panel.controls(), used);
   }
 });

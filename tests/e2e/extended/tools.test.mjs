@@ -106,7 +106,11 @@ test('a fire with controls offers the tools inside of it, loaded on request', as
   assert.equal(await loaded(), true);
   await tab.page.click('hearth-fire >>> [data-tool="box"]');
   await drag(tab, [-0.1, 1.1], [0.1, 0.9]);
-  await until(tab, 'two', (all) => all.length === 2);
+  await until(
+    tab,
+    'a box of wood that burns',
+    ([, box, flame]) => box?.material === 'wood' && flame?.solid === box.id && flame.power > 0,
+  );
   await assertScaleApart(tab);
   await tab.page.click('hearth-fire >>> [data-tool="close"]');
   await tab.until(

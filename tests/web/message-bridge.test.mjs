@@ -147,6 +147,7 @@ test('it calls the methods of its list', async () => {
     'setAttribute',
     'innerHTML',
     'destroy',
+    'record',
     'then',
     'has',
     '',

@@ -16,6 +16,8 @@
  * @property {string} [background] in place of that of the scene
  */
 
+import { cut } from '../quoted.js';
+
 /**
  * The formats: their media types, their endings, whether they have alpha, and the usual bytes of a pixel of a picture.
  * @type {{[format in Format]: {type: string, ending: string, alpha: boolean, bytes: number}}}
@@ -50,7 +52,7 @@ const OPTIONS = [
 ];
 
 /** A value in a message. @param {unknown} value */
-const shown = (value) => String(typeof value === 'string' ? `“${value}”` : value).slice(0, 60);
+const shown = (value) => (typeof value === 'string' ? `“${cut(value)}”` : cut(String(value)));
 
 /**
  * A number among the options.

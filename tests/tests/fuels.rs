@@ -167,6 +167,7 @@ fn fire_spreads_faster_with_the_wind() {
 #[test]
 fn fire_spreads_slower_over_a_wet_fuel() {
     for seed in SEEDS {
+        // Later, the drier strips are burnt up.
         let burnt = [60.0, 30.0, 0.0]
             .map(|moisture| spread(strip(&[("seed", seed)], 90.0, moisture), BOTTOM, 1.0));
         assert!(burnt.is_sorted(), "{burnt:?}, seed {seed}");

@@ -100,7 +100,7 @@ const float AVERAGED = 1.0;
 const float EDGE = 1.15;         // temperature at its edge [kK]
 const float SOFT_EDGE = 0.25;    // softness of that edge, in squared radii
 const float CORE = 0.85;         // radius of the fuel in its middle, in radii
-const float THIN = 0.55;         // optical depth relative to that of a plane flame: a small flame is thin
+const float THIN = 0.4;         // optical depth relative to that of a plane flame: a small flame is thin
 // Time in which soot forms above the source, and mean time since the soot's fuel burnt in which the fuel in the middle
 // burns [s].
 const float FORMATION = 0.036;

@@ -44,7 +44,10 @@ pub fn write(value: &Untrusted) -> serde_json::Value {
         Untrusted::Flag(flag) => (*flag).into(),
         Untrusted::List(items) => items.iter().map(write).collect(),
         Untrusted::Object(fields) => {
-            let fields = fields.iter();
+            // Builds with other crates keep another order of an object.
+            let mut fields: Vec<_> = fields.iter().collect();
+            fields.sort_by(|(a, _), (b, _)| a.cmp(b));
+            let fields = fields.into_iter();
             fields
                 .map(|(name, value)| (name.clone(), write(value)))
                 .collect()

@@ -174,6 +174,10 @@ impl Film {
             is_opaque: settings.parameters().background.rgba[3] == 255,
             text: self.picture.text(settings),
         };
+        if header.text.is_some() && matches!(format, Format::Rgba | Format::Wav) {
+            let words = "--describe: raw pictures and WAV have no place for a text";
+            return Err(Error::Use(words.to_owned()));
+        }
         if format == Format::Wav {
             if self.is_loop {
                 return Err(Error::Use("--loop: a loop has no sound".to_owned()));

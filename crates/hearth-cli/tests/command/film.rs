@@ -245,6 +245,8 @@ fn a_film_that_cannot_be_is_refused_before_a_fire_burns() {
         ),
         ("a.gif", &["--frames", "3..3"], &["0..300"]),
         ("a.gif", &["--loop", "--seconds", "0.5"], &["from 1 to 10"]),
+        ("a.wav", &["--describe"], &["--describe", "WAV"]),
+        ("a.gif", &["--loop", "--checkpoint", "c"], &["--checkpoint"]),
         ("a.gif", &["--loop", "--once"], &["--loop", "--once"]),
         ("a.gif", &["--fps", "0.5"], &["1 to 240"]),
         ("a.gif", &["--fps", "241"], &["1 to 240"]),

@@ -4,7 +4,10 @@ use std::rc::Rc;
 
 use hearth_core::Instance;
 use hearth_core::resolution::Level;
-use hearth_render::{Camera, Renderer, ResolutionLimits, SharedResources, TargetFormat, View};
+use hearth_render::{
+    Camera, Renderer, ResolutionLimits, SharedResources, TargetFormat, View,
+    memory as target_memory,
+};
 
 use crate::error::{Error, need_memory};
 use crate::{Fire, Offscreen, Picture};
@@ -161,7 +164,7 @@ pub fn memory(options: &PictureOptions) -> u64 {
     const TARGET_AND_COPIES: u64 = 4;
     let size = drawn(options);
     let picture = 4 * u64::from(size[0]) * u64::from(size[1]);
-    TARGET_AND_COPIES * picture + ResolutionLimits::of(options.level).bytes(size, u32::MAX)
+    TARGET_AND_COPIES * picture + target_memory(size, ResolutionLimits::of(options.level), u32::MAX)
 }
 
 /// The drawn size of a picture.

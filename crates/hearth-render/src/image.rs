@@ -2,7 +2,7 @@
 //! reads [`Image::Light`].
 
 use crate::format::TargetFormat;
-use crate::resolution::{Layout, MAX_BLURS};
+use crate::resolution::{Layout, MAX_BLURS, ResolutionLimits};
 use crate::slices::MAX_SLICES;
 
 /// An image of a frame.
@@ -151,8 +151,11 @@ pub fn format_and_size(
     (format, size)
 }
 
-/// Memory of all targets of a layout in half floats \[bytes\].
-pub fn bytes(layout: &Layout) -> u64 {
+/// Memory of all targets of a picture of that size, those of its slices included, in half floats \[bytes\].
+pub fn memory(picture: [u32; 2], limits: ResolutionLimits, max_side: u32) -> u64 {
+    let Some(layout) = &Layout::new(picture, limits, max_side) else {
+        return 0;
+    };
     let levels = layout.blurs().len();
     let is_made = |target: &usize| {
         !(BLUR + levels..GLOW).contains(target) && !(GLOW + levels..FLOW).contains(target)

@@ -57,6 +57,7 @@ pub use error::RenderError;
 pub use format::TargetFormat;
 pub use gl::Graphics;
 pub use history::{History, Moment};
+pub use image::memory;
 pub use palette::light_colour;
 pub use renderer::{Renderer, View};
 pub use resolution::ResolutionLimits;

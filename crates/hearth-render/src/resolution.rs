@@ -4,7 +4,6 @@
 //! picture's lines, and glow needs fewer. Fill rate limits phones and machines without a graphics
 //! card.
 
-use crate::image::bytes;
 use hearth_core::resolution::Level;
 
 /// Maximum number of blurred copies of the light.
@@ -91,11 +90,6 @@ impl ResolutionLimits {
         slices: 5,
         sharper_shares: &[0.4, 0.25, 0.2],
     };
-
-    /// Memory of all targets of a picture of that size, those of its slices included, in half floats \[bytes\].
-    pub fn bytes(self, picture: [u32; 2], max_side: u32) -> u64 {
-        Layout::new(picture, self, max_side).map_or(0, |layout| bytes(&layout))
-    }
 }
 
 /// Sizes of the targets of a picture.

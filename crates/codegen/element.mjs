@@ -39,6 +39,7 @@ import { reactTypes } from './element/types.mjs';
  * @typedef {object} Method
  * @property {string} name
  * @property {Signature[]} signatures  The last one takes all calls.
+ * @property {boolean} [ofClass]
  * @property {boolean} posted
  * @property {string} [see]  The heading of its section in the reference.
  * @property {{label: string, code: string}[]} examples
@@ -179,11 +180,12 @@ function child(kind, declared) {
     type: '`#$' + '{string}`',
     doc: `The element of the page whose border box it has${isSolid ? ', or of an image what is opaque in it' : ''}, as \`#\` and an id.`,
   };
-  const ofText = {
-    name: 'of-text',
-    type: 'boolean',
-    doc: 'With `of`: it has the shape of the glyphs of that element.',
-  };
+  const ofSolid = [
+    ['of-text', 'boolean', 'With `of`: it has the shape of the glyphs of that element.'],
+    ['text', 'string', 'A word whose letters it has as its shape.'],
+    ['font', 'string', 'The font of `text`, as in a style sheet.'],
+    ['burning', 'boolean', 'It burns along its outline, by the recipe of the scene *Burning word*.'],
+  ].map(([name, kind, doc]) => ({ name, type: kind, doc }));
   const properties = declared('parameters.d.ts', `Hearth${name}`)
     .members.map(member)
     .filter((/** @type {Named} */ property) => property.name !== 'kind' && property.name !== 'id')
@@ -201,7 +203,7 @@ function child(kind, declared) {
     type,
     doc: read(element).doc,
     members: element.members.map(member),
-    attributes: [of, ...(isSolid ? [ofText] : []), ...properties],
+    attributes: [of, ...(isSolid ? ofSolid : []), ...properties],
   };
 }
 
@@ -220,7 +222,7 @@ function property(node, all, reflects) {
     name,
     type: typeOf(node),
     accepts: accepted && flat(accepted.getText()),
-    ofClass: (node.modifiers ?? []).some((/** @type {any} */ modifier) => modifier.kind === SyntaxKind.StaticKeyword),
+    ofClass: isStatic(node),
     readonly: node.kind === SyntaxKind.GetAccessor && !setter,
     attribute: reflects || about.first('attribute') ? hyphened(name) : undefined,
     default: about.first('default')?.text,
@@ -229,12 +231,18 @@ function property(node, all, reflects) {
   };
 }
 
+/** Whether a member is one of the class. @param {any} node @returns {boolean} */
+function isStatic({ modifiers = [] }) {
+  return modifiers.some((/** @type {any} */ { kind }) => kind === SyntaxKind.StaticKeyword);
+}
+
 /** @type {(node: any, signatures: any[]) => Method} */
 function method(node, signatures) {
   const name = node.name.text;
   const last = read(node);
   return {
     name,
+    ofClass: isStatic(node),
     posted: last.first('posted') !== undefined,
     see: last.first('see')?.name,
     examples: last.all('example').map(({ text }) => {

@@ -34,6 +34,7 @@ export const OPTIONS = /** @type {const} */ ([
   'alt',
   'autoplay',
   'controls',
+  'decorative',
   'fit',
   'fps-limit',
   'interactive',

@@ -58,7 +58,7 @@ export function manifest({
         type: kind(property.type),
         description: property.doc,
       })),
-      ...methods.map(({ name, signatures }) => {
+      ...methods.map(({ name, signatures, ofClass }) => {
         const {
           parameters: all,
           returns,
@@ -71,6 +71,7 @@ export function manifest({
         return {
           kind: 'method',
           name,
+          static: ofClass || undefined,
           parameters: all.map((parameter) => ({
             name: parameter.name,
             optional: parameter.optional || undefined,

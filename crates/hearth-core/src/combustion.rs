@@ -274,7 +274,7 @@ impl Solver for Combustion {
     fn report(&self, _values: &Physics) -> StepReport {
         let (mean_neighbours, max_neighbours) = self.pairs.mean_and_max_neighbours();
         StepReport {
-            substeps: time_step::PARTS,
+            substeps: time_step::PARTS as u32,
             mean_neighbours,
             max_neighbours,
             speed_limited: self.motion.speed_limited,

@@ -1,4 +1,4 @@
-//! The series of steps that sound follows from: length, power and events of each step.
+//! The series that sound follows from: length, power and events of each part of a step.
 
 use crate::extremes::fast_max;
 
@@ -19,12 +19,13 @@ pub(crate) const DEATHS: usize = 7;
 const MOMENTARY: usize = 7;
 const GROWN: usize = 8;
 
-/// A step: its length, its power and its events. Masses are those of the step, per metre of depth.
+/// A part of a step, of which the combustion model has two and the classic model one: its length, its power and its
+/// events, which the first part has. Masses are per metre of depth.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepRecord {
-    /// Length of the step \[s\].
+    /// Its length \[s\].
     pub length: f32,
-    /// Power of the combustion [kW/m]; 0 in the classic model.
+    /// Power of the combustion in it [kW/m]; 0 in the classic model.
     pub power: f32,
     /// Mean load of the solids that burn [kg/m²]; 0 without any.
     pub load: f32,

@@ -30,8 +30,6 @@ const REFERENCES = { source: 'solid', solid: 'hangs_from' };
 /** Why a name of a solid has no effect. */
 const WITHOUT_SOLID = 'no <hearth-solid> of this fire has that id';
 
-/** The maximum length of an id in a message. */
-
 /** The maximum length of a value, and of one that draws an outline; wasm would keep the memory of longer ones. */
 const MAX_VALUE = 1000;
 const MAX_OUTLINE = 66_000;

@@ -4,7 +4,7 @@ pub(super) mod burner;
 pub(super) mod chemistry;
 pub(super) mod embers;
 
-use super::gas::time_step::PART;
+use super::gas::time_step::{PART, PARTS};
 use super::gas::{Gas, make_room};
 use crate::scene::Scene;
 use crate::solids::Solids;
@@ -17,13 +17,15 @@ pub(super) struct Reaction {
     pub embers: Embers,
     /// Power of the combustion in the last step, the mean of its parts [kW/m].
     pub power: f32,
+    /// That of each part [kW/m].
+    pub powers: [f32; PARTS],
     /// Power of the heating at the sources in the last step, the mean of its parts [kW/m].
     pub preheat: f32,
     /// The particles at a burner.
     burner_particles: Vec<BurnerParticle>,
 }
 
-crate::state! { Reaction: embers power preheat; burner_particles }
+crate::state! { Reaction: embers power powers preheat; burner_particles }
 
 impl Reaction {
     /// Makes room for so many particles at a burner.
@@ -34,19 +36,21 @@ impl Reaction {
     /// Removes the embers; nothing burns.
     pub fn extinguish(&mut self) {
         self.embers = Embers::default();
-        (self.power, self.preheat) = (0.0, 0.0);
+        self.begin(0.0);
     }
 
     /// Begins a step. The flames in the film at solids have the power `film` [kW/m].
     pub fn begin(&mut self, film: f32) {
-        (self.power, self.preheat) = (film, 0.0);
+        (self.power, self.powers, self.preheat) = (film, [film; PARTS], 0.0);
     }
 
-    /// Burns the gas for a part of a step.
-    pub fn burn(&mut self, gas: &mut Gas, scene: &Scene, dt: f32) {
+    /// Burns the gas for the part of this number of a step.
+    pub fn burn(&mut self, gas: &mut Gas, scene: &Scene, number: usize, dt: f32) {
         let hottest = scene.sources().map(|source| source.temperature);
         let hottest = hottest.fold(0.0, f32::max);
-        self.power += PART * chemistry::react(gas, scene.world(), hottest, dt);
+        let power = chemistry::react(gas, scene.world(), hottest, dt);
+        self.power += PART * power;
+        self.powers[number] += power;
     }
 
     /// Feeds the gas at each source whose index `feeds`, from `time` on for `dt`.

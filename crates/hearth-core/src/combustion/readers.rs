@@ -37,6 +37,11 @@ impl Combustion {
         self.reaction.power
     }
 
+    /// That of each part of the step [kW/m].
+    pub fn powers(&self) -> &[f32] {
+        &self.reaction.powers
+    }
+
     /// The gas that solids have taken the place of.
     pub fn removed(&self) -> RemovedGas {
         self.obstacles.removed

@@ -60,8 +60,8 @@ impl Combustion {
                 self.renew_pressure(mean, &context);
             }
             self.accelerate(sound, part);
-            self.reaction.burn(&mut self.gas, scene, part);
-            let since = f64::from(number) * f64::from(part);
+            self.reaction.burn(&mut self.gas, scene, number, part);
+            let since = number as f64 * f64::from(part);
             self.feed_sources(scene, time + since, part);
             self.move_gas(&context, part);
         }

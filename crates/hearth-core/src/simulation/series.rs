@@ -1,6 +1,7 @@
 //! The series of steps that sound follows from.
 
 use super::Simulation;
+use crate::combustion::Combustion;
 use crate::params::Backdrop;
 use crate::series::{Recorder, StepRecord};
 
@@ -8,7 +9,7 @@ use crate::series::{Recorder, StepRecord};
 const MAX_NOZZLE_WIDTH: f32 = 0.12;
 
 impl Simulation {
-    /// Starts to record each step, or ends that. A fire that is not recorded takes no time or memory for it. The
+    /// Starts to record each part of a step, or ends that. A fire that is not recorded takes no time or memory for it. The
     /// record of a fire changes none of its bits.
     pub fn record_series(&mut self, on: bool) {
         if on != self.recorder.is_some() {
@@ -16,7 +17,7 @@ impl Simulation {
         }
     }
 
-    /// The steps since the last call, if they are [recorded](Simulation::record_series). Where more than 2048 wait,
+    /// The parts of steps since the last call, if they are [recorded](Simulation::record_series). Where more than 2048 wait,
     /// the older ones are dropped.
     ///
     /// ```
@@ -48,14 +49,18 @@ impl Simulation {
         })
     }
 
-    /// Records a step of a length \[s\].
+    /// Records the parts of a step of a length \[s\]; the first has its events.
     // An entry of the part `sound` of the wasm.
     #[inline(never)]
     pub(super) fn record(&mut self, length: f64) {
         if let Some(recorder) = self.recorder.as_mut() {
-            let power = self.solver.combustion().map_or(0.0, |fire| fire.power());
+            let powers = self
+                .solver
+                .combustion()
+                .map_or(&[0.0][..], Combustion::powers);
+            let burns = powers.iter().any(|&power| power > 0.0);
             let (mut jet, mut flutter) = (0.0_f32, 0.0_f32);
-            let burning = self.scene.sources().filter(|_| power > 0.0);
+            let burning = self.scene.sources().filter(|_| burns);
             for source in burning.filter(|source| source.power > 0.0) {
                 if source.width <= MAX_NOZZLE_WIDTH {
                     jet = jet.max(source.speed);
@@ -65,8 +70,10 @@ impl Simulation {
                 }
             }
             let wall = f32::from(u8::from(self.scene.world().backdrop != Backdrop::None));
-            let numbers = [length as f32, power, jet, flutter, wall];
-            recorder.add(numbers, self.solver.totals());
+            let part = length as f32 / powers.len() as f32;
+            for &power in powers {
+                recorder.add([part, power, jet, flutter, wall], self.solver.totals());
+            }
         }
     }
 }

@@ -29,7 +29,7 @@ const COURANT: f32 = 0.9;
 const LEAST_EXPANSION: f32 = 1.65;
 /// Parts of a step. Each has a pressure of its own, for sound, and moves and burns the gas. Neighbours, viscosity
 /// and diffusion are those of the start of the step.
-pub(crate) const PARTS: u32 = 2;
+pub(crate) const PARTS: usize = 2;
 /// The share of a step that is a part.
 pub(crate) const PART: f32 = 1.0 / PARTS as f32;
 /// Longest step \[s\].

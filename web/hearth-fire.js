@@ -432,7 +432,7 @@ class FireElement extends FireAttributes {
    * @see Films
    * @param {HearthFilm} [options]
    * @returns {Promise<Blob | undefined>} the file, unless it is written into a `stream`
-   * @example <caption>Save a film</caption> fire.record({ seconds: 2, width: 256, height: 256 }).then((file) => { this.href = URL.createObjectURL(file) })
+   * @example <caption>Save a film</caption> fire.record({ seconds: 2, width: 256, height: 256 }).then((file) => { this.textContent = `${file.size} bytes` }, ({ message }) => { this.textContent = message })
    */
   record(options) {
     return this.#session.code.capture('record', options);

@@ -273,6 +273,8 @@ for (const kind of BROWSERS) {
       await act('#draw', 'click');
       await tab.until('the tools', () => document.querySelector('.hearth-toolbar [data-tool="box"]'));
       await act('[data-tool="box"]', 'click');
+      // A new solid of wood would be two objects.
+      await act('.hearth-toolbar input[type=checkbox]', 'click');
       await drag(tab, [-0.1, 1.1], [0.1, 0.9]);
       await objectsUntil(tab, 'two', (all) => all.length === 2 && all[1].shape === 'box');
 

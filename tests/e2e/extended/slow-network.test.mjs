@@ -45,6 +45,8 @@ test('while the panel is on its way, a visitor plays, draws, undoes and chooses 
   await tab.page.click('#draw');
   await tab.page.waitForSelector('.hearth-toolbar [data-tool="box"]');
   await tab.page.click('[data-tool="box"]');
+  // A new solid of wood would be two objects.
+  await tab.page.click('.hearth-toolbar input[type=checkbox]');
   await drag(tab, [0.1, 0.5], [0.15, 0.45]);
   await objectsUntil(tab, 'one more', (all) => all.length === count + 1);
   await tab.page.click('[data-tool="undo"]');

@@ -84,7 +84,7 @@ class FireElement extends FireAttributes {
   static engine = 'auto';
 
   /**
-   * Loads the engine before the first fire, which then begins sooner: its wasm is fetched and compiled once for all fires.
+   * `HearthFire.preload()` loads the engine before the first fire, which then begins sooner: its wasm is fetched and compiled once for all fires.
    * @returns {Promise<void>}
    */
   static async preload() {

@@ -26,7 +26,7 @@ ${buttons}\`\`\`
  * @param {Method} method
  * @param {string} page  The document of the sections that rows name.
  */
-export function methodRows({ name, signatures, see, ofClass }, page) {
+export function methodRows({ name, signatures, see }, page) {
   return seen(signatures).map(({ doc, parameters }) => {
     const names = parameters.map(
       (parameter) => (parameter.rest ? `…${parameter.name}` : parameter.name) + (parameter.optional ? '?' : ''),
@@ -36,11 +36,7 @@ export function methodRows({ name, signatures, see, ofClass }, page) {
       .map((parameter) => `\`${parameter.name}\`: ${parameter.doc}`)
       .join('; ');
     const section = see && `See [${see}](${page}#${see.toLowerCase()}).`;
-    const owner = ofClass ? 'HearthFire.' : '';
-    return row(
-      `${owner}${name}(${names.join(', ')})`,
-      [doc, described && `${described}.`, section].filter(Boolean).join(' '),
-    );
+    return row(`${name}(${names.join(', ')})`, [doc, described && `${described}.`, section].filter(Boolean).join(' '));
   });
 }
 

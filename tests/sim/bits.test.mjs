@@ -10,7 +10,7 @@ import { burnEverything, fingerprint, fnv } from './fingerprint.mjs';
 import { PRESETS, ROOT, createSimulation, everything, fires, load } from './library.mjs';
 
 /** As in `tests/src/lib.rs`. */
-const STEPS = 1000;
+const STEPS = 500;
 
 /** What the native program prints: of a file that `cargo xtask test` writes, or of the program itself. */
 async function nativeFingerprints() {

@@ -38,10 +38,10 @@ pub fn on_all_cores<T: Send>(cases: Vec<T>, run: impl Fn(T) + Sync) {
     });
 }
 
-/// Steps in a fingerprinted run: about four seconds of the classic fire, so that
-/// particles have been born, have pushed each other, and have died; two of the
-/// combustion's, so that it has puffed and embers have died.
-pub const STEPS: u32 = 1000;
+/// Steps in a fingerprinted run: about two seconds of either model, so that particles
+/// have been born, have pushed each other, and have died, and the combustion's fire has
+/// puffed and embers have died.
+pub const STEPS: u32 = 500;
 
 /// Runs a fire of these parameters for [`STEPS`] steps and folds its time and
 /// every bit of its particles, in the order of their birth, and of its embers

@@ -76,7 +76,7 @@ fn a_warm_fire_allocates_nothing() {
     }
     let scenes = fires.into_iter().chain([beside, falling]);
     // Briefly where each picture takes as long as a step.
-    let modes = [("fire", 1600), ("vorticity", 600)];
+    let modes = [("fire", 800), ("vorticity", 300)];
     let cases = scenes.flat_map(|scene| modes.map(|mode| (scene.clone(), mode)));
     on_all_cores(cases.collect(), |(mut scene, (mode, steps))| {
         assert_eq!(scene.set("display_mode", mode), Ok(()));
@@ -97,7 +97,7 @@ fn a_warm_spray_allocates_nothing() {
     let mut fire = Simulation::new(on_floor(in_the_open(everything(), 1500)));
     let mut embers = Vec::with_capacity(10_000);
     let mut burn = || {
-        for step in 0..600 {
+        for step in 0..300 {
             if step % 10 == 0 {
                 let place = Vec2::new(0.0, 1.0);
                 assert_eq!(fire.spray(place, Vec2::new(0.0, -2.0), 0.005), Ok(()));

@@ -110,12 +110,12 @@ class FireElement extends FireAttributes {
   }
 
   /**
-   * The values of all parameters, by id.
+   * The values of the parameters of its model, by id.
    * @posted
    * @returns {HearthParameters}
    */
   get params() {
-    return { ...this.#session.state.params };
+    return this.#session.state.paramsOfModel;
   }
 
   /**

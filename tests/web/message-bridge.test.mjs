@@ -18,6 +18,10 @@ class FakeFire extends EventTarget {
   /** @type {(() => void)[]} */
   waiting = [];
 
+  get(id) {
+    return Object.hasOwn(this.params, id) ? this.params[id] : undefined;
+  }
+
   pause() {
     this.paused = true;
   }

@@ -239,13 +239,11 @@ function execute(fire, method, args) {
  * @type {(fire: HearthFire, id: unknown) => unknown}
  */
 function parameter(fire, id) {
-  /** @type {{[id: string]: unknown}} */
-  const params = { ...fire.params };
   if (typeof id !== 'string') throw new TypeError(`“id” must be the id of a parameter, a string, not ${quoted(id)}`);
-  if (Object.hasOwn(params, id)) return params[id];
-  throw Object.assign(new RangeError(`there is no parameter ${quoted(id)}${suggestion(id, Object.keys(params))}`), {
-    id,
-  });
+  const value = fire.get(/** @type {any} */ (id));
+  if (value !== undefined) return value;
+  const known = Object.keys(fire.params);
+  throw Object.assign(new RangeError(`there is no parameter ${quoted(id)}${suggestion(id, known)}`), { id });
 }
 
 /**

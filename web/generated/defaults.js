@@ -98,4 +98,10 @@ export const DEFAULTS = {
   printed_euler: false,
 };
 
+/** The parameters that a model lacks. @type {{[model: string]: string[]}} */
+export const LACKING = {
+  classic: ["fuel_power","wind","ember_rate","flame_rise","burn_time","air_demand","soot_life","radiative_cooling","source_oxygen","source_temperature","ignition_temperature","depth","roundness","vorticity_confinement","ember_size","ember_life_min","ember_life_max","smoke_life","edges","floor","seam","spacing","particles","smoothing_ratio","stiffness","kinematic_viscosity","artificial_viscosity","eddy_viscosity","roll_mixing","diffusion","gas_expansion","shifting"],
+  combustion: ["emission_rate","lifetime_max","emission_spread","taper","lifetime_min","maximum_temperature","cooling_rate","particle_size","thermal_buoyancy","terminal_speed","extra_weight","walls","time_step","smoothing_radius","particle_mass","rest_density","gas_constant","viscosity","speed_limit","printed_kernel","printed_pressure","printed_viscosity","printed_divisor","printed_euler"],
+};
+
 export { OWN_ATTRIBUTES } from './attributes.js';

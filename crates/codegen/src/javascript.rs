@@ -38,7 +38,15 @@ pub(super) fn defaults() -> String {
         format!("{}: {default}", param.id)
     });
     let defaults = constant(doc, "DEFAULTS", OBJECT, entries);
-    format!("{HEADER}{defaults}\nexport {{ OWN_ATTRIBUTES }} from './attributes.js';\n")
+    let doc = "The parameters that a model lacks. @type {{[model: string]: string[]}}";
+    let lacking = Model::VALUES.iter().map(|model| {
+        let all = PARAMETERS.iter();
+        let ids = all.filter(|param| param.only_in(*model).is_some());
+        let ids: Vec<_> = ids.map(|param| param.id).collect();
+        format!("{}: {}", model.name(), json!(ids))
+    });
+    let lacking = constant(doc, "LACKING", OBJECT, lacking);
+    format!("{HEADER}{defaults}{lacking}\nexport {{ OWN_ATTRIBUTES }} from './attributes.js';\n")
 }
 
 /// The module of all tables for pages and packages.

@@ -7,7 +7,8 @@
 //!
 //! What burns is the scene of the page [composed](compose::compose) with the children: an object for each child, with the
 //! defaults of what neither the child nor a call has set. The first child that is a source takes the place of the first
-//! source of the page, and has its values instead of the defaults. A call changes what burns; [`divide`](divide::divide) divides the
+//! source of the page, and has its values instead of the defaults. It takes no place where calls have added all sources of
+//! the page since it came. A call changes what burns; [`divide`](divide::divide) divides the
 //! result into the scene of the page and what calls have set of children. [`detach`] makes objects of a file the
 //! children that they are.
 

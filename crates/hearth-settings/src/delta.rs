@@ -63,7 +63,8 @@ pub fn delta(from: &Settings, to: &Settings) -> Untrusted {
     let children = to.children.iter().filter_map(|child| {
         let mut known = from.children.iter();
         let known = known.find(|known| known.number == child.number)?;
-        let differs = known.called != child.called || known.state != child.state;
+        let differs = known.called != child.called
+            || (known.state, known.is_beside) != (child.state, child.is_beside);
         differs.then(|| Untrusted::field_of(&child.number.to_string(), child.write()))
     });
     let children: Fields = children.collect();

@@ -128,7 +128,7 @@ impl Settings {
                     false => {
                         let before = (&self.scene, &scene);
                         let (page, children) = (&mut settings.page, &mut settings.children);
-                        divide(page, children, settings.next_id, change, before);
+                        divide(page, children, change, before);
                     }
                 }
                 if let Change::Set(values) | Change::SetModel(values, _) = *change {
@@ -222,6 +222,9 @@ impl Settings {
         };
         if !settings.children.is_empty() {
             let (page, children) = (&mut settings.page, &mut settings.children);
+            for child in &mut *children {
+                child.is_beside = false;
+            }
             detach_all(page, children, &mut settings.next_id);
         }
         settings.composed().with_list_of(self)

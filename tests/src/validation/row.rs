@@ -119,9 +119,9 @@ impl Row {
         self
     }
 
-    /// Within its tolerance, or not, or known not to be.
+    /// Within its tolerance with all figures of its note measured, or not, or known not to be.
     pub fn verdict(&self) -> Verdict {
-        if self.expected.allows(self.measured) {
+        if self.expected.allows(self.measured) && !self.note.contains("NaN") {
             Verdict::Holds
         } else {
             not_reached::find(&self.id).map_or(Verdict::Fails, Verdict::NotReached)
@@ -163,5 +163,11 @@ mod tests {
         }
         let row = Row::new("no such row", "", Expected::AtMost(1.0), f64::NAN);
         assert_eq!(row.verdict(), Verdict::Fails);
+        let row = Row::new("no such row", "", Expected::AtMost(1.0), 0.5);
+        let noting = |value: f64| row.clone().noting(format!("L50 {value:.2} m")).verdict();
+        assert_eq!(
+            [1.5, f64::NAN].map(noting),
+            [Verdict::Holds, Verdict::Fails]
+        );
     }
 }

@@ -3,10 +3,10 @@
  * own. Properties that only reflect an attribute are defined here.
  */
 
-import { DEFAULTS, OWN_ATTRIBUTES } from '../../generated/defaults.js';
+import { DEFAULTS, LACKING, OWN_ATTRIBUTES } from '../../generated/defaults.js';
 import { setOrRemove } from '../plain-data.js';
 
-export { DEFAULTS };
+export { DEFAULTS, LACKING };
 
 const IDS = Object.keys(DEFAULTS);
 

@@ -28,7 +28,7 @@
  * @property {number} [list]  The number of the list of objects.
  */
 
-import { DEFAULTS } from '../attributes/attributes.js';
+import { DEFAULTS, LACKING } from '../attributes/attributes.js';
 
 /** @type {(fields: Fields) => Fields} */
 const withoutNulls = (fields) => Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== null));
@@ -47,6 +47,7 @@ function after(list, { objects, order, replaces }) {
 
 /** The state of one element's fire; it outlives the fire. */
 export class FireState {
+  /** The values of both models. */
   params = /** @type {HearthParameters} */ ({ ...DEFAULTS });
   /** @type {Required<import('../../parameters.js').HearthObject>[]} */
   objects = [];
@@ -78,6 +79,13 @@ export class FireState {
       list: redo.list ?? this.settings.list,
     };
     this.objects = /** @type {any} */ (objects ? after(this.objects, objects) : this.settings.objects);
+  }
+
+  /** A copy of the values of its model. */
+  get paramsOfModel() {
+    const params = { ...this.params };
+    for (const id of LACKING[params.model]) delete (/** @type {Fields} */ (params)[id]);
+    return params;
   }
 
   /** @returns {PresetName} */

@@ -40,6 +40,8 @@ pub struct Child {
     /// What calls have set since.
     pub called: Vec<Field>,
     pub state: State,
+    /// Whether it burns beside the sources of the page, all of which calls have added since.
+    pub is_beside: bool,
 }
 
 impl Child {
@@ -61,6 +63,7 @@ impl Child {
             stated: values("values"),
             called: values("set"),
             state: state.map_or(State::Live, |(state, _)| *state),
+            is_beside: *child.field("beside") == Untrusted::Flag(true),
         }
     }
 
@@ -74,6 +77,7 @@ impl Child {
             ("values", Untrusted::Object(self.stated.clone())),
             ("set", Untrusted::Object(self.called.clone())),
             ("state", text(state.map_or("", |(_, name)| name))),
+            ("beside", Untrusted::Flag(self.is_beside)),
         ];
         Untrusted::Object(
             fields
@@ -108,6 +112,7 @@ impl Child {
     /// Restores what calls have set, and whether a call has removed its object.
     pub fn restore(&mut self, before: &Child) {
         self.called.clone_from(&before.called);
+        self.is_beside = before.is_beside;
         if self.state != State::Hidden {
             self.state = match before.state {
                 State::Removed => State::Removed,

@@ -10,12 +10,15 @@ use hearth_core::scene::{Kind, Object};
 /// A property of the child at this index is refused.
 pub type Refused = (usize, String, ValidationError);
 
-/// The child that takes the place of the first source of a page: the first one that is a source and that no call has
-/// removed.
+/// The first child that is a source and that no call has removed.
+fn first(children: &[Child]) -> Option<&Child> {
+    let mut children = children.iter();
+    children.find(|child| child.kind == Kind::SOURCE.name && child.state != State::Removed)
+}
+
+/// The child that takes the place of the first source of a page: the first source, unless it burns beside them.
 pub fn first_source(children: &[Child]) -> Option<u32> {
-    let mut sources = children.iter();
-    let first =
-        sources.find(|child| child.kind == Kind::SOURCE.name && child.state != State::Removed);
+    let first = first(children).filter(|child| !child.is_beside);
     first.map(|child| child.number)
 }
 
@@ -33,11 +36,11 @@ pub fn compose(
     refused: &mut Vec<Refused>,
 ) -> Scene {
     let mut scene = page.clone();
-    let first = first_source(children);
+    let replaces = first_source(children);
     for (at, child) in children.iter().enumerate() {
         let base = page
             .first_source_id()
-            .filter(|_| first == Some(child.number));
+            .filter(|_| replaces == Some(child.number));
         if child.state != State::Live {
             if let Some(id) = base {
                 let removed = scene.remove(id);
@@ -80,6 +83,12 @@ pub fn compose(
                 None => {}
             }
         }
+    }
+    // It stays the first source of the scene, which parameters name.
+    if let Some(first) = first(children).filter(|child| child.is_beside) {
+        let others = scene.ids().filter(|id| *id != first.number);
+        let ids: Vec<_> = [first.number].into_iter().chain(others).collect();
+        scene.arrange(&ids);
     }
     scene
 }

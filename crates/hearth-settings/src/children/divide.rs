@@ -6,18 +6,18 @@ use crate::apply::{OBJECTS, free_id};
 use crate::change::Change;
 use crate::untrusted::Untrusted;
 use hearth_core::Scene;
-use hearth_core::params::{Input, Param};
+use hearth_core::params::Param;
 use hearth_core::scene::{Kind, Object};
 
 /// Divides the scene `after` a change of what burns into that of the page and what calls have set of children.
 pub fn divide(
     page: &mut Scene,
     children: &mut [Child],
-    next_id: u32,
     change: &Change<'_>,
     (before, after): (&Scene, &Scene),
 ) {
     let first = first_source(children);
+    let had_source = page.first_source_id().is_some();
     let hidden = page.first_source_id().filter(|_| first.is_some());
     page.set_world(after.world().clone());
     for child in &mut *children {
@@ -58,21 +58,10 @@ pub fn divide(
         page.take(after, *id);
     }
     page.arrange(&ids);
-    let is_new = hidden.is_none() && page.first_source_id().is_some();
-    if let Some(first) = first_source(children).filter(|_| is_new) {
-        // The first child has the place of a source before the one that a call has added.
-        let id = free_id(page, next_id);
-        page.take(after, first);
-        if !page.rename(first, id) {
-            let source = ("kind", Input::Text(Kind::SOURCE.name));
-            page.apply_fields(
-                None,
-                &[source, ("id", Input::Number(id.into()))],
-                &mut Vec::new(),
-            );
+    if !had_source && page.first_source_id().is_some() {
+        for child in children {
+            child.is_beside = child.kind == Kind::SOURCE.name;
         }
-        let others: Vec<_> = page.ids().filter(|other| *other != id).collect();
-        page.arrange(&[&[id], others.as_slice()].concat());
     }
 }
 

@@ -225,6 +225,12 @@ fn a_source_that_a_call_adds_burns_beside_a_child() {
     };
     assert_eq!(places(&two), [0.2, 0.3]);
     assert_eq!(places(&file(&two, &export(&two))), [0.2, 0.3]);
+    // It alone burns on without the child, and beside what the child states anew.
+    assert_eq!(places(&with(&two, &[])), [0.3]);
+    let moved = Child(1001, "source", &[("x", "0.1")], &["x"]);
+    assert_eq!(places(&with(&two, &[moved])), [0.1, 0.3]);
+    let other = after(&two, Change::Preset("default"));
+    assert_eq!(places(&other), [0.2]);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! A digest of the physics of a fire.
 
-use crate::params::{AnyValue, Param, Role, SOLID};
-use crate::scene::Scene;
+use crate::params::{AnyValue, Param, Role, SOLID, Source};
+use crate::scene::{Scene, SceneSource};
 
 /// A hash of all values that affect the gas. Values at their default are not hashed, so that a
 /// new parameter changes no digest. Nor are the seed, which has no effect on a burning fire, and
@@ -9,7 +9,11 @@ use crate::scene::Scene;
 pub fn digest(scene: &Scene) -> u64 {
     let world = scene.world();
     let mut hash = fnv(0xcbf2_9ce4_8422_2325, world.model().name().as_bytes());
-    hash = scene.read_first_source(|source| with_changed(hash, source.changed()));
+    // The first source that is on, with the values of the world.
+    let none = Source::new(world.model());
+    let first = scene.sources().next();
+    let first = first.unwrap_or_else(|| SceneSource::new(&none, world, 0));
+    hash = with_changed(hash, first.changed());
     if scene.sources().count() != 1 {
         hash = fnv(hash, b"objects");
         for source in scene.sources() {

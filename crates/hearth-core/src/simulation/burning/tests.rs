@@ -45,6 +45,24 @@ fn only_parameters_of_the_gas_change_the_digest() {
 }
 
 #[test]
+fn a_source_changes_the_digest_while_it_is_on() {
+    let number = |id, value| (id, Input::Number(value));
+    let source = ("kind", Input::Text("source"));
+    for is_on in [false, true] {
+        let digest_of = |first: f64, second: f64| {
+            let mut scene = Scene::new(Parameters::new(Model::Combustion));
+            assert_eq!(scene.set("fuel_power", first), Ok(()));
+            assert_eq!(scene.set("source_enabled", is_on), Ok(()));
+            assert_eq!(scene.add(&[source, number("power", second)]), Ok(2));
+            digest(&scene)
+        };
+        let usual = digest_of(100.0, 100.0);
+        assert_ne!(digest_of(100.0, 200.0), usual);
+        assert_eq!(digest_of(200.0, 100.0) != usual, is_on);
+    }
+}
+
+#[test]
 fn a_restored_fire_continues() {
     let values = with(&[("particles", 1000.0), ("ember_rate", 200.0)]);
     let fire = burnt(values.clone(), 0.8);

@@ -84,13 +84,14 @@ async function put(from, to) {
 }
 
 /**
- * A document whose links into the rest of the checkout are their labels only; `web/` of
+ * A document whose links into the rest of the checkout are their labels only, without the pictures there; `web/` of
  * the checkout is the package itself.
  * @param {string} name @param {string} text
  */
 function withoutLinksOut(name, text) {
   const inside = text.replaceAll('](../web/', '](../');
-  return inside.replace(/\[([^\]]*)\]\(([^)#:]+)(?:#[^)]*)?\)/g, (link, label, to) =>
-    [...DOCS, ...shown].includes(path.posix.join(path.posix.dirname(name), to)) ? link : label,
-  );
+  return inside.replace(/(!?)\[([^\]]*)\]\(([^)#:]+)(?:#[^)]*)?\)/g, (link, picture, label, to) => {
+    if ([...DOCS, ...shown].includes(path.posix.join(path.posix.dirname(name), to))) return link;
+    return picture ? '' : label;
+  });
 }

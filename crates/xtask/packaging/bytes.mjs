@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 import { order } from './crates.mjs';
 
 /** Every file below a folder, by its path there. @param {string} folder @returns {Promise<Map<string, Buffer>>} */
-async function filesOf(folder) {
+export async function filesOf(folder) {
   const found = new Map();
   const entries = await readdir(folder, { withFileTypes: true });
   for (const { name } of entries.filter((entry) => entry.isFile()))

@@ -11,7 +11,7 @@ const INLINE = './hearth-fire.inline.js';
 /** What users of the package read. */
 export const DOCS = [
   'SECURITY.md',
-  ...['element', 'embedding', 'iframe', 'package', 'parameters', 'scenes', 'simulation', 'sound'].map(
+  ...['element', 'embedding', 'iframe', 'package', 'parameters', 'recipes', 'scenes', 'simulation', 'sound'].map(
     (name) => `docs/${name}.md`,
   ),
 ];

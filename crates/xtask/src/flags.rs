@@ -25,7 +25,14 @@ xflags::xflags! {
         }
         /// Builds the npm package in dist/npm.
         cmd package {}
-        /// Builds the last commit in another folder and compares the bytes.
+        /// Makes all that a release needs in dist/release, and says what is left to do by hand.
+        cmd publish {
+            /// The address that the site will have.
+            optional --url address: Base
+            /// The address of Hearth's sources.
+            optional --repository address: Base
+        }
+        /// Makes the release of the last commit in another folder too and compares the bytes.
         cmd reproduce {}
         /// Checks a change quickly, or everything, or runs the named stages.
         cmd test {
@@ -98,6 +105,8 @@ mod tests {
             "thumbnails candle → scene: [\"candle\"]",
             "goldens default → name: [\"default\"]",
             "package → Package",
+            "publish → Publish { url: None, repository: None }",
+            "publish --url https://a.example → url: Some(Base(\"https://a.example/\"))",
             "reproduce → Reproduce",
             "poster → Poster",
             "showcase → Showcase",

@@ -16,6 +16,7 @@ pub mod pages;
 mod parts;
 pub mod paths;
 mod pictures;
+mod publish;
 mod report;
 mod script;
 mod serve;
@@ -49,16 +50,17 @@ fn run(command: Xtask) -> Result<ExitCode> {
         XtaskCmd::Build(build) => {
             site::build()?;
             let (url, repository) = (build.url.as_ref(), build.repository.as_ref());
-            pages::write(&paths::root(), &paths::site(), &Places { url, repository })?;
-            if let Some(base) = url {
-                links::make_absolute(&paths::site(), base)?;
-            }
+            publish::finish_site(&Places { url, repository })?;
             println!(
                 "The site is in {}: copy it to any static host.",
                 paths::shown(&paths::site())
             );
         }
         XtaskCmd::Package(_) => package::build()?,
+        XtaskCmd::Publish(publish) => {
+            let (url, repository) = (publish.url.as_ref(), publish.repository.as_ref());
+            publish::make(&Places { url, repository })?;
+        }
         XtaskCmd::Reproduce(_) => package::reproduce()?,
         XtaskCmd::Test(test) => {
             if !stages::run(test.skip_browser, test.all, &test.stage)? {

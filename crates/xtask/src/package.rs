@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 use xshell::cmd;
 
+use crate::pages::Places;
 use crate::shell::Shell;
-use crate::{npm, paths, script, site, tools};
+use crate::{npm, paths, publish, script, site, tools};
 
 /// Builds the site, makes the package of it, and writes the notices into the crate of the command.
 pub(crate) fn build() -> Result<()> {
@@ -49,10 +50,9 @@ pub(crate) fn command_notices() -> Result<()> {
     Ok(cmd!(sh, "node {scripts}/legal.mjs --command").run()?)
 }
 
-/// Builds the last commit in a folder with another name, and compares all that it releases with
-/// what this checkout releases.
+/// Makes the release of the last commit, and in a folder with another name once more, and compares both.
 pub(crate) fn reproduce() -> Result<()> {
-    build()?;
+    publish::make(&Places::default())?;
     let (sh, scripts) = (Shell::new()?, paths::packaging());
     Ok(cmd!(sh, "node {scripts}/reproduce.mjs").run()?)
 }

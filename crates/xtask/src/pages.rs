@@ -2,7 +2,6 @@
 //! search, a page that lists them, and the page for addresses that lead nowhere.
 
 mod highlight;
-mod live;
 mod markdown;
 
 use std::collections::BTreeSet;
@@ -25,6 +24,9 @@ const DOCUMENTS: [(&str, &[&str]); 3] = [
         "Use",
         &[
             "embedding",
+            "recipes",
+            "hosts",
+            "costs",
             "element",
             "parameters",
             "scenes",

@@ -70,7 +70,8 @@ pub(crate) fn writing(dist: &Path) -> Result<Arc<File>> {
     Ok(lock)
 }
 
-fn metadata(arguments: &[&str]) -> Result<serde_json::Value> {
+/// What cargo says of the workspace.
+pub(crate) fn metadata(arguments: &[&str]) -> Result<serde_json::Value> {
     let sh = Shell::new()?;
     let described = cmd!(sh, "cargo metadata --format-version 1 {arguments...}").read()?;
     Ok(serde_json::from_str(&described)?)

@@ -26,7 +26,7 @@ const examples = (/** @type {string} */ file) => {
 
 const GUIDES = ['docs/embedding.md', 'docs/element.md'];
 const DOC = read('docs/element.md');
-const OTHERS = ['iframe', 'package', 'simulation'].map((name) => `docs/${name}.md`);
+const OTHERS = ['recipes', 'hosts', 'iframe', 'package', 'simulation'].map((name) => `docs/${name}.md`);
 const EXAMPLES = [...GUIDES, ...OTHERS].flatMap(examples);
 
 /** The names in the first column of the tables of a section. */

@@ -11,7 +11,6 @@ use pulldown_cmark::{
 };
 
 use super::highlight::{escaped, highlight};
-use super::live;
 
 /// A picture of more bytes is a link: no page fetches it unasked.
 const LARGE: u64 = 200_000;
@@ -298,16 +297,7 @@ impl Page<'_> {
         let pre = format!("<pre{}><code>{colours}</code></pre>", self.scrolls("Code"));
         let html = match live {
             "" => format!("{pre}\n"),
-            "live" if language == "html" => {
-                let example = live::rebuilt(code).with_context(|| {
-                    let name = self.document.name;
-                    format!("docs/{name}.md: the live example\n{code}")
-                })?;
-                format!(
-                    "<div class=\"example\">{pre}<button type=\"button\" hidden>Run</button>\
-                     <template>{example}</template></div>\n"
-                )
-            }
+            "live" if language == "html" => format!("<div class=\"example\">{pre}</div>\n"),
             other => bail!(
                 "docs/{}.md: a fence of {language} says \"{other}\"; only html can be \"live\"",
                 self.document.name

@@ -13,6 +13,8 @@ export interface HearthSharedConfig {
   /** For people; neither a URL nor HTML contains them. */
   label?: string;
   description?: string;
+  author?: string;
+  licence?: string;
 }
 
 /** How generated HTML shows a fire. */

@@ -12,6 +12,8 @@
  * @property {object[]} [objects]  The objects, unless they are the preset's.
  * @property {string} [label]  A title for people.
  * @property {string} [description]  A description for people.
+ * @property {string} [author]  Who made the scene.
+ * @property {string} [licence]  Its licence.
  *
  * @typedef {object} Shown  How generated HTML shows a fire.
  * @property {number} [width]  Its width [CSS px], 320 by default.

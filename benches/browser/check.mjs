@@ -8,7 +8,7 @@ import { readFileSync } from 'node:fs';
 import { parse, value } from './lines.mjs';
 import { ScanFire } from './scan.mjs';
 import { TypedFire } from './typed.mjs';
-import { PaperLoop } from '../../web/bench/paper-loop.js';
+import { PaperLoop } from '../../web/paper/bench/paper-loop.js';
 
 const TOLERANCE = 1e-3;
 

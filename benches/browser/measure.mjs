@@ -6,7 +6,7 @@
  */
 import { ScanFire } from './scan.mjs';
 import { TypedFire } from './typed.mjs';
-import { PaperLoop } from '../../web/bench/paper-loop.js';
+import { PaperLoop } from '../../web/paper/bench/paper-loop.js';
 
 /**
  * @typedef {object} Case

@@ -2,7 +2,7 @@
  * The common typed-array step: it stores no pairs, and each particle visits the cells
  * around it twice, for density and for forces.
  */
-import { GAS, MASS, lift } from '../../web/bench/gas.js';
+import { GAS, MASS, lift } from '../../web/paper/bench/gas.js';
 import { TypedFire } from './typed.mjs';
 
 const INVERSE_H = 1 / GAS.h;

@@ -3,7 +3,7 @@
  * a counting sort, each pair found once and stored for the forces, no allocation in a
  * step.
  */
-import { GAS, MASS, lift } from '../../web/bench/gas.js';
+import { GAS, MASS, lift } from '../../web/paper/bench/gas.js';
 
 /** Pairs that there is room for, a particle; an even gas has half as many as neighbours. */
 const PAIRS = 24;
@@ -12,7 +12,7 @@ const PAIRS = 24;
 const CARRIED = ['x', 'y', 'vx', 'vy', 'temperature', 'age', 'id'];
 
 export class TypedFire {
-  /** @param {import('../../web/bench/gas.js').Start} start */
+  /** @param {import('../../web/paper/bench/gas.js').Start} start */
   constructor({ positions, velocities }) {
     const count = positions.length / 2;
     this.count = count;

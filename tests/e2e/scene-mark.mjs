@@ -13,7 +13,10 @@ export const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '
 const COMMENT = 0xfe;
 const SCAN = 0xda;
 
-/** What a picture of this scene is marked with. A label changes no picture. @param {string} name */
+/**
+ * What a picture of this scene is marked with. A label changes no picture.
+ * @param {string} name  Of its file below `scenes/`, without the end.
+ */
 export async function markOf(name) {
   const { values, objects } = JSON.parse(await readFile(path.join(ROOT, 'scenes', `${name}.json`), 'utf8'));
   const digest = createHash('sha256').update(JSON.stringify({ values, objects })).digest('hex');

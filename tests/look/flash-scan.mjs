@@ -29,7 +29,7 @@ const rows = keptRows(existsSync(file) ? readFileSync(file, 'utf8') : '');
 const painter = new Painter();
 let missed = 0;
 try {
-  const scenes = await painter.ask('presets');
+  const scenes = await painter.ask('scenes');
   for (const lit of named(scenes, begins, 'scene')) {
     const has = traits(await painter.ask('values', { lit }));
     const film = await Film.of(painter, { lit, burnt: BURNT });

@@ -2,11 +2,11 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, test } from 'node:test';
-import { PaperLoop } from '../../web/bench/paper-loop.js';
-import { machineOf, tablesOf, toCsv, toJson, toMarkdown } from '../../web/bench/report.js';
-import { ALL, TABLE_1, TABLE_2, choiceOf, queryOf } from '../../web/bench/rows.js';
+import { PaperLoop } from '../../web/paper/bench/paper-loop.js';
+import { machineOf, tablesOf, toCsv, toJson, toMarkdown } from '../../web/paper/bench/report.js';
+import { ALL, TABLE_1, TABLE_2, choiceOf, queryOf } from '../../web/paper/bench/rows.js';
 
-/** @type {import('../../web/bench/report.js').Report} */
+/** @type {import('../../web/paper/bench/report.js').Report} */
 const REPORT = {
   machine: { browser: 'Chrome 1.2', processors: 8, gpu: 'A "GPU", quick' },
   speeds: [

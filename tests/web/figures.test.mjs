@@ -3,12 +3,12 @@
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { brightest, hex } from '../../web/figures/colours.js';
-import { COMPARISONS, valueIn } from '../../web/figures/comparisons.js';
-import { countsOf } from '../../web/figures/counts.js';
-import { POSITIONS, positionOf, valueAt } from '../../web/figures/range.js';
-import { meanOf, shapeOf } from '../../web/figures/shape.js';
-import { inSight } from '../../web/figures/sight.js';
+import { brightest, hex } from '../../web/paper/figures/colours.js';
+import { COMPARISONS, valueIn } from '../../web/paper/figures/comparisons.js';
+import { countsOf } from '../../web/paper/figures/counts.js';
+import { POSITIONS, positionOf, valueAt } from '../../web/paper/figures/range.js';
+import { meanOf, shapeOf } from '../../web/paper/figures/shape.js';
+import { inSight } from '../../web/paper/figures/sight.js';
 import { PARAMETERS } from '../../web/parameters.js';
 
 test('the shape of a fire leaves out a twentieth at each side and at the top', () => {

@@ -14,6 +14,11 @@ test('the picture that links show is of the values of the scene that the page op
 });
 
 test('every picture of a scene is of its values', async () => {
+  const given = (await readdir(path.join(ROOT, 'scenes/community'))).filter((file) => file.endsWith('.jpg'));
+  for (const file of given) {
+    const name = `community/${path.parse(file).name}`;
+    assert.equal(await stored(`../scenes/${name}.jpg`), await markOf(name), `run \`cargo xtask thumbnails ${name}\``);
+  }
   for (const file of await readdir(path.join(ROOT, 'web/scenes'))) {
     const name = path.parse(file).name;
     assert.equal(await stored(`scenes/${file}`), await markOf(name), `run \`cargo xtask thumbnails ${name}\``);

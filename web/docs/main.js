@@ -1,11 +1,11 @@
-/** A page of the documentation: contents that are open beside the text, a search, and examples that burn. */
+/** A page of the site: a search; of the documentation, contents that are open beside the text, and examples that burn. */
 
 import { runExamples } from './examples.js';
 import { search } from './search.js';
 
-const contents = /** @type {HTMLDetailsElement} */ (document.querySelector('nav details'));
+const contents = /** @type {HTMLDetailsElement | null} */ (document.querySelector('#contents details'));
 // The width at which the style sheet puts them beside the text.
-contents.open = matchMedia('(min-width: 60rem)').matches;
+if (contents) contents.open = matchMedia('(min-width: 60rem)').matches;
 
 const form = /** @type {HTMLFormElement} */ (document.querySelector('form[role="search"]'));
 const field = /** @type {HTMLInputElement} */ (form.querySelector('input'));

@@ -79,9 +79,11 @@ export interface HearthConfig {
   values: Partial<HearthParameters>;
   /** The objects, unless they are the preset's, each with the properties that differ from the defaults. */
   objects?: HearthObject[];
-  /** A title and a description for people; the fire ignores both. */
+  /** A title, a description, an author and a licence for people; the fire ignores them. */
   label?: string;
   description?: string;
+  author?: string;
+  licence?: string;
 }
 
 /** How `toBlob` makes a picture. */

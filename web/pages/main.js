@@ -4,7 +4,7 @@
  * Without URL parameters the page shows the scene in its HTML. `?scene=seed&viscosity=0.01&paused` sets a
  * scene and attributes of the element; values without a scene change the scene of the page. The page and
  * the console report what is refused. Later changes are written back, so the URL always shows this fire; settings that
- * are too long for URL parameters are its fragment.
+ * are too long for URL parameters are its fragment. `open=panel`, or the part that a button opens, opens that part.
  *
  * Scenes, panel and dialogs load after the first frame. If one of them fails, the page still has a fire.
  */
@@ -61,9 +61,9 @@ function notify(message) {
   }, TOAST_MS);
 }
 
-/** Applies the URL parameters, and shows which are refused. */
+/** Applies the URL parameters, and shows which are refused. Returns the part of the page that they open. */
 function applyLocation() {
-  const parameters = readUrlParameters(location.search);
+  const parameters = readUrlParameters(location.search, ['open']);
   const refuse = (/** @type {string} */ message) => {
     console.warn(`Hearth: ${message}`);
     notify(message);
@@ -83,6 +83,7 @@ function applyLocation() {
   const options = parameters.options.filter(([name]) => name !== 'objects');
   const plan = updateUrl([...options, ...parameters.unknown]);
   if (isUnwritten) fire.ready.then(plan, () => {});
+  return parameters.others.get('open');
 }
 
 /**
@@ -216,7 +217,7 @@ async function showSpeaker() {
   }
 }
 
-applyLocation();
+const opens = applyLocation();
 frameScenes(fire);
 fadeChrome(document.documentElement);
 openParts();
@@ -225,6 +226,7 @@ const panel = new PagePanel(fire, notify);
 fire.ready.then(
   () => {
     document.documentElement.dataset.fire = 'shown';
+    if (opens === 'panel') panel.show();
     panel.begin();
     const [button, host] = ['draw', 'tools'].map((id) => /** @type {HTMLElement} */ (document.getElementById(id)));
     const shown = (/** @type {boolean} */ open) => (document.documentElement.dataset.tools = open ? 'shown' : 'hidden');
@@ -239,6 +241,8 @@ fire.ready.then(
     showHint(hint, fire);
     offerAgain(hint, fire);
     for (const id of ['handle', 'zoom']) document.getElementById(id)?.removeAttribute('hidden');
+    const buttons = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('[data-opens]')]);
+    buttons.find((button) => button.dataset.opens === opens)?.click();
     return showScenes();
   },
   // Without a fire there is nothing to control; the element shows the reason.

@@ -45,6 +45,11 @@ export class PagePanel {
     document.addEventListener('drop', (event) => this.#drop(event));
   }
 
+  /** Shows the panel, whatever the visitor has chosen before. */
+  show() {
+    this.#set(true);
+  }
+
   /** The fire burns: loads the panel if it is open. */
   begin() {
     const load = () => this.#shown && this.#load();

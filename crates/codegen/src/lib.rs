@@ -23,6 +23,7 @@ use std::{fs, io};
 
 use anyhow::{Context, Result};
 use hearth_core::params::{Choice, Domain, Model, Param, Value};
+pub use scene::Scene;
 use serde_json::Value as Json;
 
 /// The scenes that a page may open with, which are also stored prewarmed.
@@ -33,7 +34,7 @@ type Generated = (&'static str, String);
 
 /// Every generated file.
 fn generate(checkout: &Path) -> Result<Vec<Generated>> {
-    let scenes = scene::read_all(&checkout.join("scenes"))?;
+    let scenes = scenes(checkout)?;
     Ok(vec![
         (
             "crates/hearth-core/src/preset/scenes.txt",
@@ -71,11 +72,27 @@ fn generate(checkout: &Path) -> Result<Vec<Generated>> {
 
 /// The scene of that name, from its file.
 fn scene_of_file(checkout: &Path, name: &str) -> Result<hearth_core::Scene> {
-    let scenes = scene::read_all(&checkout.join("scenes"))?;
+    let scenes = scenes(checkout)?;
     let scene = scenes.iter().find(|scene| scene.name == name);
     scene
         .with_context(|| format!("scenes/{name}.json is missing"))?
         .scene()
+}
+
+/// The scenes of `scenes/`, in the order of the presets.
+///
+/// # Errors
+/// A file is wrong, or cannot be read.
+pub fn scenes(checkout: &Path) -> Result<Vec<Scene>> {
+    scene::read_all(&checkout.join("scenes"))
+}
+
+/// The scenes of `scenes/community/`.
+///
+/// # Errors
+/// A file is wrong, or cannot be read.
+pub fn community(checkout: &Path) -> Result<Vec<Scene>> {
+    scene::read_community(&checkout.join("scenes"))
 }
 
 /// Writes each generated file of the checkout that is missing or differs; returns those.

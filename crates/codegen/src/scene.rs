@@ -3,6 +3,8 @@
 //! `{"hearth": 3, "label": "Candle", "description": "One sentence.", "values": {…},
 //! "objects": [{"kind": "source", …}]}`, and the file's name is the scene's. Such a file is
 //! also a settings file, as the element's `src` takes it. Without `objects`, a scene has one source.
+//!
+//! A file of `scenes/community/` names its `author` and its `licence` too. No preset follows from it: the gallery shows it.
 
 use std::fmt;
 use std::path::Path;
@@ -22,16 +24,22 @@ const DEFAULT: &str = "default";
 const LONGEST_NAME: usize = 24;
 /// Longest description: two lines at most.
 const LONGEST_DESCRIPTION: usize = 140;
+/// Longest author and licence.
+const LONGEST_CREDIT: usize = 40;
+/// Largest file of `scenes/community/` \[bytes\].
+const LARGEST: usize = 64_000;
 
 /// A named fire.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Scene {
+pub struct Scene {
     /// Its name in attributes and URLs.
-    pub(super) name: String,
+    pub name: String,
     /// Its name for people.
-    pub(super) label: String,
+    pub label: String,
     /// What there is to see, in a sentence.
-    pub(super) description: String,
+    pub description: String,
+    /// Author and licence; the project's own presets name neither.
+    pub credit: Option<[String; 2]>,
     pub(super) model: Model,
     /// The parameters of the world that differ from the defaults, in the order of the table.
     pub(super) values: Vec<(String, Value)>,
@@ -46,6 +54,8 @@ struct File {
     hearth: u32,
     label: String,
     description: String,
+    author: Option<String>,
+    licence: Option<String>,
     values: Fields,
     #[serde(default)]
     objects: Vec<Fields>,
@@ -82,8 +92,11 @@ impl<'de> Deserialize<'de> for Fields {
 }
 
 impl Scene {
-    /// Its fire. Fails where the tables refuse a value, or the model does not use it.
-    pub(super) fn scene(&self) -> Result<hearth_core::Scene> {
+    /// Its fire.
+    ///
+    /// # Errors
+    /// The tables refuse a value, or the model does not use it.
+    pub fn scene(&self) -> Result<hearth_core::Scene> {
         let mut parameters = Parameters::default();
         for (id, value) in &self.values {
             parameters.set(id, input(value))?;
@@ -146,10 +159,16 @@ fn input(value: &Value) -> Input<'_> {
 pub(super) fn read_all(folder: &Path) -> Result<Vec<Scene>> {
     let sh = Shell::new()?;
     let mut scenes = Vec::new();
-    for path in sh.read_dir(folder)? {
+    for path in sh.read_dir(folder)?.iter().filter(|path| path.is_file()) {
         let file = path.file_name().unwrap_or_default().to_string_lossy();
-        let text = sh.read_file(&path)?;
-        scenes.push(parse(&file, &text).with_context(|| format!("scenes/{file}"))?);
+        let scene = parse(&file, &sh.read_file(path)?).and_then(|scene| {
+            ensure!(
+                scene.credit.is_none(),
+                "only a scene of community/ has an author"
+            );
+            Ok(scene)
+        });
+        scenes.push(scene.with_context(|| format!("scenes/{file}"))?);
     }
     scenes.sort_by_key(|scene| {
         let place = (scene.name != DEFAULT, scene.model != Model::DEFAULT);
@@ -167,6 +186,59 @@ pub(super) fn read_all(folder: &Path) -> Result<Vec<Scene>> {
         }
     }
     Ok(scenes)
+}
+
+/// Every scene under `folder`/community, by their names. Their texts are shown to people, and their files are fetched.
+pub(super) fn read_community(folder: &Path) -> Result<Vec<Scene>> {
+    let sh = Shell::new()?;
+    let mut known = read_all(folder)?;
+    let presets = known.len();
+    let paths = sh.read_dir(folder.join("community"))?;
+    let end = Some("json".as_ref());
+    for path in paths.iter().filter(|path| path.extension() == end) {
+        let file = path.file_name().unwrap_or_default().to_string_lossy();
+        let text = sh.read_file(path)?;
+        let scene = given(&file, &text).and_then(|scene| {
+            let twin = known
+                .iter()
+                .find(|it| it.name == scene.name || it.label == scene.label);
+            ensure!(twin.is_none(), "another scene has its name or its label");
+            Ok(scene)
+        });
+        known.push(scene.with_context(|| format!("scenes/community/{file}"))?);
+    }
+    Ok(known.split_off(presets))
+}
+
+/// A scene that somebody gives.
+fn given(file: &str, text: &str) -> Result<Scene> {
+    let size = text.len();
+    ensure!(
+        size <= LARGEST,
+        "it has {size} bytes; at most {LARGEST} are allowed"
+    );
+    let scene = parse(file, text)?;
+    ensure!(
+        scene.credit.is_some(),
+        "it needs an \"author\" and a \"licence\""
+    );
+    let objects = scene.objects.iter().flatten();
+    let names = objects
+        .filter(|(field, _)| field == "name")
+        .filter_map(|(_, name)| name.as_str());
+    let texts = [&scene.label, &scene.description]
+        .into_iter()
+        .chain(scene.credit.iter().flatten());
+    for text in texts.map(String::as_str).chain(names) {
+        let address = ["//", "www.", "<", ">"]
+            .iter()
+            .find(|part| text.contains(**part));
+        ensure!(
+            address.is_none(),
+            "\"{text}\" must be words, without an address or a tag"
+        );
+    }
+    Ok(scene)
 }
 
 /// The scene in a file of that name with that text.
@@ -187,6 +259,16 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
         ensure!(
             is_line(text, longest),
             "\"{field}\" must be one line of at most {longest} characters"
+        );
+    }
+    let credit = match (file.author, file.licence) {
+        (None, None) => None,
+        (author, licence) => Some([author.unwrap_or_default(), licence.unwrap_or_default()]),
+    };
+    for (field, text) in ["author", "licence"].iter().zip(credit.iter().flatten()) {
+        ensure!(
+            is_line(text, LONGEST_CREDIT),
+            "\"{field}\" must be one line of at most {LONGEST_CREDIT} characters"
         );
     }
     let end = file.description.ends_with('.');
@@ -214,6 +296,7 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
         name: name.to_owned(),
         label: file.label,
         description: file.description,
+        credit,
         model: Model::DEFAULT,
         values,
         objects,
@@ -274,6 +357,7 @@ mod tests {
             name: "a-2".to_owned(),
             label: "A".to_owned(),
             description: "A fire.".to_owned(),
+            credit: None,
             model: Model::Combustion,
             values: values.to_vec(),
             objects: vec![
@@ -356,6 +440,48 @@ mod tests {
     }
 
     #[test]
+    fn a_scene_of_somebody_names_its_author_and_no_address() {
+        let by = |author: &str| {
+            let credit = format!("\"author\": \"{author}\", \"licence\": \"CC0\", \"values\"");
+            with("{}").replace("\"values\"", &credit)
+        };
+        let named = format!("{{}}, {}", source(r#", "name": "www.a.example""#));
+        let named = with(&named).replace(
+            "\"values\"",
+            "\"author\": \"A\", \"licence\": \"B\", \"values\"",
+        );
+        for (text, reason) in [
+            (with("{}"), "needs an \"author\""),
+            (
+                by("A").replace("\"licence\": \"CC0\", ", ""),
+                "\"licence\" must be",
+            ),
+            (by(" "), "\"author\" must be"),
+            (by(&"a".repeat(41)), "\"author\" must be"),
+            (by("https://a.example"), "without an address"),
+            (by("<b>A</b>"), "without an address"),
+            (
+                by("A").replace("A fire.", "See //a.example."),
+                "without an address",
+            ),
+            (named, "without an address"),
+            (by("A") + &" ".repeat(64_000), "bytes"),
+            (
+                by("A").replace("\"values\"", "\"script\": \"\", \"values\""),
+                "unknown field",
+            ),
+        ] {
+            let refused = given("a.json", &text).err().map(|why| format!("{why:#}"));
+            assert!(refused.is_some_and(|why| why.contains(reason)), "{reason}");
+        }
+        let scene = given("a.json", &by("Ada")).ok();
+        assert_eq!(
+            scene.and_then(|it| it.credit),
+            Some(["Ada".to_owned(), "CC0".to_owned()])
+        );
+    }
+
+    #[test]
     fn the_wrong_file_of_a_folder_is_named() -> Result<()> {
         let sh = Shell::new()?;
         let folder = sh.create_temp_dir()?;
@@ -369,6 +495,17 @@ mod tests {
         assert!(outcome().contains("scenes/b.json: wind = 4"));
         sh.write_file(folder.join("b.json"), with(r#"{"wind": 1}"#))?;
         assert_eq!(outcome(), "scenes/b.json: default has the label \"A\" too");
+        sh.remove_path(folder.join("b.json"))?;
+        let credit = with("{}").replace(
+            "\"values\"",
+            "\"author\": \"A\", \"licence\": \"B\", \"values\"",
+        );
+        sh.write_file(folder.join("community/c.json"), &credit)?;
+        assert_eq!(outcome(), "1");
+        let given = read_community(folder).err().map(|why| format!("{why:#}"));
+        assert!(given.is_some_and(|why| why.contains("community/c.json: another scene has")));
+        sh.write_file(folder.join("default.json"), credit)?;
+        assert!(outcome().contains("only a scene of community/"));
         Ok(())
     }
 }

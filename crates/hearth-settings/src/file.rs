@@ -3,7 +3,7 @@
 //! `{"hearth": 3, "preset": "seed", "values": {"viscosity": 0.02}, "objects": [{"kind":
 //! "source", "x": 0.1}]}` holds the preset, unless it is the default, and the differences from
 //! it. Settings hold nothing about the device. The file of a scene has the same format, with a
-//! label and a description.
+//! label and a description, and that of the community's with an author and a licence.
 //!
 //! `values` are those of the world, and of the first source by the ids of its properties. `objects` is the whole list;
 //! without it, the scene has the objects of the preset. The model comes first, then the objects, then the other values.
@@ -24,7 +24,7 @@ pub const LIST: &str = "list";
 pub const VERSION: u32 = 3;
 
 /// The fields and their checks.
-const FIELDS: [(&str, Check); 8] = [
+const FIELDS: [(&str, Check); 10] = [
     ("hearth", Check::optional(Form::Any)),
     ("preset", Check::optional(Form::Text)),
     ("values", Check::optional(Form::Values)),
@@ -33,6 +33,8 @@ const FIELDS: [(&str, Check); 8] = [
     (LIST, Check::optional(Form::Finite)),
     ("label", Check::optional(Form::Text)),
     ("description", Check::optional(Form::Text)),
+    ("author", Check::optional(Form::Text)),
+    ("licence", Check::optional(Form::Text)),
 ];
 
 /// Checks the format.

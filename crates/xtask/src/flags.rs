@@ -1,6 +1,7 @@
 //! The command line.
 
 use std::ffi::OsString;
+use std::path::PathBuf;
 
 use crate::arguments::separate;
 use crate::links::Base;
@@ -22,6 +23,11 @@ xflags::xflags! {
             optional --url address: Base
             /// The address of Hearth's sources, which the documentation then links.
             optional --repository address: Base
+        }
+        /// Writes the pages beside the landing page into a site that Trunk builds.
+        cmd pages {
+            /// The folder of the site; without it, that of Trunk's hook.
+            optional --site folder: PathBuf
         }
         /// Builds the npm package in dist/npm.
         cmd package {}
@@ -104,6 +110,7 @@ mod tests {
             "test --skip-browser lint → stage: [\"lint\"], skip_browser: true",
             "thumbnails candle → scene: [\"candle\"]",
             "goldens default → name: [\"default\"]",
+            "pages --site dist → Pages { site: Some(\"dist\") }",
             "package → Package",
             "publish → Publish { url: None, repository: None }",
             "publish --url https://a.example → url: Some(Base(\"https://a.example/\"))",

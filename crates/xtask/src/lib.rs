@@ -25,9 +25,10 @@ pub mod site;
 mod stages;
 pub mod tools;
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use codegen::prewarmed;
 use flags::{Xtask, XtaskCmd};
 use pages::Places;
@@ -55,6 +56,14 @@ fn run(command: Xtask) -> Result<ExitCode> {
                 "The site is in {}: copy it to any static host.",
                 paths::shown(&paths::site())
             );
+        }
+        XtaskCmd::Pages(command) => {
+            let staged = || std::env::var_os("TRUNK_STAGING_DIR").map(PathBuf::from);
+            let site = command
+                .site
+                .or_else(staged)
+                .context("--site names no folder")?;
+            pages::write(&paths::root(), &site, &Places::default())?;
         }
         XtaskCmd::Package(_) => package::build()?,
         XtaskCmd::Publish(publish) => {

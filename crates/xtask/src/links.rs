@@ -12,14 +12,8 @@ use anyhow::{Result, ensure};
 
 use crate::shell::Shell;
 
-/// The pages that links name, and their folders.
-const PAGES: [(&str, &str); 5] = [
-    ("index.html", ""),
-    ("bench.html", ""),
-    ("printed.html", ""),
-    ("figures.html", ""),
-    ("web/embed.html", "web/"),
-];
+/// The pages that links name besides those of `pages`, and their folders.
+const PAGES: [(&str, &str); 2] = [("index.html", ""), ("web/embed.html", "web/")];
 
 /// The beginning of an address that previews read.
 const RELATIVE: &str = "content=\"./";

@@ -1,6 +1,8 @@
-//! The pages of text of the site: each document of `docs/` in one frame with contents and a
-//! search, a page that lists them, and the page for addresses that lead nowhere.
+//! The pages of the site beside the landing page, in one frame with a head and a search: each document of `docs/` with
+//! contents, a page that lists them, those of `web/pages/`, and the page for addresses that lead nowhere.
 
+mod frame;
+mod gallery;
 mod highlight;
 mod markdown;
 
@@ -14,6 +16,7 @@ use serde_json::json;
 
 use crate::links::Base;
 use crate::shell::Shell;
+use frame::{Content, Frame, Place};
 use highlight::escaped;
 pub use markdown::anchor;
 use markdown::{Document, Targets};
@@ -34,14 +37,56 @@ const DOCUMENTS: [(&str, &[&str]); 3] = [
             "iframe",
         ],
     ),
-    ("Make", &["films", "sound", "simulation"]),
+    ("Make", &["films", "sound", "simulation", "community"]),
     (
         "Understand",
-        &["physics", "look", "evaluation", "glossary", "about"],
+        &[
+            "physics",
+            "look",
+            "evaluation",
+            "compare",
+            "glossary",
+            "about",
+        ],
     ),
 ];
 
-const FRAME: &str = include_str!("pages/page.html");
+/// A page whose text is `web/pages/NAME.html`: a title, a paragraph that describes it, and the rest.
+struct Source {
+    name: &'static str,
+    /// Its script and its style sheets below `web/`, without their ends.
+    script: &'static str,
+    styles: &'static [&'static str],
+    /// Whether it shows frames of the site.
+    has_frames: bool,
+}
+
+const PAGES: [Source; 4] = [
+    Source {
+        name: "gallery",
+        script: "pages/gallery",
+        styles: &["pages/gallery"],
+        has_frames: false,
+    },
+    Source {
+        name: "figures",
+        script: "paper/figures/main",
+        styles: &["paper/main", "paper/figures/main"],
+        has_frames: false,
+    },
+    Source {
+        name: "printed",
+        script: "paper/printed/main",
+        styles: &["paper/main"],
+        has_frames: false,
+    },
+    Source {
+        name: "bench",
+        script: "paper/bench/main",
+        styles: &["paper/main", "paper/bench/main"],
+        has_frames: true,
+    },
+];
 
 /// What the site says about where it is.
 #[derive(Default)]
@@ -56,8 +101,13 @@ pub(crate) struct Places<'a> {
 pub(crate) fn write(root: &Path, site: &Path, places: &Places) -> Result<()> {
     let names = || DOCUMENTS.iter().flat_map(|(_, names)| *names);
     let texts = names()
-        .map(|name| fs::read_to_string(root.join(format!("docs/{name}.md"))))
-        .collect::<Result<Vec<_>, _>>()?;
+        .map(|name| {
+            with_sections(
+                root,
+                &fs::read_to_string(root.join(format!("docs/{name}.md")))?,
+            )
+        })
+        .collect::<Result<Vec<_>>>()?;
     let documents = names()
         .zip(&texts)
         .map(|(name, text)| Document::read(name, text))
@@ -75,13 +125,14 @@ pub(crate) fn write(root: &Path, site: &Path, places: &Places) -> Result<()> {
     let mut files = BTreeSet::new();
     for document in &documents {
         let page = document.render(&targets)?;
-        let html = frame.page(
-            "../",
-            document.title(),
-            document.description(),
-            Some(document),
-            &page.html,
-        );
+        let html = frame.page(&Content {
+            root: "../",
+            file: &format!("docs/{}.html", document.name),
+            title: &escaped(document.title()),
+            description: &escaped(document.description()),
+            place: Place::Documentation(Some(document)),
+            html: &page.html,
+        });
         sh.write_file(folder.join(format!("{}.html", document.name)), html)?;
         files.extend(page.files);
     }
@@ -90,10 +141,39 @@ pub(crate) fn write(root: &Path, site: &Path, places: &Places) -> Result<()> {
         sh.create_dir(to.parent().unwrap_or(&folder))?;
         sh.copy_file(root.join("docs").join(&file), to)?;
     }
-    let about = "What Hearth can do, how to put it on a page, and how it works.";
-    let html = frame.page("../", "Documentation", about, None, &list(&documents));
+    let html = frame.page(&Content {
+        root: "../",
+        file: "docs/index.html",
+        title: "Documentation",
+        description: "What Hearth can do, how to put it on a page, and how it works.",
+        place: Place::Documentation(None),
+        html: &list(&documents),
+    });
     sh.write_file(folder.join("index.html"), html)?;
     sh.write_file(folder.join("search.json"), index(&documents))?;
+
+    for source in &PAGES {
+        let (name, file) = (source.name, format!("{}.html", source.name));
+        let text = fs::read_to_string(root.join("web/pages").join(&file))?;
+        let text = match name {
+            "gallery" => text.replace("<!-- cards -->\n", &gallery::cards(root, site)?),
+            _ => text,
+        };
+        let part = |start, end| {
+            between(&text, start, end).with_context(|| format!("{file} has no {start}"))
+        };
+        let html = frame.page(&Content {
+            root: "./",
+            file: &file,
+            title: part("<h1>", "</h1>")?,
+            description: part("<p>", "</p>")?,
+            place: Place::Site(source),
+            html: &text,
+        });
+        sh.write_file(site.join(&file), html)?;
+        // The site has it with its frame alone.
+        sh.remove_path(site.join("web/pages").join(&file))?;
+    }
 
     // A host shows it at every address, so its own are whole ones if the site's is known.
     let base = places.url.map_or("./", Base::address);
@@ -102,13 +182,14 @@ pub(crate) fn write(root: &Path, site: &Path, places: &Places) -> Result<()> {
          <a href=\"{base}index.html\">Hearth</a> and its \
          <a href=\"{base}docs/index.html\">documentation</a> are where they were.</p>\n"
     );
-    let html = frame.page(
-        base,
-        "No such page",
-        "This address leads to no page.",
-        None,
-        &lost,
-    );
+    let html = frame.page(&Content {
+        root: base,
+        file: "404.html",
+        title: "No such page",
+        description: "This address leads to no page.",
+        place: Place::Documentation(None),
+        html: &lost,
+    });
     sh.write_file(site.join("404.html"), html)?;
     if let Some(url) = places.url {
         sh.write_file(site.join("sitemap.xml"), map(url.address(), &documents))?;
@@ -116,73 +197,40 @@ pub(crate) fn write(root: &Path, site: &Path, places: &Places) -> Result<()> {
     Ok(())
 }
 
-/// What all pages have in common.
-struct Frame<'a> {
-    policy: &'a str,
-    icon: &'a str,
-    documents: &'a [Document<'a>],
-    url: Option<&'a str>,
-    source: String,
+/// What stands between two marks.
+fn between<'t>(text: &'t str, start: &str, end: &str) -> Option<&'t str> {
+    let (_, rest) = text.split_once(start)?;
+    Some(rest.split_once(end)?.0)
 }
 
-impl<'a> Frame<'a> {
-    /// The policy and the icon are those of the landing page.
-    fn new(
-        landing: &'a str,
-        documents: &'a [Document<'a>],
-        places: &'a Places,
-    ) -> Result<Frame<'a>> {
-        let after = |start: &str| {
-            let (_, rest) = landing.split_once(start)?;
-            Some(rest.split_once('"')?.0)
-        };
-        let source = places.repository.map(|it| {
-            let address = escaped(it.address());
-            format!(". <a href=\"{address}\">Source</a>")
-        });
-        Ok(Frame {
-            policy: after("\"Content-Security-Policy\" content=\"")
-                .context("index.html has no policy")?,
-            icon: after("<link rel=\"icon\" href=\"").context("index.html has no icon")?,
-            documents,
-            url: places.url.map(Base::address),
-            source: source.unwrap_or_default(),
-        })
+/// A document with the measured sections that its comments name, as `<!-- look.md: filmed -->`: a table of a command
+/// stands in one document.
+fn with_sections(root: &Path, text: &str) -> Result<String> {
+    let mut whole = String::with_capacity(text.len());
+    for line in text.lines() {
+        let named = between(line, "<!-- ", " -->").and_then(|it| it.split_once(".md: "));
+        if let Some((document, section)) = named {
+            let file = format!("docs/{document}.md");
+            let text = fs::read_to_string(root.join(&file)).with_context(|| file.clone())?;
+            let (begin, end) = (
+                format!("<!-- {section}: begin -->"),
+                format!("<!-- {section}: end -->"),
+            );
+            let found = between(&text, &begin, &end);
+            whole.push_str(found.with_context(|| format!("{file} has no section {section}"))?);
+        } else {
+            whole.push_str(line);
+        }
+        whole.push('\n');
     }
-
-    /// A page whose files are found from `root`.
-    fn page(
-        &self,
-        root: &str,
-        title: &str,
-        description: &str,
-        open: Option<&Document>,
-        content: &str,
-    ) -> String {
-        let values = [
-            ("title", escaped(title)),
-            ("description", escaped(description)),
-            ("policy", self.policy.to_owned()),
-            ("icon", self.icon.to_owned()),
-            ("root", root.to_owned()),
-            ("base", self.url.unwrap_or(root).to_owned()),
-            ("version", env!("CARGO_PKG_VERSION").to_owned()),
-            ("source", self.source.clone()),
-            ("contents", contents(root, self.documents, open)),
-            ("content", content.to_owned()),
-        ];
-        // Every second part is a name; no text is taken for one.
-        let parts = FRAME.split(['{', '}']).enumerate().map(|(at, part)| {
-            let value = values.iter().find(|(name, _)| at % 2 == 1 && *name == part);
-            value.map_or(part, |(_, value)| value)
-        });
-        parts.collect()
-    }
+    Ok(whole)
 }
 
 /// The contents: all pages, and the headings of the one that is open.
 fn contents(root: &str, documents: &[Document], open: Option<&Document>) -> String {
-    let mut html = String::new();
+    let mut html = String::from(
+        "<nav id=\"contents\" aria-label=\"Documentation\">\n<details>\n<summary>Contents</summary>\n",
+    );
     for (group, names) in DOCUMENTS {
         let _ = writeln!(html, "<p>{group}</p>\n<ul>");
         for document in documents.iter().filter(|it| names.contains(&it.name)) {
@@ -204,6 +252,7 @@ fn contents(root: &str, documents: &[Document], open: Option<&Document>) -> Stri
         }
         html.push_str("</ul>\n");
     }
+    html.push_str("</details>\n</nav>\n");
     html
 }
 
@@ -243,9 +292,9 @@ fn index(documents: &[Document]) -> String {
 fn map(url: &str, documents: &[Document]) -> String {
     let docs = documents.iter().map(|it| it.name).chain(["index"]);
     let docs = docs.map(|name| format!("docs/{name}.html"));
-    let pages = ["", "bench.html", "figures.html", "printed.html"].map(str::to_owned);
-    let entries: String = pages
-        .into_iter()
+    let pages = PAGES.iter().map(|source| format!("{}.html", source.name));
+    let entries: String = std::iter::once(String::new())
+        .chain(pages)
         .chain(docs)
         .map(|page| {
             format!(

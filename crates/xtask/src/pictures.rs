@@ -22,7 +22,7 @@ pub(crate) fn poster() -> Result<()> {
     goldens::run_script("poster.mjs", [poster], Some(tools::CJPEG.variable()?))
 }
 
-/// Takes `web/scenes/NAME.jpg` of these scenes, or of all of them. One is also the picture of
+/// Takes `web/scenes/NAME.jpg` of these scenes, or of all of them, and the picture beside each file of the community. One is also the picture of
 /// the crate `hearth-fire`.
 pub(crate) fn thumbnails(names: &[String]) -> Result<()> {
     let folder = paths::root().join("web/scenes");
@@ -92,6 +92,27 @@ mod tests {
         assert_eq!(shown, fs::read(folder.join("fireside.jpg"))?);
         Ok(())
     }
+
+    #[test]
+    fn every_scene_of_the_community_has_a_picture_and_all_are_small() -> Result<()> {
+        let folder = paths::root().join("scenes/community");
+        let mut sum = 0;
+        let mut expected = BTreeSet::new();
+        for scene in codegen::community(&paths::root())? {
+            let path = folder.join(format!("{}.jpg", scene.name));
+            let missing = "run `cargo xtask thumbnails community/NAME` and commit the picture";
+            let jpeg = fs::read(&path).with_context(|| format!("{}: {missing}", scene.name))?;
+            let size = imagesize::blob_size(&jpeg)?;
+            assert_eq!((size.width, size.height), (240, 320), "{}", scene.name);
+            sum += jpeg.len();
+            expected.extend([path, folder.join(format!("{}.json", scene.name))]);
+        }
+        assert!(sum <= 300_000, "{sum} bytes");
+        let present: BTreeSet<_> = Shell::new()?.read_dir(&folder)?.into_iter().collect();
+        assert_eq!(present, expected);
+        Ok(())
+    }
+
     #[test]
     fn the_picture_of_links_is_small_and_has_the_size_that_the_page_names() -> Result<()> {
         let picture = fs::read(paths::root().join("web/poster.jpg"))?;

@@ -74,9 +74,6 @@ pub fn build() -> Result<()> {
     }
     let packaging = paths::packaging();
     cmd!(sh, "node {packaging}/legal.mjs {web}").run()?;
-    for page in ["bench.html", "printed.html", "figures.html"] {
-        sh.copy_file(page, &site)?;
-    }
     let html = sh.read_file("index.html")?;
     sh.write_file(site.join("index.html"), without_trunk_links(&html))?;
     pages::write(&root, &site, &Places::default())?;

@@ -19,7 +19,7 @@ test('every equation as printed has a pair of fires that differ in it alone, and
   const tab = await browser.open('printed.html', PHONE);
   await tab.until('the end', () => document.getElementById('status')?.textContent === '');
   const pairs = await tab.evaluate(() =>
-    [...document.querySelectorAll('section')].map((section) => ({
+    [...document.querySelectorAll('main section')].map((section) => ({
       flag: section.dataset.flag,
       attributes: [...section.querySelectorAll('hearth-fire')].map((fire) =>
         fire.getAttributeNames().filter((name) => !['alt', 'max-pixels'].includes(name)),

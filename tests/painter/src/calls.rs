@@ -7,7 +7,7 @@ use hearth_core::preset::Preset;
 use hearth_render::{Chromaticity, NEUTRAL_KELVIN, Renderer, chromaticity};
 use serde_json::{Value, json};
 
-use crate::fire::Fire;
+use crate::fire::{self, Fire};
 use crate::painter::Painter;
 use crate::request::Request;
 use crate::{Answer, Failure, foreign};
@@ -44,6 +44,7 @@ impl Calls {
     pub fn answer(&mut self, request: &Request) -> Answer {
         let json = match request.text("call") {
             "presets" => names(Preset::all().iter().map(|preset| preset.name)),
+            "scenes" => json!(fire::scenes()?),
             "modes" => names(modes()),
             "disturbances" => names(foreign::DISTURBANCES.iter().map(|(name, _)| *name)),
             "format" => json!(self.painter.format()),

@@ -1,5 +1,7 @@
 //! A fire that burns, and what the renderer gets of it.
 
+use std::path::Path;
+
 use hearth_core::params::{DisplayMode, Input, Model};
 use hearth_core::preset::Preset;
 use hearth_core::resolution::Level;
@@ -8,6 +10,28 @@ use hearth_render::{History, RenderError, Renderer, ResolutionLimits, View};
 
 use crate::Failure;
 use crate::request::Request;
+
+/// What the names of scenes of the community begin with.
+const COMMUNITY: &str = "community/";
+
+/// The scenes of the community.
+fn community() -> Result<Vec<codegen::Scene>, Failure> {
+    let checkout = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    Ok(codegen::community(&checkout)?)
+}
+
+/// The names of all scenes, the presets first.
+///
+/// # Errors
+/// A file of the community is wrong.
+pub fn scenes() -> Result<Vec<String>, Failure> {
+    let presets = Preset::all().iter().map(|preset| preset.name.to_owned());
+    let given = community()?;
+    let given = given
+        .iter()
+        .map(|scene| format!("{COMMUNITY}{}", scene.name));
+    Ok(presets.chain(given).collect())
+}
 
 /// A burning fire.
 #[derive(Clone)]
@@ -22,14 +46,20 @@ pub struct Fire {
 }
 
 impl Fire {
-    /// A fire of the preset `lit`, with no more particles than `particles` fill its domain.
+    /// A fire of the preset or the scene of the community `lit`, with no more particles than `particles` fill its domain.
     ///
     /// # Errors
-    /// There is no such preset.
+    /// There is no such scene.
     pub fn lit(request: &Request) -> Result<Fire, Failure> {
         let name = request.text("lit");
-        let preset = Preset::find(name)?;
-        let mut scene = preset.scene();
+        let mut scene = match name.strip_prefix(COMMUNITY) {
+            Some(name) => {
+                let given = community()?;
+                let found = given.iter().find(|scene| scene.name == name);
+                found.ok_or(format!("no scene {name}"))?.scene()?
+            }
+            None => Preset::find(name)?.scene(),
+        };
         let mut world = scene.world().clone();
         let most = request.number("particles") as u32;
         let limited = most > 0 && world.model() == Model::Combustion;

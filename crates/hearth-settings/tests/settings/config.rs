@@ -78,12 +78,14 @@ fn export_includes_a_stated_number_of_particles() {
 }
 
 #[test]
-fn label_and_description_do_not_change_the_settings() {
+fn texts_for_people_do_not_change_the_settings() {
     let values = || ("values", object(vec![("wind", Untrusted::Number(1.0))]));
     let scene = object(vec![
         ("hearth", Untrusted::Number(3.0)),
         ("label", text("Gale")),
         ("description", text("A fire in the wind.")),
+        ("author", text("Ada")),
+        ("licence", text("CC0-1.0")),
         values(),
     ]);
     assert_eq!(imported(&scene), imported(&object(vec![values()])));
@@ -119,6 +121,10 @@ fn errors_name_the_invalid_field() {
         ),
         (object(vec![("label", Untrusted::Number(1.0))]), "label = 1"),
         (object(vec![("description", object(vec![]))]), "description"),
+        (
+            object(vec![("author", Untrusted::Number(1.0))]),
+            "author = 1",
+        ),
         (object(vec![("values", text("many"))]), "values = \"many\""),
         (
             values(vec![("exposurr", Untrusted::Number(1.0))]),

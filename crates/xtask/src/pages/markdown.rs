@@ -370,8 +370,10 @@ impl Page<'_> {
             return Ok(Target::Address(link.to_owned()));
         }
         let page = path.ends_with(".html");
-        let of_site = path.starts_with("web/")
-            || page && (!path.contains('/') || path.starts_with("examples/"));
+        if page && path.starts_with("web/pages/") {
+            return Ok(Target::Address(link.replacen("web/pages/", "", 1)));
+        }
+        let of_site = path.starts_with("web/") || page && path.starts_with("examples/");
         Ok(match self.targets.repository {
             _ if of_site => Target::Address(link.to_owned()),
             Some(repository) => {

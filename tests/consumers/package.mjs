@@ -49,9 +49,10 @@ export const WAYS = {
  * installed; gives its folder.
  * @param {string} name
  * @param {keyof typeof WAYS} [way]
+ * @param {string} [from] the folder of the project
  */
-export async function installed(name, way = 'archive') {
-  const folder = await project(name);
+export async function installed(name, way = 'archive', from = path.join(HERE, name)) {
+  const folder = await project(name, from);
   // npm takes a package of a name and version that it has for the same one.
   await rm(path.join(folder, 'node_modules/hearth-fire'), { recursive: true, force: true });
   await npm(folder, 'install', '--no-save', '--no-package-lock', '--prefer-offline', ...(await WAYS[way]()));
@@ -62,14 +63,14 @@ export async function installed(name, way = 'archive') {
 /** A file of a project with the lock file of the packages that are there. */
 const MARKER = 'node_modules/.installed-for';
 
-/** A project beside this file, with the packages of its lock file; gives its folder. @param {string} name */
-export async function project(name) {
+/** A project beside this file, with the packages of its lock file; gives its folder. @param {string} name @param {string} [from] */
+export async function project(name, from = path.join(HERE, name)) {
   const folder = path.join(YARD, name);
-  const lock = await readFile(path.join(HERE, name, 'package-lock.json'), 'utf8');
+  const lock = await readFile(path.join(from, 'package-lock.json'), 'utf8');
   const marker = path.join(folder, MARKER);
   const fresh = (await readFile(marker, 'utf8').catch(() => '')) === lock;
   if (!fresh) await rm(folder, { recursive: true, force: true });
-  await cp(path.join(HERE, name), folder, {
+  await cp(from, folder, {
     recursive: true,
     filter: (file) => !file.split(path.sep).includes('node_modules'),
   });

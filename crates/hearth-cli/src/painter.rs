@@ -131,6 +131,7 @@ impl<'a> Painter<'a> {
             time: simulation.time(),
             camera: self.options.camera,
             is_paused: false,
+            sheets: false,
         }
     }
 }

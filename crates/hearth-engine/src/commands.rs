@@ -267,6 +267,10 @@ pub struct Start<'a> {
     pub paused: bool,
     /// Whether the element has children, whose list is the next call.
     pub children: bool,
+    /// Whether each picture is followed by the fire's lights.
+    pub lights: bool,
+    /// Whether a picture is an [atlas](hearth_render::View::sheets).
+    pub sheets: bool,
     /// The number of the fire that it copies for a film, instead of all settings; 0: none. That fire waits until the copy
     /// is removed.
     pub films: u32,
@@ -288,6 +292,8 @@ impl<'a> Argument<'a> for Start<'a> {
             guess: level("guess"),
             paused: Argument::read(value.field("paused")),
             children: Argument::read(value.field("children")),
+            lights: Argument::read(value.field("lights")),
+            sheets: Argument::read(value.field("sheets")),
             films: value.field("films").number() as u32,
         }
     }

@@ -8,6 +8,7 @@
 //! | `refused` | `fire`, `request`; `errors`: id, value, message and, for a number, min and max |
 //! | `stats` | `fire`; `stats`: see [`stats`](crate::stats) |
 //! | `samples` | `fire`; `samples`: those of a frame, of the left channel, then of the right one |
+//! | `lights` | `fire`; `numbers` of the picture before: left, lower, right and upper edge, the light with its place, the [pale](hearth_render::pale) colour, and eight of each ember |
 //! | `quality` | `fire`; `requested`: auto or a level; `quality`: the level; `reason` |
 //! | `state` | `fire`, `playing` |
 //! | `warming` | `fire`: a new fire warms up and replaces the picture then |
@@ -131,6 +132,13 @@ impl Events {
     pub fn samples(&self, fire: u32, samples: &[f32]) {
         let event = event("samples", fire);
         event.set_any("samples", &Float32Array::from(samples));
+        self.post(&event);
+    }
+
+    /// The lights of a picture.
+    pub fn lights(&self, fire: u32, numbers: &[f32]) {
+        let event = event("lights", fire);
+        event.set_any("numbers", &Float32Array::from(numbers));
         self.post(&event);
     }
 

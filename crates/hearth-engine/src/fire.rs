@@ -58,6 +58,8 @@ impl Fire {
             films: None,
             waits: false,
         };
+        fire.presentation.lights = start.lights;
+        fire.presentation.sheets = start.sheets;
         fire.simulation = Simulation::new(fire.scene());
         fire
     }

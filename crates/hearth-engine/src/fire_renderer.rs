@@ -3,7 +3,7 @@
 use hearth_core::params::DisplayMode;
 use hearth_core::scene::Pose;
 use hearth_core::{Charred, Instance, Scene};
-use hearth_render::{Camera, History, RenderError, Renderer, ResolutionLimits, Scale, View};
+use hearth_render::{ATLAS, Camera, History, RenderError, Renderer, ResolutionLimits, Scale, View};
 
 use crate::pass_times::PassTimes;
 use crate::shared_canvas::{Gpu, SharedCanvas};
@@ -47,6 +47,8 @@ pub struct FrameInput<'a> {
     pub temperatures: &'a [(u32, f32)],
     /// What is left of solids with fuel.
     pub charred: &'a Charred,
+    /// Whether the picture is an atlas of pictures of that size.
+    pub sheets: bool,
     /// The fire's past.
     pub history: &'a History,
 }
@@ -116,6 +118,7 @@ impl FireRenderer {
             is_paused,
             scene,
             camera,
+            sheets,
             ..
         } = input;
         let parameters = scene.world();
@@ -127,7 +130,10 @@ impl FireRenderer {
                 return Ok(clock.now());
             };
             let passes = &mut drawing.passes;
-            let [width, height] = canvas.resize(input.size);
+            let [columns, rows] = if sheets { ATLAS } else { [1, 1] };
+            let (width, height) = input.size;
+            let [width, height] = canvas.resize((columns * width, rows * height));
+            let [width, height] = [width / columns, height / rows];
             renderer.upload(gl, parameters.display_mode, input.particles, input.embers);
             renderer.upload_solids(gl, scene, input.poses, input.temperatures, input.charred);
             let sent = clock.now();
@@ -139,6 +145,7 @@ impl FireRenderer {
                 time,
                 camera,
                 is_paused,
+                sheets,
             };
             let on_pass = &mut |name| passes.end(context, clock, name);
             let painted = renderer.paint_in_passes(gl, &view, scene, input.history, on_pass);

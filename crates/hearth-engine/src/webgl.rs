@@ -181,7 +181,7 @@ impl Graphics for WebGl {
         fn disable(capability: u32) = gl => gl.disable(capability);
         fn blend_func(source: u32, destination: u32) = gl => gl.blend_func(source, destination);
         fn blend_equation(mode: u32) = gl => gl.blend_equation(mode);
-        fn viewport(width: i32, height: i32) = gl => gl.viewport(0, 0, width, height);
+        fn viewport(from: [u32; 2], size: [u32; 2]) = gl => gl.viewport(from[0] as i32, from[1] as i32, size[0] as i32, size[1] as i32);
         fn scissor(x: i32, y: i32, width: i32, height: i32) = gl => gl.scissor(x, y, width, height);
         fn draw_triangle() = gl => gl.draw_arrays(Context::TRIANGLES, 0, 3);
         fn draw_instances(vertices: i32, instances: i32) = gl => gl.draw_arrays_instanced(Context::TRIANGLES, 0, vertices, instances);

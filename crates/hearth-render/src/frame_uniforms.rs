@@ -112,6 +112,8 @@ pub struct FrameUniforms<'a> {
     pub reach: [f32; 4],
     /// Bounds of the slices behind the front one \[m\], if there are any.
     pub behind: Option<[f32; 4]>,
+    /// Whether the picture is an atlas of [sheets](crate::View::sheets).
+    pub sheets: bool,
     /// Whether the backdrop is drawn again.
     pub scenery_is_stale: bool,
 }
@@ -173,7 +175,7 @@ impl<'a> FrameUniforms<'a> {
 
     /// Whether the fire has a backdrop: a wall, a ground or both.
     pub fn has_backdrop(&self) -> bool {
-        self.shows(DisplayMode::Fire) && has_backdrop(self.parameters)
+        self.shows(DisplayMode::Fire) && !self.sheets && has_backdrop(self.parameters)
     }
 
     /// 1 if there is a wall behind the fire, or 0.
@@ -212,6 +214,7 @@ impl<'a> FrameUniforms<'a> {
     /// Whether the light is blurred, for its glow or for the irradiance on a backdrop and on solids.
     pub fn blooms(&self) -> bool {
         self.has_backdrop()
+            || self.sheets
             || self.lights_solids()
             || self.shows(DisplayMode::Fire)
                 && (self.parameters.bloom > 0.0 || self.smoke_opacity() > 0.0)

@@ -71,7 +71,7 @@ pub trait Graphics {
     fn disable(&self, capability: u32);
     fn blend_func(&self, source: u32, destination: u32);
     fn blend_equation(&self, mode: u32);
-    fn viewport(&self, width: i32, height: i32);
+    fn viewport(&self, from: [u32; 2], size: [u32; 2]);
     fn scissor(&self, x: i32, y: i32, width: i32, height: i32);
     fn clear(&self, colour: [f32; 4]);
     /// Draws one triangle that covers the target.
@@ -136,7 +136,7 @@ impl Graphics for glow::Context {
         fn disable(capability: u32) = gl => Gl::disable(gl, capability);
         fn blend_func(source: u32, destination: u32) = gl => Gl::blend_func(gl, source, destination);
         fn blend_equation(mode: u32) = gl => Gl::blend_equation(gl, mode);
-        fn viewport(width: i32, height: i32) = gl => Gl::viewport(gl, 0, 0, width, height);
+        fn viewport(from: [u32; 2], size: [u32; 2]) = gl => Gl::viewport(gl, from[0] as i32, from[1] as i32, size[0] as i32, size[1] as i32);
         fn scissor(x: i32, y: i32, width: i32, height: i32) = gl => Gl::scissor(gl, x, y, width, height);
         fn draw_triangle() = gl => Gl::draw_arrays(gl, glow::TRIANGLES, 0, 3);
         fn draw_instances(vertices: i32, instances: i32) = gl => Gl::draw_arrays_instanced(gl, glow::TRIANGLES, 0, vertices, instances);

@@ -129,6 +129,12 @@ pub fn light_colour(parameters: &Parameters) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
+/// The colour to which overexposed light pales, in linear sRGB, and 1 if it pales by way of yellow, or 0.
+pub fn pale(parameters: &Parameters) -> [f32; 4] {
+    let ([r, g, b], yellow) = Tint::of(parameters).pale();
+    [r, g, b, yellow]
+}
+
 /// The sRGB encoding, by the square roots of `shaders/colour.glsl`.
 fn encoded(linear: f32) -> f32 {
     let second = linear.sqrt();

@@ -20,6 +20,7 @@ mod paper;
 mod scenery;
 mod shade;
 mod shadow;
+mod sheet;
 mod smoke_light;
 mod solid;
 mod splat;
@@ -31,7 +32,7 @@ mod velocity;
 use crate::pass::Row;
 
 /// Every pass, in the order of a frame.
-pub static PASSES: [Row; 26] = [
+pub static PASSES: [Row; 29] = [
     // Fire of the classic model: particles, field, light.
     Row::of::<splat::Splat>("splat"),
     Row::of::<spread::Spread>("spread"),
@@ -43,11 +44,14 @@ pub static PASSES: [Row; 26] = [
     Row::of::<carry_noise::CarryNoise>("carry_noise"),
     Row::of::<behind::Behind>("behind"),
     Row::of::<flame::Flame>("flame"),
+    Row::of::<sheet::Sheet>("sheet"),
+    Row::of::<behind::Under>("under"),
     Row::of::<ember::Ember>("ember"),
     // Light to the picture.
     Row::of::<bloom_downsample::BloomDownsample>("bloom_downsample"),
     Row::of::<bloom_upsample::BloomUpsample>("bloom_upsample"),
     Row::of::<smoke_light::SmokeLight>("smoke_light"),
+    Row::of::<sheet::SheetLight>("sheet_light"),
     Row::of::<tone_map::ToneMap>("tone_map"),
     Row::of::<sprite::Sprite>("sprite"),
     Row::of::<composite::Composite>("composite"),

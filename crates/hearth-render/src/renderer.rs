@@ -31,6 +31,9 @@ use crate::solids::Solids;
 use crate::targets::Targets;
 use crate::viewport::Viewport;
 
+/// Columns and rows of an [atlas](View::sheets).
+pub const ATLAS: [u32; 2] = [3, 2];
+
 /// Size, time and camera of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct View {
@@ -44,6 +47,10 @@ pub struct View {
     pub camera: Camera,
     /// Whether the fire stands still: then another number of slices is shown at once.
     pub is_paused: bool,
+    /// Whether a fire without solids and embers is drawn as an atlas of [`ATLAS`] cells of that width and height,
+    /// counted from the lower left: the light of each slice, then glow and light on smoke. A cell is
+    /// empty where no slice is visible.
+    pub sheets: bool,
 }
 
 /// Draws a fire into a framebuffer, with premultiplied alpha.
@@ -251,7 +258,12 @@ impl<G: Graphics> Renderer<G> {
             time: view.time,
             particles: Batch::present(self.particles.count()),
             embers: self.embers.count(),
-            solids: self.solids.texture.count(),
+            solids: if view.sheets {
+                0
+            } else {
+                self.solids.texture.count()
+            },
+            sheets: view.sheets,
             slice: present,
             phase: Phase::default(),
             advected: Advected::default(),

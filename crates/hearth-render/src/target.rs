@@ -72,9 +72,9 @@ impl<G: Graphics> Target<G> {
     }
 
     /// Directs drawing to the lower left part of that size.
-    pub fn bind_for_drawing(&self, gl: &G, [width, height]: [u32; 2]) {
+    pub fn bind_for_drawing(&self, gl: &G, size: [u32; 2]) {
         gl.bind_framebuffer(Some(&self.framebuffer));
-        gl.viewport(width as i32, height as i32);
+        gl.viewport([0, 0], size);
     }
 
     /// The texture.

@@ -116,6 +116,7 @@ async function typesCompile() {
   await rm(scratch, { recursive: true, force: true });
   await cp(folder, path.join(modules, manifest.name), { recursive: true });
   await cp(path.join(HERE, 'types'), scratch, { recursive: true });
+  await cp(path.join(HERE, '../scripts/peers.d.ts'), path.join(scratch, 'peers.d.ts'));
   await symlink(path.join(HERE, 'node_modules/@types'), path.join(modules, '@types'), 'junction');
   await symlink(
     path.join(HERE, 'node_modules/custom-elements-manifest'),
@@ -140,7 +141,13 @@ async function typesCompile() {
         types: [],
       },
       // The declarations themselves too: what an import pulls in, some compilers skip.
-      files: ['use.ts', 'react.tsx', 'manifest.ts', ...shipped.map((file) => `node_modules/${manifest.name}/${file}`)],
+      files: [
+        'use.ts',
+        'react.tsx',
+        'manifest.ts',
+        'peers.d.ts',
+        ...shipped.map((file) => `node_modules/${manifest.name}/${file}`),
+      ],
     };
     const name = path.join(scratch, `tsconfig.${resolution}.json`);
     await writeFile(name, JSON.stringify(config));

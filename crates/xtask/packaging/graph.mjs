@@ -6,6 +6,7 @@
 import { readFile, readdir } from 'node:fs/promises';
 import path from 'node:path';
 import { build } from '../scripts/esbuild.mjs';
+import { OUTSIDE } from './manifest.mjs';
 
 const BESIDE = /new URL\(\s*(['"])(\.\.?\/[^'"]+)\1,\s*import\.meta\.url\s*\)/g;
 const IN_PAGE = /(?:src|href|content)=(['"])(\.\/[^'"]+)\1/g;
@@ -84,8 +85,7 @@ async function imports(folder, file) {
       metafile: true,
       format: 'esm',
       logLevel: 'error',
-      // A module of Node is imported only where there is Node.
-      external: ['node:*'],
+      external: OUTSIDE,
     });
     for (const [input, { imports: all }] of Object.entries(metafile.inputs)) {
       const inside = all.filter(({ external }) => !external);

@@ -8,10 +8,13 @@
 /** The entry point that is made from the others. */
 const INLINE = './hearth-fire.inline.js';
 
+/** Modules that no script of the package contains: those of Node, where there is Node, and the peers. */
+export const OUTSIDE = ['node:*', 'three', 'pixi.js', 'phaser'];
+
 /** What users of the package read. */
 export const DOCS = [
   'SECURITY.md',
-  ...['element', 'embedding', 'iframe', 'package', 'parameters', 'recipes', 'scenes', 'simulation', 'sound'].map(
+  ...['element', 'embedding', 'iframe', 'package', 'parameters', 'recipes', 'scenes', 'simulation', 'sound', 'worlds'].map(
     (name) => `docs/${name}.md`,
   ),
 ];

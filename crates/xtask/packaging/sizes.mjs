@@ -61,6 +61,10 @@ const DOWNLOADS = [
   { name: 'panel, on request', files: await loaded('panel.js') },
   { name: 'tools, on request', files: tools },
   { name: 'probe and plots of the tools, on request', files: plots },
+  {
+    name: 'a fire in three.js, without it and the engine',
+    files: (await loaded('three.js')).filter((file) => !always.includes(file)),
+  },
   { name: 'headless library', files: await loaded('sim.js') },
 ];
 

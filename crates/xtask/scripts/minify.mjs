@@ -12,7 +12,7 @@
  */
 import { readFile, readdir, rm, rmdir } from 'node:fs/promises';
 import path from 'node:path';
-import { beginningsOf } from '../packaging/manifest.mjs';
+import { OUTSIDE, beginningsOf } from '../packaging/manifest.mjs';
 import { build, transform } from './esbuild.mjs';
 
 const folder = path.resolve(process.argv[2] ?? '');
@@ -59,9 +59,10 @@ for (const below of new Set(merged.map((file) => path.dirname(file))))
  */
 function resolved({ path: name, kind, importer, resolveDir }) {
   if (kind === 'entry-point' || kind === 'import-rule') return undefined;
+  if (!/^\.\.?\//.test(name)) return { path: name, external: true };
   const [from, to] = [importer, path.join(resolveDir, name)].map((file) => posix(path.relative(folder, file)));
   if (owners.get(from) === owners.get(to) && owners.has(to)) return undefined;
-  return { path: /^\.\.?\//.test(name) ? relative(owners.get(from) ?? from, to) : name, external: true };
+  return { path: relative(owners.get(from) ?? from, to), external: true };
 }
 
 /**
@@ -110,7 +111,7 @@ async function ownersOf() {
     outdir: folder,
     write: false,
     metafile: true,
-    external: ['node:*'],
+    external: OUTSIDE,
   });
   if (!metafile) throw new Error('esbuild lists no imports');
   const own = new Set(beginningsOf(manifest).map((file) => path.posix.normalize(file)));

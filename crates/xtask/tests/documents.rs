@@ -16,7 +16,7 @@ const FOLDERS: [&str; 9] = [
     "crates/hearth-core",
     "crates/hearth-fire",
     "crates/hearth-panel/font",
-    "examples/three",
+    "examples/worlds",
 ];
 
 fn root() -> PathBuf {

@@ -3,7 +3,6 @@
  * examples that draw it.
  */
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, symlinkSync } from 'node:fs';
 import { mkdir } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -132,19 +131,6 @@ test('the example in Canvas 2D burns in the built site', async () => {
   const browser = await Browser.launch();
   try {
     const tab = await browser.open('examples/canvas-2d.html', { width: 300, height: 450 });
-    await burns(tab);
-  } finally {
-    await browser.close();
-  }
-});
-
-test('the example in three.js burns, with the packages of its lock file', async () => {
-  // On Windows npm is a script, which only a shell starts.
-  const shell = process.platform === 'win32';
-  execFileSync('npm', ['ci', '--silent'], { cwd: path.join(EXAMPLES, 'three'), shell, stdio: 'inherit' });
-  const browser = await Browser.launch(tree);
-  try {
-    const tab = await browser.open('examples/three/index.html', { width: 300, height: 450 });
     await burns(tab);
   } finally {
     await browser.close();

@@ -29,6 +29,9 @@ pub struct Presentation {
     pub(super) current: bool,
     /// Whether the fire was ever drawn.
     pub(super) drawn: bool,
+    /// Whether a picture is followed by its lights, and whether it is an atlas.
+    pub(super) lights: bool,
+    pub(super) sheets: bool,
     instances: Vec<Instance>,
     embers: Vec<Instance>,
     charred: Charred,
@@ -113,6 +116,18 @@ impl Presentation {
         })
     }
 
+    /// The numbers of the event `lights` of the last picture.
+    pub fn light_numbers(&self, simulation: &Simulation) -> Vec<f32> {
+        let values = simulation.parameters();
+        let area = self.visible_area([values.domain_width, values.domain_height]);
+        let mut numbers = Vec::new();
+        numbers.extend(area.into_iter().flatten().flat_map(|at| at.to_array()));
+        numbers.extend(hearth_render::light(&self.instances, values));
+        numbers.extend(hearth_render::pale(values));
+        numbers.extend(self.embers.iter().flatten());
+        numbers
+    }
+
     /// Draws the picture of the fire with this number. Returns the time at which the upload of the particles ended \[ms\].
     ///
     /// # Errors
@@ -151,6 +166,7 @@ impl Presentation {
                 temperatures: &temperatures,
                 poses: &simulation.poses(),
                 charred: &self.charred,
+                sheets: self.sheets,
                 history: &self.history,
             },
             clock,

@@ -222,7 +222,12 @@ impl Fire {
         );
         let averages = &mut self.pacing.averages;
         match drawn {
-            Ok(uploaded) => smooth(&mut averages.upload_ms, uploaded - start),
+            Ok(uploaded) => {
+                smooth(&mut averages.upload_ms, uploaded - start);
+                if self.presentation.lights {
+                    events.lights(self.id, &self.presentation.light_numbers(&self.simulation));
+                }
+            }
             Err(message) => events.error(self.id, ErrorKind::Unsupported, &message),
         }
         let took = clock.now() - start;

@@ -177,6 +177,8 @@ fn a_start_is_read_field_by_field_and_may_be_empty() {
         ("guess", text("low")),
         ("quality", text("auto")),
         ("paused", Untrusted::Flag(true)),
+        ("lights", Untrusted::Flag(true)),
+        ("sheets", Untrusted::Flag(true)),
     ]);
     let start = Start::read(&sent);
     assert_eq!(
@@ -184,11 +186,12 @@ fn a_start_is_read_field_by_field_and_may_be_empty() {
         (3.5, 3.0, &[7, 8][..])
     );
     assert_eq!((start.guess, start.quality), (Some(Level::Low), None));
-    assert!(start.paused);
+    assert!(start.paused && start.lights && start.sheets);
     let empty = Untrusted::Object(vec![]);
     let start = Start::read(&empty);
     assert!(start.values.is_empty() && start.state.is_empty());
     assert!(start.preset.is_none() && start.config.is_missing() && !start.paused);
+    assert!(!start.lights && !start.sheets);
     for wrong in [-1.0, 30.5, f64::NAN] {
         let error = refused("warm", &[number(wrong)]);
         assert!(

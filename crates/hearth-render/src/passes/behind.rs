@@ -2,7 +2,7 @@
 
 use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
-use crate::pass::{Draw, Load, Pass, Per};
+use crate::pass::{Blend, Draw, Load, Pass, Per};
 use crate::shaders::uniforms;
 
 /// The coarser light of the slices behind, which the light of the front one covers.
@@ -16,7 +16,29 @@ impl Pass for Behind {
     type Uniforms = uniforms::Behind;
 
     fn applies(frame: &FrameUniforms) -> bool {
-        frame.slice.index == 0 && frame.behind.is_some()
+        frame.slice.index == 0 && frame.behind.is_some() && !frame.sheets
+    }
+
+    fn uniforms(_: &FrameUniforms, _: usize) -> uniforms::Behind {
+        uniforms::Behind {}
+    }
+}
+
+/// The light of a slice under those before it, of which an atlas has each alone.
+pub struct Under;
+
+impl Pass for Under {
+    // The light of the front slice, whatever the slice.
+    const TARGET: Image = Image::Sharper;
+    const BLEND: Blend = Blend::Under;
+    const DRAW: Draw = Draw::Reach;
+    const PER: Per = Per::Slice;
+    type Uniforms = uniforms::Behind;
+
+    fn applies(frame: &FrameUniforms) -> bool {
+        // The front slice knows the bounds of the others; the frame that prepares them all does not.
+        let is_front = |bounds| frame.slice.index == 0 && bounds != [0.0; 4];
+        frame.sheets && frame.behind.is_some_and(|bounds| !is_front(bounds))
     }
 
     fn uniforms(_: &FrameUniforms, _: usize) -> uniforms::Behind {

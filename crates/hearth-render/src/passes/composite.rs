@@ -17,7 +17,7 @@ impl Pass for Composite {
     type Uniforms = uniforms::Composite;
 
     fn applies(frame: &FrameUniforms) -> bool {
-        let fire = frame.shows(DisplayMode::Fire) && !frame.has_backdrop();
+        let fire = frame.shows(DisplayMode::Fire) && !frame.has_backdrop() && !frame.sheets;
         fire || frame.shows(DisplayMode::Sprites)
     }
 

@@ -23,7 +23,9 @@ impl Pass for Ember {
     type Uniforms = uniforms::Ember;
 
     fn applies(frame: &FrameUniforms) -> bool {
-        frame.burns_as(Model::Combustion) && frame.parameters.layers != Layers::Smoke
+        frame.burns_as(Model::Combustion)
+            && frame.parameters.layers != Layers::Smoke
+            && !frame.sheets
     }
 
     fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Ember {

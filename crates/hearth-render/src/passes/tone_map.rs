@@ -23,28 +23,33 @@ impl Pass for ToneMap {
     type Uniforms = uniforms::ToneMap;
 
     fn applies(frame: &FrameUniforms) -> bool {
-        frame.shows(DisplayMode::Fire)
+        frame.shows(DisplayMode::Fire) && !frame.sheets
     }
 
     fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::ToneMap {
         let parameters = frame.parameters;
         let light_range = frame.format.light_range();
-        // The square root approximates the encoding of the screen.
-        let mut soot = exp2(parameters.exposure.min(0.0)).sqrt();
-        if parameters.layers == Layers::Smoke {
-            soot *= SMOKE_ALONE_LIGHT;
-        }
-        let [r, g, b, cover] = background(parameters.background);
-        let bright = r.max(g).max(b) + 1.0 - cover;
-        soot *= 1.0 - NIGHT * (1.0 - bright * (1.0 - frame.wall()));
         let (pale, yellow) = Tint::of(parameters).pale();
         uniforms::ToneMap {
             light_range,
             rooted: f32::from(frame.format.is_rooted()),
             bloom: light_range * parameters.bloom,
-            soot,
+            soot: soot_light(frame),
             pale,
             yellow,
         }
     }
+}
+
+/// Light of the sky on soot.
+pub fn soot_light(frame: &FrameUniforms) -> f32 {
+    let parameters = frame.parameters;
+    // The square root approximates the encoding of the screen.
+    let mut soot = exp2(parameters.exposure.min(0.0)).sqrt();
+    if parameters.layers == Layers::Smoke {
+        soot *= SMOKE_ALONE_LIGHT;
+    }
+    let [r, g, b, cover] = background(parameters.background);
+    let bright = r.max(g).max(b) + 1.0 - cover;
+    soot * (1.0 - NIGHT * (1.0 - bright * (1.0 - frame.wall())))
 }

@@ -1,7 +1,7 @@
 //! Draws the passes of a frame.
 
-use super::Renderer;
 use super::slices::SliceFrame;
+use super::{ATLAS, Renderer};
 use crate::frame_uniforms::{FrameUniforms, background};
 use crate::gl::Graphics;
 use crate::image::{Image, Which};
@@ -9,6 +9,7 @@ use crate::particles::draw_quads;
 use crate::pass::{Draw, Load, Per, Row};
 use crate::passes::PASSES;
 use crate::shaders::{FLOATS, SOURCES};
+use crate::slices::MAX_SLICES;
 use crate::target::{Target, bind};
 
 /// Name of the passes of all slices in `stats.passes`.
@@ -27,6 +28,10 @@ impl<G: Graphics> Renderer<G> {
         on_pass: &mut dyn FnMut(&'static str),
     ) {
         let mut slices = slices;
+        if frame.sheets {
+            gl.bind_framebuffer(self.output.as_ref());
+            gl.clear(TRANSPARENT);
+        }
         for row in PASSES.iter().filter(|row| (row.applies)(frame)) {
             if row.per == Per::Frame {
                 for level in row.levels.of(frame.widest_blur()) {
@@ -40,10 +45,17 @@ impl<G: Graphics> Renderer<G> {
         }
     }
 
-    /// Draws the light of the slices, from the back, each over those behind it.
+    /// Draws the light of the slices, each over those behind it.
     fn draw_slices(&self, gl: &G, slices: &[SliceFrame]) {
         let mut loads = [Load::Clear; 2];
-        for slice in slices.iter().rev() {
+        for at in 0..slices.len() {
+            // An atlas shows each slice alone, from the front; then each goes under those before it.
+            let slice = if slices[at].frame.sheets {
+                loads = [Load::Clear; 2];
+                &slices[at]
+            } else {
+                &slices[slices.len() - 1 - at]
+            };
             let applies = |row: &&Row| (row.applies)(&slice.frame);
             let rows = |per| {
                 PASSES
@@ -83,10 +95,15 @@ impl<G: Graphics> Renderer<G> {
                 part
             }
             None => {
-                let [width, height] = frame.layout.picture;
+                let size = frame.layout.picture;
                 gl.bind_framebuffer(self.output.as_ref());
-                gl.viewport(width as i32, height as i32);
-                [width, height]
+                let cell = match row.per {
+                    _ if !frame.sheets => 0,
+                    Per::Frame => MAX_SLICES as u32,
+                    _ => frame.slice.index as u32,
+                };
+                gl.viewport([cell % ATLAS[0] * size[0], cell / ATLAS[0] * size[1]], size);
+                size
             }
         };
         if load == Load::Clear {

@@ -1,0 +1,105 @@
+/**
+ * Fires in scenes of three.js, PixiJS and Phaser, with the packages of the examples: what hides a fire and what it hides,
+ * its colours beside the element's, its light, its motion, and what it leaves. The examples burn.
+ */
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { cp } from 'node:fs/promises';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+import { serve } from '../e2e/server.mjs';
+import { installed } from './package.mjs';
+import { browser } from './pages.mjs';
+
+const HERE = path.dirname(fileURLToPath(import.meta.url));
+const { open } = browser();
+/** @type {string} */
+let root;
+/** @type {import('../e2e/server.mjs').Server} */
+let site;
+/** @type {import('../e2e/driver.mjs').Tab} */
+let bare;
+
+before(async () => {
+  root = await installed('worlds', 'archive', path.join(HERE, '../../examples/worlds'));
+  await cp(path.join(HERE, 'worlds'), root, { recursive: true });
+  site = await serve(root);
+  bare = await open(`${site.origin}/bare.html`);
+  await bare.until('its script', () => 'worlds' in globalThis);
+});
+after(() => site?.close());
+
+/** What a part of the page's script returns. @param {string} name @param {...any} given @returns {Promise<any>} */
+const seen = (name, ...given) =>
+  bare.page.evaluate((part, all) => /** @type {any} */ (globalThis).worlds[part](...all), name, given);
+
+test('a thing before a fire hides it, one amid its sheets a part of it, and one behind is hidden', async () => {
+  const { behind, amid, before: hidden } = await seen('plates');
+  const [red, green] = [0, 1].map((channel) => [behind, amid, hidden].map((sums) => sums[channel]));
+  assert.equal(red[2], 0);
+  assert(red[0] > red[1] && red[1] > 0.05 * red[0], `${red}`);
+  assert(green[0] < green[1] && green[1] < green[2], `${green}`);
+});
+
+test('over black and white, a fire has the colours of the element', async () => {
+  const { black, white, times } = await seen('differences');
+  assert.equal(times[0].toFixed(3), times[1].toFixed(3));
+  assert(black.count > 500 && white.count > 500, `${black.count} and ${white.count} pixels`);
+  assert(black.mean < 3 && white.mean < 3, `${black.mean} over black, ${white.mean} over white`);
+});
+
+test('the light is brighter where more fuel burns', async () => {
+  const [weak, strong] = await seen('lights');
+  assert(weak > 0 && strong > 2 * weak, `${weak}, ${strong}`);
+});
+
+test('motion along the sheets moves the source through the gas; depth and the camera do not', async () => {
+  const [first, along, inward, turned] = await seen('motions');
+  assert.equal(first, 0);
+  assert(Math.abs(along - 0.2) < 0.01, `${along}`);
+  assert.deepEqual([inward, turned], [along, along]);
+});
+
+test('what is wrong is refused by name', async () => {
+  const told = await seen('refusals');
+  for (const [at, name] of ['presett', 'width', 'warm', 'soft', 'fuel_power'].entries())
+    assert.match(told[at], new RegExp(name));
+});
+
+test('fires that come and go leave no texture, context or worker', async () => {
+  const left = await seen('mounts', 10);
+  assert.deepEqual([left.textures, left.geometries], [0, 0]);
+  await bare.until('the engine has ended', () => /** @type {any} */ (window).driver.workers() === 0);
+  const { contexts } = await bare.living();
+  assert.equal(contexts, 1);
+});
+
+test('a strict compiler accepts the types beside those of the engines', async () => {
+  const words = ['--noEmit', '--strict', '--skipLibCheck', '--target', 'es2022', '--module', 'esnext'];
+  const program = path.join(root, 'node_modules/typescript/bin/tsc');
+  const given = [program, ...words, '--moduleResolution', 'bundler', '--lib', 'es2023,dom', 'types.ts'];
+  await promisify(execFile)(process.execPath, given, { cwd: root }).catch(({ stdout }) => assert.fail(stdout));
+});
+
+for (const [page, name] of [
+  ['campsite.html', 'camp'],
+  ['brazier.html', 'game'],
+  ['torch.html', 'game'],
+]) {
+  test(`the example ${page} burns`, async () => {
+    const tab = await open(`${site.origin}/${page}`, { width: 400, height: 300 });
+    await tab.until(
+      'its fire burns',
+      (of) => {
+        const made = /** @type {any} */ (globalThis)[of];
+        const fire = made?.fire ?? made?.scene?.scenes[0]?.fire;
+        return fire?.fire.stats.time > 0 && fire.light.intensity > 0;
+      },
+      name,
+    );
+    assert((await tab.picture()).glowing() > 0.002);
+    assert.deepEqual(tab.problems, []);
+  });
+}

@@ -1,0 +1,199 @@
+/** What the tests of `hearth-fire/three` do in a page: a scene with one fire, which stands still. */
+import { FireObject } from 'hearth-fire/three';
+import * as THREE from 'three';
+
+export const SIDE = 160;
+const START = { width: SIDE, height: SIDE, quality: 'low', paused: true };
+const SECONDS = 1.5;
+
+const renderer = new THREE.WebGLRenderer({ alpha: true });
+renderer.setSize(SIDE, SIDE);
+document.body.append(renderer.domElement);
+
+/** A fire whose picture of that moment is uploaded. */
+async function burning(values, seconds = SECONDS) {
+  const fire = new FireObject({ ...START, values: { ember_rate: 0, seed: 7, ...values } });
+  await fire.fire.ready;
+  const scene = new THREE.Scene();
+  scene.add(fire);
+  const height = fire.fire.values.domain_height;
+  const camera = new THREE.OrthographicCamera(-height / 2, height / 2, height, 0, 0.1, 20);
+  camera.position.z = 5;
+  await fire.fire.call('advance', seconds);
+  // Its answer follows the picture, whose texture is new then.
+  await new Promise(requestAnimationFrame);
+  return { fire, scene, camera };
+}
+
+/** The pixels of a scene over a colour. */
+function pixels({ scene, camera }, background) {
+  renderer.setClearColor(background, 1);
+  renderer.render(scene, camera);
+  return read(renderer.domElement, background);
+}
+
+function read(picture, background) {
+  const canvas = new OffscreenCanvas(SIDE, SIDE);
+  const context = canvas.getContext('2d');
+  context.fillStyle = background;
+  context.fillRect(0, 0, SIDE, SIDE);
+  context.drawImage(picture, 0, 0, SIDE, SIDE);
+  return context.getImageData(0, 0, SIDE, SIDE).data;
+}
+
+/** Sums of red and green of all pixels. */
+const sums = (data) =>
+  [0, 1].map((channel) => data.reduce((sum, value, i) => sum + (i % 4 === channel ? value : 0), 0));
+
+/** CIE L*a*b* of a colour of eight bits (D65). */
+function lab(data, at) {
+  const [r, g, b] = [0, 1, 2].map((channel) => {
+    const value = data[at + channel] / 255;
+    return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+  });
+  const [x, y, z] = [
+    (0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505,
+    0.2126 * r + 0.7152 * g + 0.0722 * b,
+    (0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089,
+  ].map((value) => (value > 0.008856 ? Math.cbrt(value) : 7.787 * value + 16 / 116));
+  return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
+}
+
+/** Mean ΔE of two pictures where the second one is not the background, and away from the rim, where a world has no edge. */
+function difference(a, b, background) {
+  let [sum, count] = [0, 0];
+  for (let at = 0; at < a.length; at += 4) {
+    const [x, y] = [(at / 4) % SIDE, Math.floor(at / 4 / SIDE)];
+    const isRim = x < 0.1 * SIDE || x > 0.9 * SIDE || y < 0.1 * SIDE;
+    if (isRim || [0, 1, 2].every((channel) => Math.abs(b[at + channel] - background) < 6)) continue;
+    const [one, other] = [lab(a, at), lab(b, at)];
+    sum += Math.hypot(...one.map((value, i) => value - other[i]));
+    count += 1;
+  }
+  return { mean: sum / count, count };
+}
+
+/** A green plate at a distance before the middle of the fire. */
+function plate(z) {
+  const mesh = new THREE.Mesh(new THREE.PlaneGeometry(9, 9), new THREE.MeshBasicMaterial({ color: 0x00ff00 }));
+  mesh.position.z = z;
+  return mesh;
+}
+
+Object.assign(globalThis, {
+  worlds: {
+    /** Red and green light with a green plate behind, amid and before the sheets. */
+    async plates() {
+      const made = await burning();
+      const seen = {};
+      for (const [place, z] of Object.entries({ behind: -2, amid: 0.09, before: 2 })) {
+        const mesh = plate(z);
+        made.scene.add(mesh);
+        seen[place] = sums(pixels(made, '#000000'));
+        made.scene.remove(mesh);
+        mesh.geometry.dispose();
+      }
+      made.fire.dispose();
+      return seen;
+    },
+    /** Differences from the element over black and white. */
+    async differences() {
+      const { HearthFire: _ } = await import('hearth-fire');
+      const element = document.createElement('hearth-fire');
+      element.style.cssText = `display: block; width: ${SIDE}px; height: ${SIDE}px`;
+      const state = {
+        quality: 'low',
+        autoplay: 'false',
+        seed: '7',
+        'ember-rate': '0',
+        fit: 'height',
+        loading: 'eager',
+      };
+      for (const [name, value] of Object.entries(state)) element.setAttribute(name, value);
+      document.body.append(element);
+      await element.pause();
+      await element.ready;
+      const made = await burning();
+      const late = SECONDS - (element.stats?.time ?? 0);
+      await element.advance(late);
+      const picture = await createImageBitmap(await element.toBlob());
+      const of = (background, value) => difference(pixels(made, background), read(picture, background), value);
+      const all = {
+        black: of('#000000', 0),
+        white: of('#ffffff', 255),
+        late,
+        times: [element.stats.time, made.fire.fire.stats.time],
+      };
+      all.pictures = [renderer.domElement, picture].map((it) => {
+        const canvas = document.createElement('canvas');
+        canvas.width = canvas.height = SIDE;
+        if (it === renderer.domElement) pixels(made, '#000000');
+        canvas.getContext('2d').drawImage(it, 0, 0, SIDE, SIDE);
+        return canvas.toDataURL();
+      });
+      made.fire.dispose();
+      element.remove();
+      return all;
+    },
+    /** Intensity of the light at two powers. */
+    async lights() {
+      const seen = [];
+      for (const power of [60, 300]) {
+        const { fire, scene, camera } = await burning({ fuel_power: power });
+        pixels({ scene, camera }, '#000000');
+        for (let i = 0; i < 8; i += 1) await fire.fire.call('advance', 0.05);
+        seen.push(fire.light.intensity);
+        fire.dispose();
+      }
+      return seen;
+    },
+    /** Where the source is in its fire after a motion along the sheets, in depth and of the camera [m]. */
+    async motions() {
+      const made = await burning();
+      const places = [];
+      const step = async () => {
+        pixels(made, '#000000');
+        await made.fire.fire.call('advance', 0.05);
+        pixels(made, '#000000');
+        await made.fire.fire.call('advance', 0.05);
+        places.push(made.fire.fire.values.source_x);
+      };
+      await step();
+      made.fire.source.position.x = 0.2;
+      await step();
+      made.fire.source.position.z = 0.5;
+      await step();
+      made.camera.position.set(5, 0, 0);
+      made.camera.lookAt(0, 0, 0);
+      made.scene.updateMatrixWorld();
+      await step();
+      made.fire.dispose();
+      return places;
+    },
+    /** Mounts and unmounts fires; returns what the renderer still has. */
+    async mounts(count) {
+      for (let i = 0; i < count; i += 1) {
+        const made = await burning({}, 0.1);
+        pixels(made, '#000000');
+        made.fire.dispose();
+      }
+      return renderer.info.memory;
+    },
+    /** What a wrong option, preset and value give. */
+    async refusals() {
+      const told = [];
+      for (const options of [{ presett: 'campfire' }, { width: 8 }, { warm: 'long' }, { soft: -1 }]) {
+        try {
+          new FireObject(options);
+        } catch (error) {
+          told.push(error.message);
+        }
+      }
+      const made = await burning({}, 0.1);
+      made.fire.addEventListener('error', ({ error }) => told.push(error.message));
+      await made.fire.fire.set({ fuel_power: -1 }).catch(() => {});
+      made.fire.dispose();
+      return told;
+    },
+  },
+});

@@ -50,6 +50,15 @@ test('over black and white, a fire has the colours of the element', async () => 
   assert(black.mean < 3 && white.mean < 3, `${black.mean} over black, ${white.mean} over white`);
 });
 
+test('a target of light gets light beyond white, which is mapped once', async () => {
+  assert((await seen('light')) > 1.5);
+});
+
+test('with the depth of the scene, a fire is soft at things', async () => {
+  const [hard, soft] = await seen('soft');
+  assert(soft < 0.8 * hard && soft > 0.05 * hard, `${soft} of ${hard}`);
+});
+
 test('the light is brighter where more fuel burns', async () => {
   const [weak, strong] = await seen('lights');
   assert(weak > 0 && strong > 2 * weak, `${weak}, ${strong}`);

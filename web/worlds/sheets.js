@@ -125,7 +125,8 @@ void main() {
   float share = rim.x * mix(1.0, rim.y, step(0.5, at.y)) * smoothstep(0.0, 1.0, (away - lens.x) / close);
   if (soft > 0.0) {
     float stored = texture2D(sceneDepth, gl_FragCoord.xy * lens.zw).r;
-    float thing = lens.x * lens.y / (lens.y - stored * (lens.y - lens.x));
+    float range = lens.y - lens.x;
+    float thing = isOrthographic ? lens.x + stored * range : lens.x * lens.y / (lens.y - stored * range);
     share *= clamp((thing - away) / (soft * size), 0.0, 1.0);
   }
   gl_FragColor = own * share;

@@ -96,6 +96,40 @@ Object.assign(globalThis, {
       made.fire.dispose();
       return seen;
     },
+    /** The red light before a plate close behind the first sheet, without the scene's depth and with it. */
+    async soft() {
+      const made = await burning();
+      const mesh = plate(0.08);
+      const target = new THREE.WebGLRenderTarget(SIDE, SIDE, { depthTexture: new THREE.DepthTexture(SIDE, SIDE) });
+      made.scene.add(mesh);
+      const [hard] = sums(pixels(made, '#000000'));
+      made.fire.visible = false;
+      renderer.setRenderTarget(target);
+      renderer.render(made.scene, made.camera);
+      renderer.setRenderTarget(null);
+      made.fire.visible = true;
+      made.fire.depthTexture = target.depthTexture;
+      const [soft] = sums(pixels(made, '#000000'));
+      made.fire.dispose();
+      mesh.geometry.dispose();
+      target.dispose();
+      target.depthTexture.dispose();
+      return [hard, soft];
+    },
+    /** The brightest light of a fire in a target of half floats. */
+    async light() {
+      const made = await burning();
+      const target = new THREE.WebGLRenderTarget(SIDE, SIDE, { type: THREE.HalfFloatType });
+      renderer.setClearColor('#000000', 1);
+      renderer.setRenderTarget(target);
+      renderer.render(made.scene, made.camera);
+      const halves = new Uint16Array(4 * SIDE * SIDE);
+      renderer.readRenderTargetPixels(target, 0, 0, SIDE, SIDE, halves);
+      renderer.setRenderTarget(null);
+      target.dispose();
+      made.fire.dispose();
+      return Math.max(...halves.map((half) => 1000 * THREE.DataUtils.fromHalfFloat(half))) / 1000;
+    },
     /** Differences from the element over black and white. */
     async differences() {
       const { HearthFire: _ } = await import('hearth-fire');

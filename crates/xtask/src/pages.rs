@@ -1,6 +1,7 @@
 //! The pages of text of the site: each document of `docs/` in one frame with contents and a
 //! search, a page that lists them, and the page for addresses that lead nowhere.
 
+mod card;
 mod highlight;
 mod markdown;
 
@@ -19,7 +20,7 @@ pub use markdown::anchor;
 use markdown::{Document, Targets};
 
 /// The documents that are pages, in the order of the contents.
-const DOCUMENTS: [(&str, &[&str]); 3] = [
+const DOCUMENTS: [(&str, &[&str]); 4] = [
     (
         "Use",
         &[
@@ -35,6 +36,7 @@ const DOCUMENTS: [(&str, &[&str]); 3] = [
         ],
     ),
     ("Make", &["films", "sound", "simulation"]),
+    ("Learn", &["learn", "lesson-sheet"]),
     (
         "Understand",
         &["physics", "look", "evaluation", "glossary", "about"],
@@ -159,12 +161,17 @@ impl<'a> Frame<'a> {
         open: Option<&Document>,
         content: &str,
     ) -> String {
+        let cards = match content.contains("class=\"card\"") {
+            true => format!("\n    <link rel=\"stylesheet\" href=\"{root}web/docs/cards.css\">"),
+            false => String::new(),
+        };
         let values = [
             ("title", escaped(title)),
             ("description", escaped(description)),
             ("policy", self.policy.to_owned()),
             ("icon", self.icon.to_owned()),
             ("root", root.to_owned()),
+            ("cards", cards),
             ("base", self.url.unwrap_or(root).to_owned()),
             ("version", env!("CARGO_PKG_VERSION").to_owned()),
             ("source", self.source.clone()),

@@ -14,6 +14,7 @@ mod embers;
 mod fuels;
 mod fuzz;
 mod hostile_objects;
+mod lessons;
 mod measures;
 mod models;
 mod open_air;

@@ -6,7 +6,7 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { measuresOf } from '../../web/measures.js';
 import { roundUp } from '../../web/plots/chart.js';
-import { valuesOf } from '../../web/plots/readout.js';
+import { valuesOf, whyOf } from '../../web/plots/readout.js';
 import { Record } from '../../web/plots/record.js';
 import { peakOf, spectrumOf } from '../../web/plots/spectrum.js';
 
@@ -94,6 +94,23 @@ describe('the record', () => {
       record.rows.map((row) => 'power' in row),
       [false],
     );
+  });
+
+  test('marks a slider that is dragged once, with its last value, for as long as the rows', () => {
+    const record = new Record();
+    record.mark('wind', 9);
+    record.add(measures(1), null, 0);
+    for (const value of [0.1, 0.2, 0.3]) record.mark('wind', value);
+    record.add(measures(3), null, 0);
+    record.mark('fuel_power', 300);
+    assert.deepEqual(record.marks, [
+      { time: 1, text: 'wind 0.3' },
+      { time: 3, text: 'fuel power 300' },
+    ]);
+    record.add(measures(62), null, 0);
+    assert.equal(record.marks.length, 1);
+    record.add(measures(0.5), null, 0);
+    assert.deepEqual(record.marks, []);
   });
 
   test('averages the profile, but not over another vertical', () => {
@@ -191,15 +208,15 @@ test('the numbers of the engine get their names, and a missing one has no name',
 test('values have units and directions, and are those of the model', () => {
   const gas = { y: 0, gas: true, solid: false, temperature: 1234.4, u: 1, v: 1, density: 0.287 };
   assert.deepEqual(valuesOf(gas), {
-    temperature: '1234 K',
+    temperature: '961 °C (1234 K)',
     velocity: '1.41 m/s ↗ up and right',
     density: '0.29 kg/m³',
   });
   assert.deepEqual(valuesOf({ ...gas, u: -3, v: 0.01, oxygen: 0.5, fuel: 0.031, soot: 0 }), {
-    temperature: '1234 K',
+    temperature: '961 °C (1234 K)',
     velocity: '3.00 m/s ← left',
     density: '0.29 kg/m³',
-    oxygen: '50 %',
+    oxygen: '11 %',
     fuel: '3.1 %',
     soot: '0.00',
   });
@@ -207,6 +224,18 @@ test('values have units and directions, and are those of the model', () => {
   assert.equal(valuesOf({ ...gas, u: 0, v: -2 }).velocity, '2.00 m/s ↓ down');
   assert.deepEqual(valuesOf({ y: 0, gas: false, solid: true }), { place: 'in a solid' });
   assert.deepEqual(valuesOf({ y: 0, gas: false, solid: false }), { place: 'no gas' });
+});
+
+test('the probe says why: fuel waits, soot glows, hot gas rises, air follows', () => {
+  const air = { y: 0, gas: true, solid: false, temperature: 293, u: 0, v: 0, fuel: 0, oxygen: 1, soot: 0 };
+  const why = (more = {}) => whyOf({ ...air, ...more });
+  assert.match(why() ?? '', /21 %/);
+  assert.match(why({ u: 0.5 }) ?? '', /follows/);
+  assert.match(why({ temperature: 600, v: 1 }) ?? '', /rises/);
+  assert.match(why({ temperature: 600 }) ?? '', /mixes/);
+  assert.match(why({ temperature: 1500, oxygen: 0.3, soot: 1 }) ?? '', /used up oxygen/);
+  assert.match(why({ temperature: 700, oxygen: 0.1, fuel: 0.5 }) ?? '', /cannot burn/);
+  assert.deepEqual([why({ gas: false }), why({ solid: true })], [undefined, undefined]);
 });
 
 test('axes end at round numbers', () => {

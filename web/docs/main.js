@@ -12,3 +12,7 @@ const field = /** @type {HTMLInputElement} */ (form.querySelector('input'));
 const found = /** @type {HTMLElement} */ (document.getElementById('found'));
 search(form, field, found);
 runExamples(document);
+
+const cards = document.querySelectorAll('.card');
+if (cards.length > 0)
+  import('./cards.js').then(({ showCards }) => showCards(/** @type {NodeListOf<HTMLElement>} */ (cards)));

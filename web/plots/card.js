@@ -10,32 +10,35 @@
 import { element } from '../element/controls/icon-button.js';
 import { download } from '../editing/download.js';
 import { Chart, roundUp } from './chart.js';
+import { FIELDS } from './field.js';
+import { Moves } from './moves.js';
 import { peakOf, SHORTEST } from './spectrum.js';
+import { CANDLE, celsius } from './units.js';
 
 /** The time that the series show [s of fire]. */
 const SHOWN = 20;
 
 /**
  * The series of a record.
- * @typedef {{field: 'frameTime' | 'flame' | 'power' | 'luminosity', title: string, unit: string, digits: number}}
- *   Series
+ * @typedef {{field: 'frameTime' | 'flame' | 'power' | 'luminosity', title: string, unit: string, digits: number,
+ *   each?: number}} Series  `each`: what one of the unit is in the record.
  * @type {Series[]}
  */
 const SERIES = [
   { field: 'frameTime', title: 'Frame time', unit: 'ms', digits: 0 },
   { field: 'flame', title: 'Flame height', unit: 'm', digits: 2 },
   { field: 'power', title: 'Power', unit: 'kW/m', digits: 0 },
-  { field: 'luminosity', title: 'Luminosity', unit: 'm²', digits: 3 },
+  { field: 'luminosity', title: 'Luminosity', unit: 'candles', digits: 1, each: CANDLE },
 ];
 
 /**
  * The profiles of a record, at a time and on average.
  * @typedef {{field: 'temperature' | 'v', mean: 'meanTemperature' | 'meanV', title: string, unit: string, digits:
- *   number}} Profile
+ *   number, of?: (value: number) => number}} Profile  `of`: the value in the unit.
  * @type {Profile[]}
  */
 const PROFILES = [
-  { field: 'temperature', mean: 'meanTemperature', title: 'Temperature', unit: 'K', digits: 0 },
+  { field: 'temperature', mean: 'meanTemperature', title: 'Temperature', unit: '°C', digits: 0, of: celsius },
   { field: 'v', mean: 'meanV', title: 'Velocity', unit: 'm/s ↑', digits: 1 },
 ];
 
@@ -54,24 +57,37 @@ export class Card {
   /** @type {{[field: string]: Chart}} */
   #charts = Object.fromEntries(CHARTS.map(({ field, title, shape }) => [field, new Chart(title, shape)]));
 
-  /** @param {Record} record @param {() => void} close */
-  constructor(record, close) {
+  /** @param {Record} record @param {import('./field.js').Field} field @param {() => void} close */
+  constructor(record, field, close) {
     this.#record = record;
+    const moves = new Moves(this.element);
     const bar = element(
       'header',
       {},
+      moves.handle,
       this.#head,
       button('CSV', 'Download the series, the spectrum and the profiles as CSV', () =>
         download(new Blob([record.csv()], { type: 'text/csv' }), 'hearth.csv'),
       ),
+      moves.sizes,
       button('Close', 'Close the plots', close),
     );
+    const fields = element('div', { class: 'fields', role: 'group', 'aria-label': 'Over the fire' }, 'Over the fire');
+    for (const { name, label } of FIELDS) {
+      const toggle = button(label, `Show or hide ${label.toLowerCase()} over the fire`, () => {
+        field.toggle(name);
+        toggle.setAttribute('aria-pressed', String(field.shows(name)));
+      });
+      toggle.setAttribute('aria-pressed', String(field.shows(name)));
+      fields.append(toggle);
+    }
     // Readers and keys reach all of it.
     const charts = element('div', { class: 'charts', role: 'group', 'aria-label': 'Charts', tabindex: '0' });
     charts.append(...Object.values(this.#charts).map((chart) => chart.element));
     // Arrow keys scroll, and move no object.
     charts.addEventListener('keydown', (event) => event.key.startsWith('Arrow') && event.stopPropagation());
-    this.element.append(bar, charts);
+    this.element.append(bar, fields, charts);
+    moves.follow(bar);
   }
 
   /** Shows the record. */
@@ -85,26 +101,33 @@ export class Card {
   }
 
   /** @param {Series} series */
-  #series({ field, unit, digits }) {
+  #series({ field, unit, digits, each = 1 }) {
     const end = this.#record.rows.at(-1)?.time ?? 0;
-    const rows = this.#record.rows.filter(({ time }) => time >= end - SHOWN);
-    const values = rows.map((row) => row[field]).filter((value) => value !== undefined);
+    const rows = this.#record.rows
+      .filter(({ time }) => time >= end - SHOWN)
+      .map((row) => ({ time: row.time, value: row[field] === undefined ? undefined : Number(row[field]) / each }));
+    const values = rows.map(({ value }) => value).filter((value) => value !== undefined);
     // The classic model has no power, and a paused fire no frames.
     this.#charts[field].element.hidden = values.length === 0;
     const now = values.at(-1);
     const inUnit = (/** @type {number} */ value) => `${value.toFixed(digits)} ${unit}`;
     const top = roundUp(Math.max(...values));
+    const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
+    const moved = this.#record.marks.filter(({ time }) => time >= end - SHOWN);
+    const [last] = moved.slice(-1);
     this.#charts[field].show({
-      lines: [rows.map((row) => pointOf(row.time - end, row[field]))],
+      lines: [rows.map(({ time, value }) => pointOf(time - end, value))],
       across: [-SHOWN, 0],
       up: [0, top],
-      alongX: [`−${SHOWN} s`, 'now'],
-      alongY: ['0', `${top} ${unit}`],
+      alongX: [`−${SHOWN} s`, last ? `time | ${last.text}` : 'time', 'now'],
+      alongY: ['0', `mean ${inUnit(mean)}`, `${top} ${unit}`],
+      mean,
+      marks: moved.map(({ time }) => time - end),
       now: now === undefined ? '' : inUnit(now),
       description:
         now === undefined
           ? ''
-          : `now ${inUnit(now)}; in the last ${Math.min(SHOWN, end - rows[0].time).toFixed(0)} s from ${inUnit(Math.min(...values))} to ${inUnit(Math.max(...values))}`,
+          : `now ${inUnit(now)}; in the last ${Math.min(SHOWN, end - rows[0].time).toFixed(0)} s from ${inUnit(Math.min(...values))} to ${inUnit(Math.max(...values))}, mean ${inUnit(mean)}${moved.map(({ time, text }) => `; ${(end - time).toFixed(0)} s ago ${text}`).join('')}`,
     });
   }
 
@@ -116,17 +139,23 @@ export class Card {
       lines: [spectrum.map(({ frequency, power }) => ({ x: frequency, y: power }))],
       across: [0, highest],
       up: [0, 1.05],
-      alongX: ['0', `${highest} Hz`],
-      alongY: ['', ''],
+      alongX: ['0', 'frequency', `${highest} Hz`],
+      alongY: ['', '', 'share of the strongest'],
       now: peak === undefined ? `after ${SHORTEST} s of fire` : `${peak.toFixed(1)} Hz`,
       description: peak === undefined ? 'the fire is not measured long enough' : `the peak is at ${peak.toFixed(1)} Hz`,
-      mark: peak,
+      marks: peak === undefined ? [] : [peak],
     });
   }
 
   /** @param {Profile} profile */
-  #profile({ field, mean, unit, digits }) {
-    const { levels, x } = this.#record;
+  #profile({ field, mean, title, unit, digits, of = (value) => value }) {
+    const { levels: measured, x } = this.#record;
+    const inUnit = (/** @type {number | undefined} */ value) => (value === undefined ? undefined : of(value));
+    const levels = measured.map((level) => ({
+      y: level.y,
+      [field]: inUnit(level[field]),
+      [mean]: inUnit(level[mean]),
+    }));
     const height = levels.length > 1 ? (levels.at(-1)?.y ?? 1) : 1;
     const known = levels.filter((level) => level[mean] !== undefined);
     const values = levels.flatMap((level) => [level[field] ?? 0, level[mean] ?? 0]);
@@ -144,8 +173,8 @@ export class Card {
       ],
       across: [left, right],
       up: [0, height],
-      alongX: [String(left), `${right} ${unit}`],
-      alongY: ['', `${height.toFixed(1)} m`],
+      alongX: [String(left), title.toLowerCase(), `${right} ${unit}`],
+      alongY: ['', '', `height ${height.toFixed(1)} m`],
       now: at ? `≤ ${at}` : '',
       description: most
         ? `over the height at x = ${x.toFixed(2)} m, on average at most ${at}, at ${most.y.toFixed(2)} m`

@@ -3,17 +3,18 @@
  *
  * @typedef {{x: number, y: number}} Point
  * @typedef {[min: number, max: number]} Range
- * @typedef {[first: string, last: string]} Ends  The labels of an axis.
+ * @typedef {[first: string, name: string, last: string]} Axis  The labels of an axis: its ends and what it shows.
  *
  * @typedef {object} ChartData
  * @property {(Point | undefined)[][]} lines  Of points, with gaps. The last line is the main one.
  * @property {Range} across
  * @property {Range} up
- * @property {Ends} alongX
- * @property {Ends} alongY
+ * @property {Axis} alongX
+ * @property {Axis} alongY
  * @property {string} now  The present value.
  * @property {string} description  The accessible name, after the title.
- * @property {number} [mark]  A line upwards there.
+ * @property {number[]} [marks]  Lines upwards there.
+ * @property {number} [mean]  A line across there.
  */
 
 import { element } from '../element/controls/icon-button.js';
@@ -40,7 +41,7 @@ export class Chart {
   #now = element('b', {});
   /** @type {{[side: string]: HTMLElement}} */
   #labels = Object.fromEntries(
-    ['top', 'bottom', 'left', 'right'].map((side) => [side, element('span', { class: side })]),
+    ['top', 'up', 'bottom', 'left', 'across', 'right'].map((side) => [side, element('span', { class: side })]),
   );
   #drawing = document.createElementNS(SVG, 'svg');
   #title;
@@ -58,7 +59,7 @@ export class Chart {
   }
 
   /** @param {ChartData} data */
-  show({ lines, across, up, alongX, alongY, now, description, mark }) {
+  show({ lines, across, up, alongX, alongY, now, description, marks = [], mean }) {
     const coordinates = (/** @type {Point} */ { x, y }) => {
       const [right, above] = [share(x, across) * WIDTH, (1 - share(y, up)) * HEIGHT];
       return `${right.toFixed(1)},${above.toFixed(1)}`;
@@ -68,11 +69,13 @@ export class Chart {
       path('grid', middle),
       ...lines.map((line, at) => path(at === lines.length - 1 ? 'main' : 'beside', pathOf(line, coordinates))),
     ];
-    if (mark !== undefined) paths.push(path('mark', `M${(share(mark, across) * WIDTH).toFixed(1)},0V${HEIGHT}`));
+    if (mean !== undefined) paths.push(path('mean', `M0,${((1 - share(mean, up)) * HEIGHT).toFixed(1)}H${WIDTH}`));
+    for (const mark of marks) paths.push(path('mark', `M${(share(mark, across) * WIDTH).toFixed(1)},0V${HEIGHT}`));
     this.#drawing.replaceChildren(...paths);
     this.#now.textContent = now;
-    [this.#labels.left.textContent, this.#labels.right.textContent] = alongX;
-    [this.#labels.bottom.textContent, this.#labels.top.textContent] = alongY;
+    const { top, up: upwards, bottom, left, across: along, right } = this.#labels;
+    [left.textContent, along.textContent, right.textContent] = alongX;
+    [bottom.textContent, upwards.textContent, top.textContent] = alongY;
     this.element.setAttribute('aria-label', `${this.#title}: ${description}`);
   }
 }

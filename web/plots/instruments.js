@@ -14,6 +14,7 @@
 
 import { addStyle } from '../editing/style.js';
 import { Card } from './card.js';
+import { Field } from './field.js';
 import { Readout, valuesOf } from './readout.js';
 import { Record } from './record.js';
 
@@ -29,6 +30,8 @@ export class Instruments {
   #options;
   #readout = new Readout();
   #record = new Record();
+  /** What is drawn over the fire, which stays without the card. */
+  #field;
   /** @type {Card | undefined} */
   #card;
   /** Where the probe is. @type {Point | undefined} */
@@ -46,8 +49,12 @@ export class Instruments {
   constructor(options) {
     this.#options = options;
     this.#style = addStyle(options.host, new URL('./plots.css', import.meta.url).href);
+    this.#field = new Field(options.fire, options.host);
     const news = () => (this.#news = true);
     for (const name of NEWS) options.fire.addEventListener(name, news, { signal: this.#ended.signal });
+    const mark = (/** @type {import('../element/types.js').HearthFireEvents['params-change']} */ { detail }) =>
+      this.#record.mark(detail.id, detail.value);
+    options.fire.addEventListener('params-change', mark, { signal: this.#ended.signal });
   }
 
   /**
@@ -68,7 +75,7 @@ export class Instruments {
   /** Shows or hides the plots. */
   plot() {
     if (this.close()) return;
-    this.#card = new Card(this.#record, () => this.close());
+    this.#card = new Card(this.#record, this.#field, () => this.close());
     this.#options.host.append(this.#card.element);
     this.#options.plotsShown(true);
     this.#drawnAt = 0;
@@ -91,6 +98,7 @@ export class Instruments {
   remove() {
     this.close();
     this.probe(undefined);
+    this.#field.remove();
     this.#ended.abort();
     this.#style.removeStyle();
   }
@@ -154,7 +162,7 @@ export class Instruments {
     if (!this.#announces || at !== this.#at) return;
     this.#announces = false;
     const phrases = Object.entries(valuesOf(place)).map(([name, value]) =>
-      name === 'place' ? value : `${name} ${value.replace(/[^\d\w\s./³%-]/g, '')}`,
+      name === 'place' ? value : `${name} ${value.replace(/[^\d\w\s./³%°()-]/g, '')}`,
     );
     showStatus(`${phrases.join(', ')}.`);
   }

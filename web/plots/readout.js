@@ -7,6 +7,7 @@
  */
 
 import { element } from '../element/controls/icon-button.js';
+import { oxygen as ofAir, temperature as onScales } from './units.js';
 
 /** Distance of the values from the ring, and of both from the edges [px]. */
 const BESIDE = 18;
@@ -39,16 +40,36 @@ export function valuesOf({ gas, solid, temperature, u = 0, v = 0, density, fuel,
   const share = (/** @type {number | undefined} */ fraction) =>
     fraction === undefined ? fraction : inUnit(100 * fraction, fraction > 0 && fraction < 0.095 ? 1 : 0, ' %');
   const all = {
-    temperature: inUnit(temperature, 0, ' K'),
+    temperature: temperature === undefined ? undefined : onScales(temperature),
     velocity: speed < STILL ? 'at rest' : `${inUnit(speed, 2, ' m/s')} ${ARROWS[along]} ${DIRECTIONS[along]}`,
     density: inUnit(density, 2, ' kg/m³'),
-    oxygen: share(oxygen),
+    oxygen: oxygen === undefined ? undefined : ofAir(oxygen),
     fuel: share(fuel),
     soot: inUnit(soot, 2),
   };
   return Object.fromEntries(
     Object.entries(all).flatMap(([name, value]) => (value === undefined ? [] : [[name, value]])),
   );
+}
+
+/** Gas that is warmer than air [K], that glows [K], that moves [m/s]; fuel, and oxygen that is scarce, as shares. */
+const WARM = 330;
+const GLOWING = 900;
+const MOVING = 0.3;
+const FUEL = 0.03;
+const SCARCE = 0.2;
+
+/**
+ * Why it is so at a place, in a sentence; undefined where nothing is to be said.
+ * @param {Place} place
+ * @returns {string | undefined}
+ */
+export function whyOf({ gas, solid, temperature = 0, u = 0, v = 0, fuel = 0, oxygen = 1 }) {
+  if (solid || !gas) return undefined;
+  if (fuel > FUEL && oxygen < SCARCE) return 'Fuel without enough air cannot burn yet.';
+  if (temperature > GLOWING && oxygen < 1) return 'Burning has used up oxygen, and hot soot glows.';
+  if (temperature > WARM) return v > MOVING ? 'Hot gas is thinner than air, so it rises.' : 'Warm gas mixes with air.';
+  return Math.hypot(u, v) > MOVING ? 'Fresh air follows the gas that rises.' : 'Fresh air has 21 % of oxygen.';
 }
 
 /** The values of one probe. */
@@ -63,7 +84,9 @@ export class Readout {
 
   /** @type {(place: Place | undefined, at: Point) => void} */
   show(place, { x, y }) {
-    const values = { ...(place && valuesOf(place)), at: `${x.toFixed(2)}, ${y.toFixed(2)} m` };
+    const why = place && whyOf(place);
+    const at = `${x.toFixed(2)}, ${y.toFixed(2)} m`;
+    const values = { ...(place && valuesOf(place)), at, ...(why && { why }) };
     const rows = Object.entries(values).map(([name, value]) =>
       element('div', {}, element('dt', {}, name), element('dd', {}, value)),
     );

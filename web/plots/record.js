@@ -24,12 +24,17 @@ import { spectrumOf } from './spectrum.js';
 const KEPT = 60;
 const AVERAGED = 4;
 
+/** Changes that follow each other faster are one [s of fire]. */
+const ONE_MOVE = 1;
+
 /** The record of a fire. */
 export class Record {
   /** @type {Row[]} */
   rows = [];
   /** @type {Level[]} */
   levels = [];
+  /** When values were changed, with their last values. @type {{time: number, text: string}[]} */
+  marks = [];
   /** Where the vertical of the profiles is [m]. */
   x = NaN;
 
@@ -56,6 +61,7 @@ export class Record {
     });
     const first = this.rows.findIndex((row) => row.time >= time - KEPT);
     this.rows.splice(0, first);
+    this.marks = this.marks.filter((mark) => mark.time >= time - KEPT);
     const share = 1 - Math.exp(-passed / AVERAGED);
     this.levels = profile.map(({ y, temperature, v }, at) => {
       const { meanTemperature, meanV } = this.levels[at] ?? {};
@@ -69,8 +75,18 @@ export class Record {
     });
   }
 
+  /** A value is changed now. A slider that is dragged makes one mark. @type {(id: string, value: unknown) => void} */
+  mark(id, value) {
+    const time = this.rows.at(-1)?.time;
+    if (time === undefined) return;
+    const last = this.marks.at(-1);
+    if (last && time - last.time < ONE_MOVE) this.marks.pop();
+    this.marks.push({ time, text: `${id.replaceAll('_', ' ')} ${value}` });
+  }
+
   #clear() {
     this.rows = [];
+    this.marks = [];
     this.levels = [];
   }
 

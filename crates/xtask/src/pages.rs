@@ -1,6 +1,7 @@
 //! The pages of the site beside the landing page, in one frame with a head and a search: each document of `docs/` with
 //! contents, a page that lists them, those of `web/pages/`, and the page for addresses that lead nowhere.
 
+mod card;
 mod frame;
 mod gallery;
 mod highlight;
@@ -22,7 +23,7 @@ pub use markdown::anchor;
 use markdown::{Document, Targets};
 
 /// The documents that are pages, in the order of the contents.
-const DOCUMENTS: [(&str, &[&str]); 3] = [
+const DOCUMENTS: [(&str, &[&str]); 4] = [
     (
         "Use",
         &[
@@ -37,7 +38,11 @@ const DOCUMENTS: [(&str, &[&str]); 3] = [
             "iframe",
         ],
     ),
-    ("Make", &["films", "sound", "simulation", "community"]),
+    (
+        "Make",
+        &["films", "worlds", "sound", "simulation", "community"],
+    ),
+    ("Learn", &["learn", "lesson-sheet"]),
     (
         "Understand",
         &[

@@ -65,7 +65,7 @@ async function csv(tab) {
 
 async function saved(tab) {
   await tab.evaluate(keepSaved);
-  await tab.page.click('.hearth-plots header button');
+  await tab.page.click('.hearth-plots [title*="CSV"]');
   const { name, type, text } = await tab.until('a file', () => /** @type {any} */ (window).saved);
   const [names, ...lines] = text
     .trimEnd()
@@ -91,8 +91,11 @@ async function assertShows(tab, size) {
   await burn(tab, 3);
   const shown = await charts(tab);
   assert.deepEqual(Object.keys(shown), CHARTS);
-  assert.match(shown['Flame height'], /^now \d\.\d\d m; in the last \d+ s from \d\.\d\d m to \d\.\d\d m$/);
-  assert.match(shown.Temperature, /^over the height at x = 0\.00 m, on average at most \d+ K, at \d\.\d\d m$/);
+  assert.match(
+    shown['Flame height'],
+    /^now \d\.\d\d m; in the last \d+ s from \d\.\d\d m to \d\.\d\d m, mean \d\.\d\d m$/,
+  );
+  assert.match(shown.Temperature, /^over the height at x = 0\.00 m, on average at most \d+ °C, at \d\.\d\d m$/);
   assert.match(shown['Luminosity spectrum'], /not measured long enough/);
   const [card, bar] = [await tab.rectangle('.hearth-plots'), await tab.rectangle('.hearth-toolbar')];
   assert.ok(
@@ -174,8 +177,30 @@ test('plots are loaded with their first use, their CSV has the numbers of stats 
   await burn(tab, 9);
   const after = await now();
   assert.ok(after > 1.5 * before, `${before}, then ${after} kW/m`);
+  assert.match((await charts(tab)).Power, /s ago fuel power 600/);
+
+  const box = () => tab.rectangle('.hearth-plots');
+  const at = await box();
+  await tab.page.focus('.hearth-plots header button');
+  await tab.key('ArrowLeft');
+  assert.equal((await box()).x, at.x - 40);
+  await tab.drag({ x: at.x + 150, y: at.y + 20 }, { x: at.x - 150, y: at.y + 60 });
+  const moved = await box();
+  assert.deepEqual([moved.x, moved.y], [at.x - 340, at.y + 40]);
+  await tab.page.click('.hearth-plots [title^="Larger"]');
+  const large = await box();
+  assert.ok(large.width > 1.5 * at.width && large.x >= 0 && large.y + large.height <= WIDE.height);
+  await tab.page.click('.hearth-plots [title^="Larger"]');
+
+  // What is over the fire stays without the card.
+  for (const toggle of await tab.page.$$('.hearth-plots .fields button')) await toggle.click();
+  await tab.until('arrows and isotherms', () =>
+    ['.arrow', '.isotherm'].every((name) => document.querySelector(`.hearth-field ${name}`)?.getAttribute('d')),
+  );
+  assert.deepEqual(await violations(tab), []);
 
   await tab.key('g');
   assert.equal(await tab.evaluate(() => document.querySelector('.hearth-plots')), null);
+  assert.ok(await tab.evaluate(() => document.querySelector('.hearth-field .arrow')));
   assert.deepEqual(tab.problems, []);
 });

@@ -10,9 +10,10 @@ use super::{Places, Source, between};
 use crate::links::Base;
 
 /// The head of every page: the file, from the folder of the site, and its name there.
-pub(super) const HEAD: [(&str, &str); 4] = [
+pub(super) const HEAD: [(&str, &str); 5] = [
     ("index.html", "Fire"),
     ("gallery.html", "Gallery"),
+    ("docs/learn.html", "Learn"),
     ("docs/index.html", "Docs"),
     ("docs/about.html", "About"),
 ];
@@ -76,7 +77,12 @@ impl<'a> Frame<'a> {
         let mut policy = self.policy.to_owned();
         let (mut files, mut contents) = (String::new(), String::new());
         match content.place {
-            Place::Documentation(open) => contents = super::contents(root, self.documents, open),
+            Place::Documentation(open) => {
+                contents = super::contents(root, self.documents, open);
+                if content.html.contains("class=\"card\"") {
+                    files = format!("<link rel=\"stylesheet\" href=\"{root}web/docs/cards.css\">");
+                }
+            }
             Place::Site(source) => {
                 if source.has_frames {
                     policy = policy.replace("style-src", "frame-src 'self'; style-src");

@@ -10,6 +10,7 @@ use pulldown_cmark::{
     Alignment, CodeBlockKind, CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html,
 };
 
+use super::card::card;
 use super::highlight::{escaped, highlight};
 
 /// A picture of more bytes is a link: no page fetches it unasked.
@@ -220,6 +221,9 @@ impl Page<'_> {
         let html = match event {
             Event::Start(Tag::Heading { level, .. }) => self.heading(*level),
             Event::End(TagEnd::Heading(level)) => format!("</a></{level}>\n"),
+            // A quote is the answer to a question.
+            Event::Start(Tag::BlockQuote(_)) => "<details><summary>Why?</summary>".to_owned(),
+            Event::End(TagEnd::BlockQuote(_)) => "</details>\n".to_owned(),
             Event::Start(Tag::Table(alignments)) => {
                 self.alignments.clone_from(alignments);
                 format!("<div class=\"scroll\"{}><table>", self.scrolls("Table"))
@@ -298,8 +302,10 @@ impl Page<'_> {
         let html = match live {
             "" => format!("{pre}\n"),
             "live" if language == "html" => format!("<div class=\"example\">{pre}</div>\n"),
+            "card" if language == "json" => card(self.targets.root, code)
+                .with_context(|| format!("docs/{}.md", self.document.name))?,
             other => bail!(
-                "docs/{}.md: a fence of {language} says \"{other}\"; only html can be \"live\"",
+                "docs/{}.md: a fence of {language} says \"{other}\"; html can be \"live\", json a \"card\"",
                 self.document.name
             ),
         };
@@ -386,7 +392,7 @@ impl Page<'_> {
 }
 
 /// The width and height of a picture, in pixels.
-fn size(path: &Path) -> Result<(usize, usize)> {
+pub(super) fn size(path: &Path) -> Result<(usize, usize)> {
     if path.extension().is_some_and(|end| end == "svg") {
         let svg = fs::read_to_string(path)?;
         let (_, rest) = svg.split_once("viewBox=\"0 0 ").unwrap_or_default();

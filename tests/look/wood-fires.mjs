@@ -1,9 +1,10 @@
 /**
  * Measures five scenes as films of wood fires were measured, and writes a table: `node wood-fires.mjs table.md`, or `node
- * wood-fires.mjs table.md default` for those whose names begin so. `cargo measure look` runs this. Each figure is the
- * median of fires of three seeds, at medium quality over black, without wall and ground.
+ * wood-fires.mjs table.md default` for those whose names begin so; the columns of the others are kept if the file has them.
+ * `cargo measure look` runs this. Each figure is the median of fires of three seeds, at medium quality over black, without
+ * wall and ground.
  */
-import { writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { LINEAR } from './figures/colour.mjs';
 import { PIECES_EVERY, extent, loose, rowsOf, threshold } from './figures/body.mjs';
 import { decay, rollOff } from './figures/pace.mjs';
@@ -52,7 +53,7 @@ const ROWS = [
     words: 'times that 1.2 L50 is luminous',
     films: '0.05–0.07',
     bar: '≤ 0.10',
-    show: ({ above }) => above.toFixed(2),
+    show: ({ above }) => (Number.isNaN(above) ? '–' : above.toFixed(2)),
   },
   {
     words: 'loose pieces of flame in a picture, their light',
@@ -68,26 +69,43 @@ const percent = (/** @type {number} */ share) => `${(100 * share).toFixed(share 
 const [file, ...begins] = process.argv.slice(2);
 if (file === undefined) throw new Error('usage: node wood-fires.mjs table.md [SCENE...]');
 
+const columns = keptColumns(existsSync(file) ? readFileSync(file, 'utf8') : '');
+
 const painter = new Painter();
 try {
-  const scenes = SCENES.filter((name) => begins.length === 0 || begins.some((begin) => name.startsWith(begin)));
-  const columns = [];
-  for (const lit of scenes) {
+  for (const lit of SCENES.filter((name) => begins.length === 0 || begins.some((begin) => name.startsWith(begin)))) {
     const all = [];
     for (const seed of SEEDS) all.push(await figures(lit, seed));
     const ids = Object.keys(all[0]);
     const medians = Object.fromEntries(ids.map((id) => [id, median(all.map((of) => of[id]))]));
-    columns.push(medians);
-    console.log(lit, ROWS.map(({ show }) => show(medians)).join(' | '));
+    const column = ROWS.map(({ show }) => show(medians));
+    columns.set(lit, column);
+    console.log(lit, column.join(' | '));
   }
+  const scenes = SCENES.filter((name) => columns.has(name));
   const table = [
     `| measure | films | ${scenes.join(' | ')} | bar |`,
     `|---${'|---'.repeat(scenes.length + 2)}|`,
-    ...ROWS.map(({ words, films, bar, show }) => `| ${words} | ${films} | ${columns.map(show).join(' | ')} | ${bar} |`),
+    ...ROWS.map(({ words, films, bar }, row) => {
+      return `| ${[words, films, ...scenes.map((name) => columns.get(name)?.[row]), bar].join(' | ')} |`;
+    }),
   ];
   writeFileSync(file, `${table.join('\n')}\n`);
 } finally {
   await painter.close();
+}
+
+/**
+ * The columns of an earlier table by their scenes.
+ * @param {string} table @returns {Map<string, string[]>}
+ */
+function keptColumns(table) {
+  const [head = [], , ...rows] = table
+    .trim()
+    .split('\n')
+    .map((row) => row.split('|').map((cell) => cell.trim()));
+  const places = [...head.keys()].filter((place) => SCENES.includes(head[place]));
+  return new Map(places.map((place) => [head[place], ROWS.map((_, row) => rows[row]?.[place] ?? '–')]));
 }
 
 /** The figures of a fire without a wall and a ground. @param {string} lit @param {number} seed @returns {Promise<Figures>} */
@@ -182,7 +200,8 @@ function temperature(pictures, level, [from, to], bodies) {
   return KELVINS[off.indexOf(Math.min(...off))];
 }
 
-/** @param {number[]} list */
+/** A figure that a fire lacks has no median. @param {number[]} list */
 function median(list) {
+  if (list.some(Number.isNaN)) return NaN;
   return list.toSorted((a, b) => a - b)[Math.floor(list.length / 2)];
 }

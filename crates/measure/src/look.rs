@@ -31,13 +31,15 @@ pub(crate) fn run(names: &[String]) -> Result<()> {
     passed
 }
 
-/// Measures scenes beside films. A table of some scenes is shown and not kept, since each is a column.
+/// Measures scenes beside films. The columns of scenes without one of `names` stay.
 fn beside_films(names: &[String]) -> Result<()> {
     let table = tools::target()?.join("hearth-look/films.md");
+    let before = match names {
+        [] => String::new(),
+        _ => evaluation::read("filmed")?,
+    };
+    Shell::new()?.write_file(&table, before)?;
     let arguments = iter::once(table.clone()).chain(names.iter().map(Into::into));
     goldens::run_script("wood-fires.mjs", arguments, None)?;
-    if names.is_empty() {
-        evaluation::write("filmed", &fs::read_to_string(table)?)?;
-    }
-    Ok(())
+    evaluation::write("filmed", &fs::read_to_string(table)?)
 }

@@ -51,8 +51,9 @@ export function extent({ width, height, luminance }, level) {
   const present = rows.map((row) => times(row, ROW * widest));
   const top = present.findIndex((share) => share >= 0.5);
   const tall = base - top;
-  // The mean of a few rows: one row of a short film is noise.
+  // The mean of a few rows: one row of a short film is noise. A flame that leaves the picture has none above it.
   const around = (/** @type {number} */ of) => {
+    if ((of + ROWS_AROUND) * tall > base) return NaN;
     const [from, to] = rowsOf({ base, tall }, of - ROWS_AROUND, of + ROWS_AROUND);
     return present.slice(from, to).reduce((sum, share) => sum + share, 0) / Math.max(to - from, 1);
   };

@@ -89,6 +89,8 @@ pub struct Header {
     pub is_lossless: bool,
     /// Whether nothing of it is transparent.
     pub is_opaque: bool,
+    /// Whether alpha is a grey below each picture of MP4.
+    pub is_stacked: bool,
     /// A text about the fire.
     pub text: Option<String>,
 }

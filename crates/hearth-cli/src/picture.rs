@@ -84,6 +84,19 @@ impl Picture {
         pixels.concat()
     }
 
+    /// As [`bled`](Picture::bled), opaque, and below it alpha as a grey.
+    pub fn stacked(&self) -> Vec<u8> {
+        let mut rgba = self.bled();
+        for alpha in rgba.iter_mut().skip(3).step_by(4) {
+            *alpha = 255;
+        }
+        rgba.extend(
+            self.pixels()
+                .flat_map(|[.., alpha]| [alpha, alpha, alpha, 255]),
+        );
+        rgba
+    }
+
     /// The mean of the light of pictures of one size, weighted by alpha.
     pub fn mean(pictures: &[Picture]) -> Option<Picture> {
         let (first, count) = (pictures.first()?, pictures.len());

@@ -32,6 +32,7 @@ pub mod instance;
 mod interaction;
 pub mod kernel;
 mod lanes;
+pub mod looping;
 mod neighbourhood;
 mod neighbours;
 mod noise;

@@ -1,46 +1,26 @@
 //! `hearth film`: pictures at exact moments, as a film.
 
-use std::collections::VecDeque;
+mod burning;
+mod loops;
+
 use std::ffi::OsString;
-use std::io::{Write, stderr};
 use std::ops::{Range, RangeInclusive};
-use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
-use std::thread;
 
 use clap::Args;
-use hearth_settings::{Settings, export};
+use hearth_settings::Settings;
 
 use super::options::{DriverOptions, FireOptions, PictureOfFire, age, named, size};
-use super::progress::{Counter, Progress};
-use crate::Fire;
+use super::progress::Progress;
 use crate::error::{Error, shown};
-use crate::film::seam::{self, Loop};
-use crate::film::{self, Clock, Encoder, Format, Header, Plays, Rate};
-use crate::film::{checkpoint, sound};
+use crate::film::{self, Clock, Format, Header, Plays, Rate};
 use crate::output::Output;
-use crate::painter::{self, Painter};
-use crate::picture::Picture;
 
 /// Most pictures of a film.
 const MAX_PICTURES: u32 = 100_000;
 /// Most pictures a second.
 const MAX_RATE: u32 = 240;
-/// Share of the time between two pictures during which the shutter is open.
-const SHUTTER: f64 = 0.5;
-
-/// Time over which the fine structure of a picture is carried on from earlier ones, its longest period \[s\].
-const CARRIED_SECONDS: f64 = 1.5;
-
-/// Most moments that wait to be drawn, and most pictures that wait to be encoded.
-const MOST_WAITING: usize = 2;
-
-/// Memory from which on it is told \[bytes\].
-const LEAST_TOLD: u64 = 512 << 20;
-
 /// Length of a loop \[s\].
 const LOOP_SECONDS: RangeInclusive<f64> = 1.0..=10.0;
-/// Width and height of the pictures in which the beginning of a loop is looked for \[pixels\].
-const SEEN_SIDE: u32 = 64;
 
 /// Arguments of `hearth film`.
 #[derive(Args)]
@@ -100,6 +80,9 @@ pub struct Film {
     /// The film ends instead of playing again (APNG, WebP, GIF).
     #[arg(long)]
     once: bool,
+    /// Adds alpha to MP4, as a grey below each picture: the film is twice as high.
+    #[arg(long)]
+    stacked_alpha: bool,
     /// Colours are exact in WebP and WebM, whose files are some four times as large.
     #[arg(long)]
     lossless: bool,
@@ -109,14 +92,6 @@ pub struct Film {
     fire: FireOptions,
     #[command(flatten)]
     driver: DriverOptions,
-}
-
-/// A fire at a moment of a picture.
-struct Shot {
-    fire: Fire,
-    /// Whether it is seen, or only prepares a picture that is.
-    is_kept: bool,
-    is_last: bool,
 }
 
 const FORMATS: &str = "\
@@ -172,10 +147,16 @@ impl Film {
             },
             is_lossless: self.lossless,
             is_opaque: settings.parameters().background.rgba[3] == 255,
+            is_stacked: self.stacked_alpha,
             text: self.picture.text(settings),
         };
         if header.text.is_some() && matches!(format, Format::Rgba | Format::Wav) {
             let words = "--describe: raw pictures and WAV have no place for a text";
+            return Err(Error::Use(words.to_owned()));
+        }
+        if self.stacked_alpha && format != Format::Mp4 {
+            let words =
+                "--stacked-alpha is for MP4: webp, apng, zip, webm and gif have alpha of their own";
             return Err(Error::Use(words.to_owned()));
         }
         if format == Format::Wav {
@@ -195,251 +176,15 @@ impl Film {
             }
         };
         let mut encoder = film::encoder(format, &self.out, self.force, header, sound)?;
-        if self.is_loop {
-            let (offscreen, shared) = self.driver.open()?;
-            self.driver.warn(&shared);
-            let [large, small] = [(self.size, self.supersample), ([SEEN_SIDE; 2], 1)]
-                .map(|(size, samples)| self.fire.picture(size, samples));
-            let painters = [
-                &mut Painter::new(&offscreen, &shared, large)?,
-                &mut Painter::new(&offscreen, &shared, small)?,
-            ];
-            let fire = || self.fire.fire(settings, self.size);
-            self.draw_loop(self.clock(settings), &fire, painters, part, &mut *encoder)?;
-            encoder.finish()?;
-            return Ok(None);
-        }
-        let begun = self.begin(settings, part)?;
         self.tell_memory();
-        // The fire burns, is drawn and is encoded at the same time.
-        let state = thread::scope(|scope| {
-            let (burnt, shots) = sync_channel(MOST_WAITING);
-            let burning = scope.spawn(move || self.burn(begun, part, progress, Some(burnt)));
-            let (drawn, pictures) = sync_channel(MOST_WAITING);
-            let drawing = scope.spawn(move || self.draw(shots, drawn));
-            for picture in pictures {
-                encoder.add(&picture)?;
-            }
-            let failed = |_| Error::Failed("a thread of the film has failed".to_owned());
-            drawing.join().map_err(failed)??;
-            burning.join().map_err(failed)
-        })?;
-        progress.finish();
+        let state = match self.is_loop {
+            true => self
+                .write_loop(settings, part, &mut *encoder)
+                .map(|()| None),
+            false => self.write_pictures(settings, part, progress, &mut *encoder),
+        }?;
         encoder.finish()?;
         Ok(state)
-    }
-
-    /// Writes to standard error how much memory large pictures take.
-    fn tell_memory(&self) {
-        let picture = 4 * u64::from(self.size[0]) * u64::from(self.size[1]);
-        let waiting = 2 * MOST_WAITING as u64 + u64::from(self.motion_blur);
-        let options = self.fire.picture(self.size, self.supersample);
-        let bytes = painter::memory(&options) + waiting * picture;
-        if bytes > LEAST_TOLD {
-            // Words that nobody reads change nothing.
-            let _ = writeln!(stderr(), "memory: about {} MB, and the file", bytes >> 20);
-        }
-    }
-
-    /// Draws what burns, until nobody takes the pictures any more.
-    fn draw(&self, shots: Receiver<Shot>, drawn: SyncSender<Picture>) -> Result<(), Error> {
-        let (offscreen, shared) = self.driver.open()?;
-        self.driver.warn(&shared);
-        let options = self.fire.picture(self.size, self.supersample);
-        let mut painter = Painter::new(&offscreen, &shared, options)?;
-        let mut moments = Vec::new();
-        for mut shot in shots {
-            if !shot.is_kept {
-                painter.draw(&mut shot.fire, &mut |_| {})?;
-                continue;
-            }
-            moments.push(painter.paint(&mut shot.fire)?);
-            if shot.is_last
-                && let Some(picture) = Picture::mean(&std::mem::take(&mut moments))
-                && drawn.send(picture).is_err()
-            {
-                break;
-            }
-        }
-        Ok(())
-    }
-
-    /// The fire before its picture of that number: at its start, or from a checkpoint.
-    fn begin(&self, settings: &Settings, part: &Range<u32>) -> Result<(Fire, u32), Error> {
-        let mut fire = self.fire.fire(settings, self.size);
-        let Some(name) = &self.resume else {
-            return Ok((fire, 0));
-        };
-        let number = checkpoint::read(name, self.hash(settings), &mut fire)?;
-        let earliest = (number..=part.end).find(|&start| self.lead(settings, start) >= number);
-        match earliest {
-            Some(earliest) if earliest <= part.start => Ok((fire, number)),
-            _ => Err(Error::Use(format!(
-                "{}: the checkpoint is for the pictures from {} on, and the first one is {}",
-                shown(name),
-                earliest.unwrap_or(part.end),
-                part.start
-            ))),
-        }
-    }
-
-    /// Burns a part of the film, and shows what is drawn. Returns the state at its end if that becomes a checkpoint.
-    fn burn(
-        &self,
-        (mut fire, first): (Fire, u32),
-        part: &Range<u32>,
-        progress: &Progress,
-        shots: Option<SyncSender<Shot>>,
-    ) -> Option<Vec<u8>> {
-        let settings = fire.settings().clone();
-        let clock = self.clock(&settings);
-        match self.checkpoint {
-            Some(_) => drop(fire.record_sound()),
-            None => fire.forget_sound(),
-        }
-        let [drawn, kept] = [part.start, part.end].map(|number| self.lead(&settings, number));
-        let mut counter = Counter::new(progress);
-        let mut state = None;
-        for number in first..part.end {
-            if number == kept && self.checkpoint.is_some() {
-                state = Some(checkpoint::write(self.hash(&settings), number, &fire));
-                if shots.is_none() {
-                    break;
-                }
-            }
-            let is_kept = number >= part.start;
-            for moment in 1..=self.motion_blur {
-                fire.advance(self.moment(clock, number, moment), &mut |age| {
-                    counter.at(age);
-                });
-                let shot = (is_kept || number >= drawn).then(|| Shot {
-                    fire: fire.clone(),
-                    is_kept,
-                    is_last: moment == self.motion_blur,
-                });
-                if let (Some(shots), Some(shot)) = (&shots, shot)
-                    && shots.send(shot).is_err()
-                {
-                    // Nobody draws any more.
-                    return None;
-                }
-            }
-        }
-        state
-    }
-
-    /// The first picture that is drawn before that of a number: what is seen follows from those before it.
-    fn lead(&self, settings: &Settings, number: u32) -> u32 {
-        let pictures = CARRIED_SECONDS / self.clock(settings).elapsed(1).max(1e-6);
-        number.saturating_sub(pictures as u32)
-    }
-
-    /// Age of the fire at a moment of a picture \[s\]. Of so many moments, the last one is the picture's own.
-    fn moment(&self, clock: Clock, number: u32, moment: u32) -> f64 {
-        let open = f64::from(self.motion_blur - moment) / f64::from(self.motion_blur);
-        clock.age(number) - SHUTTER * open * clock.elapsed(1)
-    }
-
-    /// A hash of all that the fire of the film follows from.
-    fn hash(&self, settings: &Settings) -> u64 {
-        let values = (
-            export(settings),
-            self.size,
-            self.from,
-            self.fps,
-            self.motion_blur,
-        );
-        checkpoint::hash(format!("{values:?} {:?}", self.fire.burning()).as_bytes())
-    }
-
-    /// The sound of a part of the film, whose fire stops at the same moments as that of the pictures.
-    fn wav(
-        &self,
-        settings: &Settings,
-        part: &Range<u32>,
-        progress: &Progress,
-    ) -> Result<Vec<u8>, Error> {
-        let (mut fire, first) = self.begin(settings, part)?;
-        let clock = self.clock(settings);
-        let sound = fire.record_sound();
-        let [start, end] = [part.start, part.end].map(|number| sound.sample_at(clock.age(number)));
-        sound.keep_from(start);
-        let mut counter = Counter::new(progress);
-        for number in first.. {
-            for moment in 1..=self.motion_blur {
-                fire.advance(self.moment(clock, number, moment), &mut |age| {
-                    counter.at(age);
-                });
-            }
-            if number >= part.end
-                && let Some(samples) = fire.record_sound().until(end)
-            {
-                return Ok(sound::wav(samples));
-            }
-        }
-        Err(Error::Failed("the fire has no end".to_owned()))
-    }
-
-    /// Draws a part of a loop: once small, to find its beginning, and then what it shows.
-    fn draw_loop(
-        &self,
-        clock: Clock,
-        begin: &dyn Fn() -> Fire,
-        [painter, small]: [&mut Painter<'_>; 2],
-        part: &Range<u32>,
-        encoder: &mut dyn Encoder,
-    ) -> Result<(), Error> {
-        let film = Loop::new(self.count()?, self.fps);
-        let time = |number: u32| clock.age(number);
-        let mut fire = begin();
-        let life = f64::from(fire.simulation().parameters().ember_life_max);
-        let lived = film.searched() + (life / clock.elapsed(1)).ceil() as u32;
-        let progress = Progress::new(time(lived) + time(film.searched()));
-        progress.name(&shown(&self.scene));
-        let mut counter = Counter::new(&progress);
-        let (mut seen, mut embers) = (Vec::new(), Vec::new());
-        for number in 0..lived {
-            fire.advance(time(number), &mut |age| counter.at(age));
-            if number < film.searched() {
-                seen.push(small.paint_with(&mut fire, &[])?);
-            }
-            fire.write();
-            embers.push(seam::embers(fire.simulation(), &fire.embers));
-        }
-        let start = film.start(&seen);
-        let born = [start, start + film.count].map(time);
-        let mut fire = begin();
-        let mut counter = Counter::new(&progress);
-        let mut earlier = VecDeque::new();
-        for number in 0..start + part.end {
-            fire.advance(time(number), &mut |age| counter.at(age));
-            // What is shown before the beginning is mixed into the end, with the embers of the end.
-            let at = (number + film.fade).checked_sub(start);
-            let at = at.map(|at| (at + film.count - film.fade) % film.count);
-            let Some(at) = at else {
-                if clock.elapsed(start - number) <= CARRIED_SECONDS {
-                    painter.draw(&mut fire, &mut |_| {})?;
-                }
-                continue;
-            };
-            let shown = seam::embers_of(at, start, film.count, born, &embers);
-            let picture = painter.paint_with(&mut fire, &shown)?;
-            if number < start {
-                earlier.push_back(picture);
-                continue;
-            }
-            let picture = match film.share_of_earlier(at) {
-                0.0 => picture,
-                share => earlier
-                    .pop_front()
-                    .map_or(picture.clone(), |earlier| picture.mixed(&earlier, share)),
-            };
-            if part.contains(&at) {
-                encoder.add(&picture)?;
-            }
-        }
-        progress.finish();
-        Ok(())
     }
 
     /// The format that is stated, or that of the name.

@@ -42,12 +42,24 @@ pub struct Ffmpeg {
     output: Output,
     input: Option<ChildStdin>,
     errors: Option<ChildStderr>,
-    is_opaque: bool,
+    alpha: Alpha,
+}
+
+/// What becomes of alpha.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Alpha {
+    /// The film has its own.
+    Own,
+    /// It is a grey below the picture.
+    Stacked,
+    /// There is none.
+    None,
 }
 
 /// The arguments: a list, which no shell reads.
 fn arguments(format: Format, header: &Header, part: &Path, sound: Option<&Path>) -> Vec<OsString> {
     let [width, height] = header.size;
+    let height = height << u32::from(header.is_stacked);
     let rate = format!("{}/{}", header.rate.pictures, header.rate.seconds);
     let size = format!("{width}x{height}");
     let input = format!(
@@ -60,6 +72,10 @@ fn arguments(format: Format, header: &Header, part: &Path, sound: Option<&Path>)
         _ => "-c:a libopus -b:a 160k -flags:a +bitexact",
     };
     let codec = match (format, header.is_lossless) {
+        // Alpha as a grey has sharp edges.
+        (Format::Mp4, false) if header.is_stacked => {
+            "-f mp4 -c:v libx264 -crf 4 -pix_fmt yuv420p -movflags +faststart"
+        }
         (Format::Mp4, false) => "-f mp4 -c:v libx264 -crf 14 -pix_fmt yuv420p -movflags +faststart",
         (Format::Mp4, true) => "-f mp4 -c:v libx264 -qp 0 -pix_fmt yuv444p -movflags +faststart",
         // From 2 on, alpha differs by more than 3 of 255.
@@ -111,9 +127,13 @@ impl Ffmpeg {
                 "ffmpeg writes WebM and MP4 into a file: name one that is no device".to_owned(),
             )
         })?;
-        let is_opaque = format == Format::Mp4;
+        let alpha = match format {
+            Format::Mp4 if header.is_stacked => Alpha::Stacked,
+            Format::Mp4 => Alpha::None,
+            _ => Alpha::Own,
+        };
         let [width, height] = header.size;
-        if is_opaque && (width % 2 != 0 || height % 2 != 0) {
+        if alpha != Alpha::Own && (width % 2 != 0 || height % 2 != 0) {
             return Err(Error::Use(format!(
                 "MP4 has an even width and height, and the film has {width} x {height}"
             )));
@@ -143,7 +163,7 @@ impl Ffmpeg {
             output,
             input,
             errors,
-            is_opaque,
+            alpha,
         })
     }
 
@@ -164,15 +184,17 @@ impl Ffmpeg {
 
 impl Encoder for Ffmpeg {
     fn add(&mut self, picture: &Picture) -> Result<(), Error> {
-        if self.is_opaque && picture.pixels().any(|pixel| pixel[3] != 255) {
-            return Err(Error::Use(
-                "MP4 has no alpha, and the fire is transparent: name a --background, or one of webm, webp and apng"
-                    .to_owned(),
-            ));
-        }
-        let bytes = match self.is_opaque {
-            true => picture.straight(),
-            false => picture.bled(),
+        let bytes = match self.alpha {
+            Alpha::Own => picture.bled(),
+            Alpha::Stacked => picture.stacked(),
+            Alpha::None if picture.pixels().any(|pixel| pixel[3] != 255) => {
+                return Err(Error::Use(
+                    "MP4 has no alpha, and the fire is transparent: name a --background, --stacked-alpha, or one of \
+                     webm, webp and apng"
+                        .to_owned(),
+                ));
+            }
+            Alpha::None => picture.straight(),
         };
         let written = self.input.as_mut().map(|input| input.write_all(&bytes));
         match written {

@@ -1,6 +1,4 @@
-//! Loops without a seam: which moments of a fire are alike, and what is shown between them.
-
-use hearth_core::{Instance, Simulation};
+//! Loops without a seam: which moments of a fire are alike, and how the end goes over into the beginning.
 
 use super::Rate;
 use crate::picture::Picture;
@@ -61,30 +59,6 @@ impl Loop {
     }
 }
 
-/// The embers of a picture, each with the time of its birth \[s\].
-pub fn embers(fire: &Simulation, instances: &[Instance]) -> Vec<(f64, Instance)> {
-    let embers = fire.embers().iter().zip(instances);
-    embers
-        .map(|(ember, instance)| (fire.time() - f64::from(ember.age), *instance))
-        .collect()
-}
-
-/// The embers of the picture of that number in a loop: those that are born in it, and in the pictures after it those that
-/// are left. `born` are the times in which the loop begins and ends \[s\].
-pub fn embers_of(
-    number: u32,
-    start: u32,
-    count: u32,
-    born: [f64; 2],
-    all: &[Vec<(f64, Instance)>],
-) -> Vec<Instance> {
-    let pictures = all.iter().skip((start + number) as usize);
-    let rounds = pictures.step_by(count as usize);
-    let in_loop = |(time, _): &&(f64, Instance)| (born[0]..born[1]).contains(time);
-    let embers = rounds.flatten().filter(in_loop);
-    embers.map(|(_, instance)| *instance).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -110,17 +84,5 @@ mod tests {
             .map(|number| film.share_of_earlier(number))
             .collect();
         assert_eq!(shares, [0.0, 0.25, 0.5, 0.75]);
-    }
-
-    #[test]
-    fn an_ember_goes_on_over_the_end_and_one_of_before_is_not_shown() {
-        let instance = |x: f32| [x; size_of::<Instance>() / 4];
-        // One is born before the loop, one in it; both live on.
-        let all: Vec<_> = (0..10_u8)
-            .map(|number| vec![(0.5, instance(-1.0)), (3.5, instance(number.into()))])
-            .collect();
-        let shown = |number| embers_of(number, 2, 3, [2.0, 5.0], &all);
-        assert_eq!(shown(2), [instance(4.0), instance(7.0)]);
-        assert_eq!(shown(0), [instance(2.0), instance(5.0), instance(8.0)]);
     }
 }

@@ -84,6 +84,18 @@ impl Folder {
         self.feed(arguments, b"")
     }
 
+    /// Runs the command with the words of a line.
+    pub fn hearth(&self, line: &str) -> Run {
+        self.run(&line.split_whitespace().collect::<Vec<_>>())
+    }
+
+    /// Standard output of a run of the command that succeeds without a warning.
+    pub fn done(&self, line: &str) -> Vec<u8> {
+        let run = self.hearth(line);
+        assert_eq!((run.code, &*run.errors), (0, ""), "{line}");
+        run.out
+    }
+
     /// Runs the command with Mesa's driver, without its extensions of that name.
     pub fn without_extension(&self, name: &str, arguments: &[impl AsRef<OsStr>]) -> Run {
         let missing = ["", "_float", "_half_float"].map(|end| format!("-{name}{end}"));

@@ -1,37 +1,72 @@
 /** What the parts of the landing page look like: apart from each other, and readable. */
 import assert from 'node:assert/strict';
 
-/** Words over a white stage have a contrast of 4.5:1 or more. */
-export async function assertReadable(tab) {
-  const words = await tab.evaluate(() => {
-    const stage = /** @type {HTMLElement} */ (document.getElementById('stage'));
-    const fire = /** @type {any} */ (document.getElementById('fire'));
-    stage.style.background = '#fff';
-    for (const part of fire.shadowRoot.querySelectorAll('.root, canvas')) part.style.visibility = 'hidden';
-    const all = [...document.querySelectorAll('#head h1, #head p, #head nav > *')].filter((part) =>
-      part.checkVisibility(),
+/** @typedef {{name: string, rectangle: import('./picture.mjs').Rectangle, colour: number[]}} Word */
+
+/** The words of the page over the fire. @param {import('./driver.mjs').Tab} tab @returns {Promise<Word[]>} */
+export function wordsOf(tab) {
+  return tab.evaluate(() => {
+    const all = [...document.querySelectorAll('#head *, #hint, #stage > button, #zoom > *, #word > *')].filter(
+      (part) =>
+        part.checkVisibility({ visibilityProperty: true }) && part.textContent?.trim() && !part.firstElementChild,
     );
-    const found = all.map((part) => {
+    return all.map((part) => {
       const range = document.createRange();
       range.selectNodeContents(part);
       const { x, y, width, height } = range.getBoundingClientRect();
       const colour = /** @type {number[]} */ (getComputedStyle(part).color.match(/\d+/g)?.map(Number));
-      return { name: part.textContent, rectangle: { x, y, width, height }, colour };
+      return { name: part.textContent ?? '', rectangle: { x, y, width, height }, colour };
     });
-    for (const part of all) /** @type {HTMLElement} */ (part).style.visibility = 'hidden';
-    return found;
   });
-  const linear = (byte) => (byte <= 10 ? byte / 3295 : ((byte / 255 + 0.055) / 1.055) ** 2.4);
-  const luminance = (r, g, b) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
-  for (const { name, rectangle, colour } of words) {
-    const ground = await tab.picture(rectangle);
-    const light = luminance(...colour) + 0.05;
-    assert.equal(
-      ground.share((...rgb) => light / (luminance(...rgb) + 0.05) >= 4.5),
-      1,
-      name,
+}
+
+/** Hides the letters of the page, and neither what is behind them nor where they are. @param {import('./driver.mjs').Tab} tab */
+export const hideWords = (tab) =>
+  tab.evaluate(() => {
+    const style = new CSSStyleSheet();
+    style.replaceSync(
+      '#head *, #stage > *, #stage button { color: transparent !important; text-shadow: none !important; text-decoration: none !important }',
     );
-  }
+    document.adoptedStyleSheets.push(style);
+  });
+
+/**
+ * The least contrast of each word over a picture of the page without its letters.
+ * @param {import('./picture.mjs').Picture} picture @param {Word[]} words @returns {[string, number][]}
+ */
+export function contrasts(picture, words) {
+  const linear = (/** @type {number} */ byte) => (byte <= 10 ? byte / 3295 : ((byte / 255 + 0.055) / 1.055) ** 2.4);
+  const luminance = (/** @type {number} */ r, /** @type {number} */ g, /** @type {number} */ b) =>
+    0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+  return words.map(({ name, rectangle: { x, y, width, height }, colour: [r, g, b] }) => {
+    const ground = picture.crop(
+      x / picture.width,
+      y / picture.height,
+      (x + width) / picture.width,
+      (y + height) / picture.height,
+    );
+    const light = luminance(r, g, b) + 0.05;
+    let least = Infinity;
+    ground.share((...rgb) => {
+      least = Math.min(least, light / (luminance(...rgb) + 0.05));
+      return true;
+    });
+    return [name, least];
+  });
+}
+
+/** Words over a white stage have a contrast of 4.5:1 or more. */
+export async function assertReadable(tab) {
+  await tab.evaluate(() => {
+    const stage = /** @type {HTMLElement} */ (document.getElementById('stage'));
+    const fire = /** @type {any} */ (document.getElementById('fire'));
+    stage.style.background = '#fff';
+    for (const part of fire.shadowRoot.querySelectorAll('.root, canvas')) part.style.visibility = 'hidden';
+  });
+  const words = await wordsOf(tab);
+  await hideWords(tab);
+  for (const [name, contrast] of contrasts(await tab.picture(), words))
+    assert.ok(contrast >= 4.5, `${name}: ${contrast}`);
 }
 
 /** The controls on the stage overlap neither each other nor the middle of the fire. */

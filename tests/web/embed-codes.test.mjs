@@ -1,7 +1,7 @@
 /** The code of the embed dialog: its forms, and links of every scene. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { FORMS, codeOf } from '../../web/pages/embed/codes.js';
+import { FORMS, codeOf, valuesOn } from '../../web/pages/embed/codes.js';
 import { readUrlParameters } from '../../web/pages/url-parameters.js';
 import { PRESETS } from '../../web/parameters.js';
 import { fromFragment, pageLink } from '../../web/share.js';
@@ -21,6 +21,18 @@ test('every form names the scene, its value, its size and how it is shown, one t
         code,
       );
   }
+});
+
+test('on a white page things are lit and no wall is a dark box; another page shows through if it is chosen', () => {
+  const lit = { exposure: 0.3, ambient_light: 1, smoke_opacity: 0 };
+  const own = { exposure: 0.3, smoke_opacity: 0.4 };
+  const room = { backdrop: 'bricks', ground: 'stone' };
+  const none = { backdrop: 'none', ground: 'none' };
+  assert.deepEqual(valuesOn('white', false, own, room), { ...lit, ...none });
+  assert.deepEqual(valuesOn('white', true, own, none), lit);
+  assert.deepEqual(valuesOn('brick', false, own, room), own);
+  assert.deepEqual(valuesOn('brick', true, own, room), { ...own, ...none });
+  assert.deepEqual(valuesOn('black', true, own, none), own);
 });
 
 test('HTML and JSX keep every letter of a value', async () => {

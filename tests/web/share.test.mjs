@@ -7,7 +7,6 @@ import { describe, test } from 'node:test';
 import { PARAMETERS, PRESETS } from '../../web/parameters.js';
 import { readUrlParameters } from '../../web/pages/url-parameters.js';
 import { MAX_QUERY, elementCode, fromFragment, fromQuery, iframeCode, pageLink, toQuery } from '../../web/share.js';
-import { onLightPage } from '../../web/editing/exchange.js';
 import { parametersOf } from '../../web/share/strangers.js';
 
 const SCRIPT = 'https://fire.example/web/hearth-fire.js';
@@ -154,15 +153,6 @@ describe('code to paste', () => {
       assert.throws(() => elementCode(config, undefined, wrong), RangeError);
       await assert.rejects(iframeCode(config, EMBED, wrong), RangeError);
     }
-  });
-
-  test('for a light page lights what does not burn, and keeps all else', () => {
-    const own = { hearth: 3, preset: 'candle', values: { exposure: 0.3, smoke_opacity: 0.4 } };
-    const { preset, style, ...attributes } = attributesOf(elementCode(onLightPage(own)), 'hearth-fire');
-    const light = { 'ambient-light': '1', 'smoke-opacity': '0', ground: 'none' };
-    assert.deepEqual(attributes, { exposure: '0.3', ...light });
-    assert.ok(preset === 'candle' && style !== undefined);
-    assert.equal(own.values.smoke_opacity, 0.4);
   });
 
   test('escapes every character of a value', async () => {

@@ -59,17 +59,6 @@ export function shownAs(fire) {
 }
 
 /**
- * What a fire shows on a light page, which is a lit room: things in their own colours, and neither smoke nor a ground.
- * @type {NonNullable<HearthConfig['values']>}
- */
-const LIGHT_PAGE = { ambient_light: 1, smoke_opacity: 0, ground: 'none' };
-
-/** The settings of a fire on a light page. @param {HearthConfig} config @returns {HearthConfig} */
-export function onLightPage(config) {
-  return { ...config, values: { ...config.values, ...LIGHT_PAGE } };
-}
-
-/**
  * The settings of a fire in one of these forms.
  * @param {string} name  Of one of {@link COPIES}, but the report.
  * @param {HearthConfig} config

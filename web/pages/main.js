@@ -187,6 +187,19 @@ function openParts() {
   );
 }
 
+/** The button that opens the share sheet of the system, where there is one. */
+function offerShare() {
+  const button = /** @type {HTMLButtonElement} */ (document.getElementById('share'));
+  button.hidden = !('share' in navigator);
+  button.addEventListener('click', async () => {
+    try {
+      await (await import('./share-link.js')).shareLink(fire);
+    } catch (error) {
+      notify(error instanceof Error ? error.message : String(error));
+    }
+  });
+}
+
 /** The buttons that enlarge and reduce the picture. */
 function offerZoom() {
   for (const button of document.querySelectorAll('[data-zooms]')) {
@@ -221,6 +234,7 @@ const opens = applyLocation();
 frameScenes(fire);
 fadeChrome(document.documentElement);
 openParts();
+offerShare();
 offerZoom();
 const panel = new PagePanel(fire, notify);
 fire.ready.then(

@@ -14,6 +14,7 @@ pub mod format;
 mod panel;
 pub mod search;
 pub mod state;
+pub mod system_font;
 pub mod theme;
 mod update;
 mod view;

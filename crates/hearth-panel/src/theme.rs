@@ -1,12 +1,15 @@
 //! Colours, measures and the font.
 //!
 //! The panel is darker than the fire beside it and has no animations, so that it does not distract.
-//! The font is a subset of Ubuntu Light (`font/README.md`).
+//! The font is that of the page (`system_font`). Where the browser hides what it draws, the font is a subset of Ubuntu
+//! Light (`font/README.md`).
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use egui::{Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Stroke, Vec2};
+use egui::{
+    Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, FontTweak, Stroke, Vec2,
+};
 
 /// The background of the panel.
 pub const GROUND: Color32 = Color32::from_rgb(22, 18, 16);
@@ -51,6 +54,12 @@ pub fn prefer_contrast(more: bool) {
 const FONT: &[u8] = include_bytes!("../font/Ubuntu-Light-derivative-Hearth.ttf");
 const FONT_NAME: &str = "Ubuntu Light derivative Hearth";
 
+/// The size of letters of the page's font as a share of the sizes below, which are set for narrow letters.
+const SYSTEM_SIZE: f32 = 0.93;
+
+/// The letters that both fonts have, beside those of ASCII.
+const LETTERS: &str = "\u{a0}°±²³·¹×÷βρ–—‘’“”•…₀₁₂−";
+
 /// Sizes in points, for a mouse or for a finger.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measures {
@@ -91,14 +100,29 @@ pub fn small() -> FontId {
     FontId::proportional(13.0)
 }
 
-/// Applies the panel's font and style to a context.
-pub fn apply(ctx: &egui::Context) {
+/// The letters of the panel's own texts, in the order of their codes.
+pub fn letters() -> impl Iterator<Item = char> {
+    (' '..='~').chain(LETTERS.chars())
+}
+
+/// Applies the font of the system, if there is one, and the panel's style to a context.
+pub fn apply(ctx: &egui::Context, system: Option<Vec<u8>>) {
+    let own = FontData::from_static(FONT);
+    let system = system.map(|font| {
+        let tweak = FontTweak {
+            scale: SYSTEM_SIZE,
+            ..FontTweak::default()
+        };
+        ("system", FontData::from_owned(font).tweak(tweak))
+    });
     let mut fonts = FontDefinitions::empty();
-    fonts
-        .font_data
-        .insert(FONT_NAME.to_owned(), Arc::new(FontData::from_static(FONT)));
+    let mut names = Vec::new();
+    for (name, font) in system.into_iter().chain([(FONT_NAME, own)]) {
+        fonts.font_data.insert(name.to_owned(), Arc::new(font));
+        names.push(name.to_owned());
+    }
     for family in [FontFamily::Proportional, FontFamily::Monospace] {
-        fonts.families.insert(family, vec![FONT_NAME.to_owned()]);
+        fonts.families.insert(family, names.clone());
     }
     ctx.set_fonts(fonts);
     ctx.set_theme(egui::Theme::Dark);
@@ -149,7 +173,9 @@ mod tests {
 
     #[test]
     fn the_font_has_every_character_of_the_parameter_table() {
-        let mut texts: Vec<&str> = vec!["0123456789.,+-−e×·…•°²³ρβ₀\u{a0}#"];
+        let own: String = letters().collect();
+        assert!(own.chars().is_sorted());
+        let mut texts: Vec<&str> = vec![&own];
         for (param, about) in PARAMETERS.iter().zip(DESCRIPTIONS) {
             texts.extend([param.id, about.group, param.unit, about.label, about.doc]);
             if let Kind::Choice(names) = param.kind {
@@ -161,10 +187,11 @@ mod tests {
             .extend(presets.flat_map(|preset| [preset.name, preset.label(), preset.description()]));
 
         let ctx = egui::Context::default();
-        apply(&ctx);
+        apply(&ctx, None);
         let _ = ctx.run(egui::RawInput::default(), |ctx| {
             for text in &texts {
-                for character in text.chars().filter(|c| !c.is_control()) {
+                // egui counts what it shows for a missing one as missing.
+                for character in text.chars().filter(|c| !c.is_control() && *c != '?') {
                     assert!(
                         ctx.fonts_mut(|f| f.has_glyph(&body(), character)),
                         "the font lacks {character:?} of {text:?}; see font/README.md"

@@ -133,6 +133,72 @@ describe('the strip of scenes', () => {
   });
 });
 
+test('the chosen thumbnail shows that its scene begins', async () => {
+  const tab = await browser.open('index.html', WIDE);
+  await tab.ready();
+  await strip(tab);
+  const busy = await tab.page.$eval('[data-starts="candle"]', (tile) => {
+    /** @type {HTMLElement} */ (tile).click();
+    return [tile.getAttribute('aria-busy'), getComputedStyle(tile, '::after').animationName];
+  });
+  assert.deepEqual(busy, ['true', 'turn']);
+  await tab.until('the scene', () => {
+    const tile = document.querySelector('[data-starts="candle"]');
+    return tile?.getAttribute('aria-current') === 'true' && !tile.hasAttribute('aria-busy');
+  });
+  assert.equal(await tab.evaluate(() => document.querySelector('#scenes [aria-busy]')), null);
+});
+
+test('buttons enlarge the picture and reduce it to its own size; fingers do so themselves', async () => {
+  const tab = await browser.open('index.html?paused', WIDE);
+  await tab.ready();
+  await strip(tab);
+  const zoom = () => tab.fire((fire) => fire.zoom);
+  for (const expected of [1.25, 1.5625]) {
+    await tab.page.click('#zoom [data-zooms="in"]');
+    assert.equal(await zoom(), expected);
+  }
+  for (const expected of [1.25, 1, 1]) {
+    await tab.page.click('#zoom [data-zooms="out"]');
+    assert.equal(await zoom(), expected);
+  }
+  for (let press = 0; press < 12; press += 1) await tab.page.click('#zoom [data-zooms="in"]');
+  assert.equal(await zoom(), 10);
+  assert.deepEqual(tab.problems, []);
+  const phone = await browser.open('index.html?paused', PHONE);
+  await phone.ready();
+  await strip(phone);
+  assert.equal(await phone.page.$eval('#zoom', (buttons) => getComputedStyle(buttons).display), 'none');
+});
+
+test('where the system has a share sheet, a button gives it the link and nothing else', async () => {
+  const offer = () => {
+    const page = /** @type {any} */ (window);
+    page.shared = [];
+    Object.defineProperty(navigator, 'share', {
+      value: async (/** @type {any} */ what) => {
+        page.shared.push(what);
+        // As by a visitor who closes the sheet.
+        throw new DOMException('closed', 'AbortError');
+      },
+    });
+  };
+  const tab = await browser.open('index.html?scene=candle&exposure=0.3', { ...PHONE, before: offer });
+  await tab.ready();
+  await tab.page.tap('#share');
+  const [shared] = await tab.until(
+    'the sheet',
+    () => /** @type {any} */ (window).shared.length && /** @type {any} */ (window).shared,
+  );
+  assert.deepEqual(Object.keys(shared), ['url']);
+  assert.equal(new URL(shared.url).search, '?scene=candle&exposure=0.3');
+  assert.equal(await tab.evaluate(() => document.getElementById('toast')?.textContent), '');
+  assert.deepEqual(tab.problems, []);
+  const other = await browser.open('index.html', PHONE);
+  await other.ready();
+  assert.equal(await other.page.$eval('#share', (button) => /** @type {HTMLElement} */ (button).hidden), true);
+});
+
 for (const [about, sizes] of /** @type {[string, number[][]][]} */ ([
   [
     'phones',
@@ -155,7 +221,9 @@ for (const [about, sizes] of /** @type {[string, number[][]][]} */ ([
   test(`on ${about} words, hint, buttons and scenes lie apart`, async () => {
     const touch = about === 'phones';
     const [[first, second]] = sizes;
-    const tab = await browser.open('index.html', { width: first, height: second, touch, draws: true });
+    // With all buttons that a system may offer.
+    const before = () => Object.defineProperty(navigator, 'share', { value: () => Promise.resolve() });
+    const tab = await browser.open('index.html', { width: first, height: second, touch, draws: true, before });
     await tab.until('the hint', () => document.getElementById('hint')?.textContent);
     await tab.ready();
     await strip(tab);
@@ -199,6 +267,34 @@ describe('the panel', () => {
     await new Panel(again).mounted();
     assert.equal(await again.evaluate(() => localStorage.getItem('hearth-page-panel')), 'shown');
   });
+});
+
+test('the panel has the letters of the page around it, and letters of its own where a browser hides what it draws', async () => {
+  const hide = () => {
+    const { getImageData } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.getImageData = function (...area) {
+      const picture = getImageData.apply(this, area);
+      picture.data.fill(255);
+      return picture;
+    };
+  };
+  const widths = [];
+  for (const before of [() => {}, hide]) {
+    const tab = await browser.open('index.html', { ...WIDE, before });
+    await tab.ready();
+    const label = await new Panel(tab).mounted().then((panel) => panel.rectangleOf('label:fuel_power'));
+    const page = await tab.evaluate(() => {
+      const context = /** @type {CanvasRenderingContext2D} */ (document.createElement('canvas').getContext('2d'));
+      context.font = `100px ${getComputedStyle(document.body).fontFamily}`;
+      return context.measureText('Strength').width / 100;
+    });
+    // The label ends four points before its rectangle does.
+    widths.push((label.width - 4) / page);
+    assert.deepEqual(tab.problems, []);
+  }
+  // The size of the panel's letters.
+  assert.ok(Math.abs(widths[0] - 0.93 * 14.5) < 0.3, `${widths}`);
+  assert.ok(Math.abs(widths[1] - widths[0]) > 0.5, `${widths}`);
 });
 
 describe('the hint', () => {
@@ -251,6 +347,10 @@ test('the embed dialog shows the code of the current fire, and Escape closes it'
   assert.ok((await code()).replace(/\s+/g, ' ').replace('" >', '">').endsWith(`</script> ${element}`), await code());
   await chooses('fit', 'contain');
   await chooses('ground', 'white');
+  assert.equal(
+    await tab.page.$eval('#embed label:has([name=behind])', (label) => /** @type {any} */ (label).hidden),
+    true,
+  );
   /** The attributes of the code, and those of the preview, which differ in its size and place alone. */
   const shown = await tab.evaluate(() => {
     const fire = /** @type {HTMLElement} */ (document.querySelector('#embed .preview hearth-fire'));

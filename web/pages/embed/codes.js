@@ -25,6 +25,22 @@ export const FORMS = [
   ['file', 'Single file', `A page that needs one file beside it, ${FILE} of the package; it works without a server.`],
 ];
 
+/** What a fire shows on a white page, which is a lit room: things in their own colours, and no smoke. */
+const LIT = { ambient_light: 1, smoke_opacity: 0 };
+
+/**
+ * The values of a fire on a page. A wall is a dark box on a white page, so the fire has none there.
+ * @param {string} page  `white`, or another ground.
+ * @param {boolean} alone  Whether the page is seen behind the fire.
+ * @param {{[id: string]: unknown}} values  Those that differ from the scene's.
+ * @param {{readonly [id: string]: unknown}} params  All that the fire has.
+ */
+export function valuesOn(page, alone, values, params) {
+  const isLit = page === 'white';
+  const without = ['backdrop', 'ground'].filter((id) => (isLit || alone) && params[id] !== 'none');
+  return { ...values, ...(isLit && LIT), ...Object.fromEntries(without.map((id) => [id, 'none'])) };
+}
+
 /**
  * The code in a form.
  * @param {string} form  A name of {@link FORMS}.

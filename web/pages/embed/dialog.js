@@ -5,11 +5,10 @@
  * @typedef {import('../../hearth-fire.js').HearthFire} HearthFire
  */
 
-import { onLightPage } from '../../editing/exchange.js';
 import { element } from '../../element/controls/icon-button.js';
 import { elementAttributes } from '../../share.js';
-import { shareLink } from '../word/word.js';
-import { FORMS, codeOf } from './codes.js';
+import { shareLink } from '../share-link.js';
+import { FORMS, codeOf, valuesOn } from './codes.js';
 
 /** The grounds of pages on which the preview is shown. */
 const GROUNDS = ['Black', 'White', 'Brick', 'Picture'];
@@ -136,9 +135,10 @@ class EmbedForm {
   get #chosen() {
     const { width, height, fit, align, behind, ground } = this.#fields;
     const { params } = this.#fire;
-    const values = { ...this.#config.values };
-    if (behind.value !== 'as the scene')
-      for (const id of /** @type {const} */ (['backdrop', 'ground'])) if (params[id] !== 'none') values[id] = 'none';
+    // On a white page, the page is behind the fire in any case.
+    /** @type {HTMLElement} */ (behind.parentElement).hidden = ground.value === 'white';
+    const isAlone = behind.value !== 'as the scene';
+    const values = valuesOn(ground.value, isAlone, this.#config.values ?? {}, /** @type {any} */ (params));
     /** @type {{[name: string]: string}} */
     const attributes = {};
     for (const name of ['warm', 'interactive', 'decorative'])
@@ -152,8 +152,7 @@ class EmbedForm {
     const size = (/** @type {string} */ text) =>
       Math.min(Math.max(Math.round(Number(text)) || SMALLEST, SMALLEST), LARGEST);
     const shown = { width: size(width.value), height: size(height.value), attributes };
-    const config = { ...this.#config, values };
-    return { config: ground.value === 'white' ? onLightPage(config) : config, shown };
+    return { config: { .../** @type {any} */ (this.#config), values }, shown };
   }
 
   /** Shows the preview and the code of the choices. */

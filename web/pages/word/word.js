@@ -3,9 +3,9 @@
  * first word.
  */
 
-import { pageLink } from '../../share.js';
 import { maskOfFile } from '../../mask/file.js';
 import { maskOfImage } from '../../mask.js';
+import { shareLink } from '../share-link.js';
 import { linesOf, sceneOf } from './scene.js';
 
 /** The pause of typing after which a word burns [ms]. */
@@ -128,17 +128,6 @@ class WordForm {
     }
     if (!navigator.share) this.#notify('The link is copied.');
   }
-}
-
-/**
- * Shares the link of a fire, and nothing else, by the system or by the clipboard.
- * @param {import('../../hearth-fire.js').HearthFire} fire
- */
-export async function shareLink(fire) {
-  const url = await pageLink(await fire.exportConfig(), location.href);
-  if (!navigator.share) return navigator.clipboard.writeText(url);
-  // A visitor may close the sheet.
-  return navigator.share({ url }).catch((error) => error.name === 'AbortError' || Promise.reject(error));
 }
 
 /** Lines of letters, one below the other, as wide as the widest. @param {string[]} lines */

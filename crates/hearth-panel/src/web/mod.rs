@@ -67,7 +67,7 @@ impl Panel {
             Box::new(move |creation| {
                 let ctx = creation.egui_ctx.clone();
                 theme::prefer_contrast(matches("(prefers-contrast: more)"));
-                theme::apply(&ctx);
+                theme::apply(&ctx, text::system_font());
                 browser_text::draw_with(&ctx, text::draw);
                 let element = Rc::new(Element::new(fire, controller, panel.clone(), ctx.clone())?);
                 started.replace(Some((element.clone(), ctx)));

@@ -24,7 +24,7 @@ impl Harness {
 
     pub fn of_model(model: Model, (width, height, measures): Size) -> Harness {
         let ctx = egui::Context::default();
-        theme::apply(&ctx);
+        theme::apply(&ctx, None);
         let mut harness = Harness {
             ctx,
             panel: Panel::new(measures),

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { linkedValue, sliderValue } from '../../web/docs/cards.js';
 import { Reading } from '../../web/docs/reading.js';
-import { POSITIONS } from '../../web/figures/range.js';
+import { POSITIONS } from '../../web/paper/figures/range.js';
 import { PARAMETERS } from '../../web/parameters.js';
 import { readFile } from 'node:fs/promises';
 

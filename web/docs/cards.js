@@ -17,7 +17,7 @@
  * @property {string} what  What the number is.
  */
 
-import { POSITIONS, positionOf, valueAt } from '../figures/range.js';
+import { POSITIONS, positionOf, valueAt } from '../paper/figures/range.js';
 import { FIELDS, Field } from '../plots/field.js';
 import { oxygen, temperature } from '../plots/units.js';
 import { Reading } from './reading.js';

@@ -250,6 +250,15 @@ impl Program {
 /// What the command `hearth` draws with where there is no graphics card.
 const GRAPHICS_DRIVER: Names = &["libegl1", "libgles2", "libegl-mesa0", "libgl1-mesa-dri"];
 
+/// Installs a font with the letters of a test in Chinese, which come with no browser.
+pub(crate) fn chinese_font() -> Result<()> {
+    let (_only, sh) = (installing(), Shell::new()?);
+    match cmd!(sh, "fc-list :lang=zh").quiet().ignore_status().read() {
+        Ok(fonts) if !fonts.is_empty() => Ok(()),
+        _ => apt_install(&["fonts-droid-fallback"]).context("there is no Chinese font"),
+    }
+}
+
 /// Installs EGL and a driver of OpenGL ES if the command `hearth` finds none.
 pub(crate) fn graphics_driver() -> Result<()> {
     let (_only, sh) = (installing(), Shell::new()?);

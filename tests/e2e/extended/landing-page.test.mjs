@@ -199,6 +199,45 @@ test('where the system has a share sheet, a button gives it the link and nothing
   assert.equal(await other.page.$eval('#share', (button) => /** @type {HTMLElement} */ (button).hidden), true);
 });
 
+test('the fire is grabbed anywhere below the middle of its flame, by a hand that the pointer shows', async () => {
+  const tab = await browser.open('index.html?paused', { ...WIDE, draws: true });
+  await tab.ready();
+  await strip(tab);
+  const picture = await tab.firePicture();
+  const [stage, source] = [
+    await tab.rectangle('#fire'),
+    await tab.fire((fire) => fire.toPixels(fire.params.source_x, fire.params.source_height)),
+  ];
+  /** The rows in which a quarter of the flame’s width or more is bright. */
+  const rows = [];
+  for (let y = 0; y < picture.height; y += 1) {
+    const row = picture.crop(
+      source.x / stage.width - 0.12,
+      y / picture.height,
+      source.x / stage.width + 0.12,
+      (y + 1) / picture.height,
+    );
+    if (row.share((r, g, b) => r > 200 && g > 120 && r > g && g > b) > 0.1) rows.push(y);
+  }
+  const [top, bottom] = [stage.y + rows[0], stage.y + source.y];
+  assert.ok(bottom - top > 100, `the flame is from ${top} to ${bottom}`);
+  const cursor = () => tab.fire((fire) => getComputedStyle(fire.shadowRoot.querySelector('.root')).cursor);
+  const x = stage.x + source.x;
+  for (const share of [0, 0.25, 0.5]) {
+    await tab.move({ x, y: bottom - share * (bottom - top) });
+    await tab.frames();
+    assert.equal(await cursor(), 'grab', `at ${share} of the flame, which is ${bottom - top} px high`);
+  }
+  await tab.drag({ x, y: (top + bottom) / 2 }, { x: x + 60, y: (top + bottom) / 2 });
+  await tab.until(
+    'the source follows',
+    () => /** @type {any} */ (document.getElementById('fire')).params.source_x > 0.05,
+  );
+  await tab.move({ x, y: stage.y + 140 });
+  await tab.frames();
+  assert.notEqual(await cursor(), 'grab', 'above the flame');
+});
+
 for (const [about, sizes] of /** @type {[string, number[][]][]} */ ([
   [
     'phones',

@@ -42,6 +42,7 @@ pub(super) fn core() -> Result<()> {
 
 /// The other end-to-end tests: in Chromium, and those of the element in Firefox and WebKit too.
 pub(super) fn extended() -> Result<()> {
+    tools::chinese_font()?;
     let programs = tools::other_browsers()?
         .into_iter()
         .chain(goldens::programs()?);

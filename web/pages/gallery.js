@@ -56,7 +56,6 @@ function burn(card, pressed) {
   }
   putOut();
   burning = { card, pressed };
-  pictureOf(card).setAttribute('aria-pressed', String(pressed));
   const fire = document.createElement('hearth-fire');
   const { scene = '' } = card.dataset;
   const file = fileOf(card);

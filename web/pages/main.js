@@ -82,8 +82,9 @@ function applyLocation() {
   // The settings contain the objects.
   const options = parameters.options.filter(([name]) => name !== 'objects');
   const plan = updateUrl([...options, ...parameters.unknown]);
-  if (isUnwritten) fire.ready.then(plan, () => {});
-  return parameters.others.get('open');
+  const opens = parameters.others.get('open');
+  if (isUnwritten || opens) fire.ready.then(plan, () => {});
+  return opens;
 }
 
 /**

@@ -14,9 +14,18 @@ export const OUTSIDE = ['node:*', 'three', 'pixi.js', 'phaser'];
 /** What users of the package read. */
 export const DOCS = [
   'SECURITY.md',
-  ...['element', 'embedding', 'iframe', 'package', 'parameters', 'recipes', 'scenes', 'simulation', 'sound', 'worlds'].map(
-    (name) => `docs/${name}.md`,
-  ),
+  ...[
+    'element',
+    'embedding',
+    'iframe',
+    'package',
+    'parameters',
+    'recipes',
+    'scenes',
+    'simulation',
+    'sound',
+    'worlds',
+  ].map((name) => `docs/${name}.md`),
 ];
 
 /**

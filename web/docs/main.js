@@ -13,6 +13,6 @@ const found = /** @type {HTMLElement} */ (document.getElementById('found'));
 search(form, field, found);
 runExamples(document);
 
-const cards = document.querySelectorAll('.card');
+const cards = document.querySelectorAll('[data-card]');
 if (cards.length > 0)
   import('./cards.js').then(({ showCards }) => showCards(/** @type {NodeListOf<HTMLElement>} */ (cards)));

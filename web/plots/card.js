@@ -112,7 +112,7 @@ export class Card {
     const now = values.at(-1);
     const inUnit = (/** @type {number} */ value) => `${value.toFixed(digits)} ${unit}`;
     const top = roundUp(Math.max(...values));
-    const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
+    const mean = values.reduce((sum, value) => sum + value / values.length, 0);
     const moved = this.#record.marks.filter(({ time }) => time >= end - SHOWN);
     const [last] = moved.slice(-1);
     this.#charts[field].show({

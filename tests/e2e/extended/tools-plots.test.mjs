@@ -184,7 +184,7 @@ test('plots are loaded with their first use, their CSV has the numbers of stats 
   await tab.page.focus('.hearth-plots header button');
   await tab.key('ArrowLeft');
   assert.equal((await box()).x, at.x - 40);
-  await tab.drag({ x: at.x + 150, y: at.y + 20 }, { x: at.x - 150, y: at.y + 60 });
+  await tab.drag({ x: at.x + 60, y: at.y + 20 }, { x: at.x - 240, y: at.y + 60 });
   const moved = await box();
   assert.deepEqual([moved.x, moved.y], [at.x - 340, at.y + 40]);
   await tab.page.click('.hearth-plots [title^="Larger"]');

@@ -272,6 +272,8 @@ fn what_a_page_cannot_show_is_refused_with_its_document() {
         ("## Twice\n\n## Twice", "Twice"),
         ("```js live\n1\n```", "live"),
         ("```html burning\n```", "burning"),
+        ("```json card\n{\"scene\": \"nothing\"}\n```", "nothing.jpg"),
+        ("```json card\n{}\n```", "scene"),
     ] {
         let why = rendered(text).err().map(|why| format!("{why:#}"));
         let why = why.unwrap_or_default();
@@ -307,6 +309,11 @@ fn markdown_becomes_html_for_a_strict_policy() -> Result<()> {
         ),
         ("| a | |\n|--:|---|", "<th class=\"end\">a</th><td></td>"),
         ("```html\n<p>\n```", "<span class=\"t\">&lt;p</span>"),
+        ("> a", "<details><summary>Why?</summary>"),
+        (
+            "```json card\n{\"scene\": \"candle\"}\n```",
+            "data-card=\"{&quot;scene&quot;:&quot;candle&quot;}\"",
+        ),
     ] {
         let rendered = rendered(text)?;
         assert!(rendered.contains(html), "{text}: {rendered}");

@@ -4,12 +4,9 @@ use crate::harness::{Folder, Png};
 const LABEL: u32 = 9;
 const MARGIN: u32 = 2;
 
-const CHEAP: [&str; 6] = ["--quality", "low", "--tile", "48x32", "--out", "-"];
-
-fn sheet(folder: &Folder, others: &[&str]) -> Png {
-    let run = folder.run(&[&["sheet"], others, &CHEAP[..]].concat());
-    assert_eq!((run.code, &*run.errors), (0, ""), "{others:?}");
-    Png::decode(&run.out)
+fn sheet(folder: &Folder, options: &str) -> Png {
+    let line = format!("sheet {options} --quality low --tile 48x32 --out -");
+    Png::decode(&folder.done(&line))
 }
 
 /// Size of a sheet of tiles.
@@ -23,45 +20,27 @@ fn size(columns: u32, rows: u32) -> [u32; 2] {
 #[test]
 fn a_sheet_has_a_tile_for_each_scene_moment_and_background() {
     let folder = Folder::new("sheet");
-    let options = [
-        "candle",
-        "torch",
-        "--at",
-        "0.1,0.2",
-        "--background",
-        "black,#888",
-    ];
-    assert_eq!(sheet(&folder, &options).size, size(4, 2));
-    let columns = [&options[..], &["--columns", "3"]].concat();
+    let options = "candle torch --at 0.1,0.2 --background black,#888";
+    assert_eq!(sheet(&folder, options).size, size(4, 2));
+    let columns = format!("{options} --columns 3");
     assert_eq!(sheet(&folder, &columns).size, size(3, 3));
 }
 
 #[test]
 fn a_strip_has_pictures_that_far_apart() {
     let folder = Folder::new("strip");
-    let strip = sheet(
-        &folder,
-        &["candle", "--at", "0.1", "--strip", "3", "--every", "1/30"],
-    );
+    let strip = sheet(&folder, "candle --at 0.1 --strip 3 --every 1/30");
     assert_eq!(strip.size, size(3, 1));
-    let moments = sheet(
-        &folder,
-        &[
-            "candle",
-            "--at",
-            "0.1,0.13333333333333333,0.16666666666666666",
-        ],
-    );
-    assert_eq!(strip, moments);
+    let moments = "candle --at 0.1,0.13333333333333333,0.16666666666666666";
+    assert!(strip == sheet(&folder, moments));
 }
 
 #[test]
 fn a_tile_is_the_rendered_picture_over_its_background() {
     let folder = Folder::new("tile");
-    let options = ["candle", "--at", "0.1", "--quality", "low", "--out", "-"];
-    let sheet = sheet(&folder, &["candle", "--at", "0.1", "--background", "white"]);
-    let run = folder.run(&[&["render", "--size", "48x32"], &options[..]].concat());
-    let picture = Png::decode(&run.out);
+    let sheet = sheet(&folder, "candle --at 0.1 --background white");
+    let picture = folder.done("render candle --at 0.1 --size 48x32 --quality low --out -");
+    let picture = Png::decode(&picture);
     for (x, y) in (0..48).flat_map(|x| (0..32).map(move |y| (x, y))) {
         let tile = sheet.pixel([x + MARGIN, y + MARGIN + LABEL]);
         let &[.., alpha] = picture.pixel([x, y]) else {
@@ -78,15 +57,15 @@ fn a_tile_is_the_rendered_picture_over_its_background() {
 #[test]
 fn labels_differ_by_scene_and_moment() {
     let folder = Folder::new("labels");
-    let label = |options: &[&str]| {
-        let sheet = sheet(&folder, options);
+    let label = |scene: &str| {
+        let sheet = sheet(&folder, &format!("{scene} --at 0"));
         let rows = MARGIN..MARGIN + LABEL;
         let pixels = rows.flat_map(|y| (0..48).map(move |x| [x, y]));
         pixels
             .map(|at| sheet.pixel(at)[0] > 128)
             .collect::<Vec<_>>()
     };
-    let [candle, torch] = ["candle", "torch"].map(|scene| label(&[scene, "--at", "0"]));
+    let [candle, torch] = ["candle", "torch"].map(label);
     assert!(candle.contains(&true));
     assert_ne!(candle, torch);
 }
@@ -94,27 +73,22 @@ fn labels_differ_by_scene_and_moment() {
 #[test]
 fn wrong_sheets_are_refused() {
     let folder = Folder::new("wrong-sheets");
-    let cases: [(&[&str], &[&str]); 9] = [
-        (&["candle", "--tile", "4294967295x4294967295"], &["pixels"]),
-        (&["candle", "--at", "1,soon"], &["--at", "soon"]),
+    for (options, words) in [
+        ("candle --tile 4294967295x4294967295", &["pixels"][..]),
+        ("candle --at 1,soon", &["--at", "soon"]),
         (
-            &["candle", "--background", "red"],
+            "candle --background red",
             &["--background", "'red'", "white", "transparent"],
         ),
-        (&["candle", "--columns", "0"], &["--columns"]),
-        (&["candle", "--strip", "0"], &["--strip"]),
-        (&["candle", "--every", "1/0"], &["--every"]),
-        (&["candle", "--tile", "20000x20000"], &["pixels"]),
-        (
-            &["candle", "nonsense"],
-            &["there is no preset \"nonsense\""],
-        ),
-        (&["-", "-"], &["standard input"]),
-    ];
-    for (options, words) in cases {
-        folder
-            .run(&[&["sheet", "--out", "a.png"], options].concat())
-            .refuses(words);
+        ("candle --columns 0", &["--columns"]),
+        ("candle --strip 0", &["--strip"]),
+        ("candle --every 1/0", &["--every"]),
+        ("candle --tile 20000x20000", &["pixels"]),
+        ("candle nonsense", &["there is no preset \"nonsense\""]),
+        ("- -", &["standard input"]),
+    ] {
+        let run = folder.hearth(&format!("sheet --out a.png {options}"));
+        run.refuses(words);
     }
     assert_eq!(folder.names(), [""; 0]);
 }

@@ -1,27 +1,8 @@
 use serde_json::Value;
 
-use crate::harness::{Folder, Png, Run};
+use crate::harness::{Folder, Png};
 
-const CHEAP: [&str; 14] = [
-    "sprites",
-    "default",
-    "--quality",
-    "low",
-    "--tile",
-    "48x32",
-    "--from",
-    "0.5",
-    "--count",
-    "6",
-    "--columns",
-    "4",
-    "--supersample",
-    "1",
-];
-
-fn sprites(folder: &Folder, others: &[&str]) -> Run {
-    folder.run(&[&CHEAP[..], others].concat())
-}
+const CHEAP: &str = "sprites default --quality low --tile 48x32 --from 0.5 --supersample 1";
 
 fn json(folder: &Folder, name: &str) -> Value {
     serde_json::from_slice(&folder.read(name)).expect("JSON")
@@ -30,36 +11,10 @@ fn json(folder: &Folder, name: &str) -> Value {
 #[test]
 fn a_tile_is_the_picture_of_a_film_where_the_atlas_says() {
     let folder = Folder::new("sprites");
-    let run = sprites(
-        &folder,
-        &[
-            "--out",
-            "flame.png",
-            "--premultiplied",
-            "--trim",
-            "--power-of-two",
-            "--gutter",
-            "3",
-            "--atlas",
-            "json",
-        ],
-    );
-    assert_eq!((run.code, &*run.errors), (0, ""));
-    let film = [
-        "film",
-        "default",
-        "--quality",
-        "low",
-        "--size",
-        "48x32",
-        "--from",
-        "0.5",
-        "--seconds",
-        "0.2",
-        "--out",
-        "film",
-    ];
-    assert_eq!(folder.run(&film).code, 0);
+    let options =
+        "--premultiplied --trim --power-of-two --gutter 3 --atlas json --count 6 --columns 4";
+    folder.done(&format!("{CHEAP} --out flame.png {options}"));
+    folder.done("film default --quality low --size 48x32 --from 0.5 --seconds 0.2 --out film");
     let (sheet, atlas) = (
         Png::decode(&folder.read("flame.png")),
         json(&folder, "flame.json"),
@@ -100,21 +55,22 @@ fn a_tile_is_the_picture_of_a_film_where_the_atlas_says() {
 }
 
 #[test]
+fn the_atlas_is_that_of_a_sheet_by_the_page() {
+    let folder = Folder::new("sprites-atlas");
+    folder.done(&format!("{CHEAP} --count 9 --atlas json --out hearth.png"));
+    let known = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/web/sheet.json");
+    let known: Value = serde_json::from_slice(&std::fs::read(known).expect("it")).expect("JSON");
+    assert_eq!(json(&folder, "hearth.json"), known);
+}
+
+#[test]
 fn each_sheet_has_a_file_and_the_motion_of_rising_gas_is_upwards() {
     let folder = Folder::new("sprites-sheets");
-    let run = sprites(
-        &folder,
-        &[
-            "--out",
-            "a.png",
-            "--sheets",
-            "colour,emission,smoke,motion",
-            "--grid-in-name",
-            "--atlas",
-            "tres",
-        ],
-    );
-    assert_eq!((run.code, &*run.errors), (0, ""));
+    let six = format!("{CHEAP} --count 6 --columns 4 --atlas tres --out");
+    let said = folder.done(&format!(
+        "{six} a.png --sheets colour,emission,smoke,motion --grid-in-name"
+    ));
+    assert!(said.starts_with(b"motion: "), "{said:?}");
     let names = [
         "a-emission_4x2.png",
         "a-motion_4x2.png",
@@ -145,40 +101,21 @@ fn each_sheet_has_a_file_and_the_motion_of_rising_gas_is_upwards() {
     let tags = crate::tres::Reader(&text).headings();
     let of_tile = |tag: &&String| *tag == "sub_resource";
     assert_eq!((tags.len(), tags.iter().filter(of_tile).count()), (9, 6));
-    let odd = sprites(&folder, &["--out", "o\"dd\\.png", "--atlas", "tres"]);
-    assert_eq!((odd.code, &*odd.errors), (0, ""));
+    folder.done(&format!("{six} o\"dd\\.png"));
     let odd = String::from_utf8(folder.read("o\"dd\\.tres")).expect("text");
     assert_eq!(crate::tres::Reader(&odd).headings(), tags);
     assert!(
         text.contains("res://a_4x2.png") && text.contains("load_steps=8"),
         "{text}"
     );
-    assert!(run.text().starts_with("motion: "), "{}", run.text());
 }
 
 /// Difference of a sheet's pictures from the next ones, each warped along its vectors, over that of pictures as they are.
 fn warped(folder: &Folder, scene: &str) -> f32 {
     const SIDE: usize = 128;
-    let tiles = [
-        "--quality",
-        "medium",
-        "--count",
-        "5",
-        "--columns",
-        "5",
-        "--gutter",
-        "0",
-    ];
-    let sheets = [
-        "--sheets",
-        "colour,motion",
-        "--premultiplied",
-        "--atlas",
-        "json",
-    ];
-    let out = ["--out", "w.png", "--force"];
-    let run = folder.run(&[&["sprites", scene][..], &tiles, &sheets, &out].concat());
-    assert_eq!((run.code, &*run.errors), (0, ""));
+    let options = "--quality medium --count 5 --columns 5 --gutter 0 --premultiplied --force";
+    let sheets = "--sheets colour,motion --atlas json --out w.png";
+    folder.done(&format!("sprites {scene} {options} {sheets}"));
     let [colour, motion] = ["w.png", "w-motion.png"].map(|name| Png::decode(&folder.read(name)));
     let atlas = json(folder, "w.json");
     let unit = atlas["meta"]["motionPixels"].as_f64().expect("a number") as f32 / 127.0;
@@ -229,27 +166,15 @@ fn a_picture_that_is_warped_along_its_vectors_has_half_the_error_and_never_a_gre
 #[test]
 fn a_sheet_that_cannot_be_is_refused_before_a_fire_burns() {
     let folder = Folder::new("sprites-refused");
-    for (others, words) in [
-        (&["--out", "a.jpg"][..], &["a.jpg", ".png"][..]),
-        (
-            &["--out", "a.png", "--sheets", "depth"],
-            &["depth", "motion"],
-        ),
-        (&["--out", "a.png", "--gutter", "65"], &["64"]),
+    for (options, words) in [
+        ("a.jpg", &["a.jpg", ".png"][..]),
+        ("a.png --sheets depth", &["depth", "motion"]),
+        ("a.png --gutter 65", &["64"]),
+        ("a.png --tile 4096x4096 --count 64", &["pixels"]),
     ] {
-        sprites(&folder, others).refuses(words);
+        let run = folder.hearth(&format!("sprites default --out {options}"));
+        run.refuses(words);
     }
-    let large = [
-        "sprites",
-        "default",
-        "--tile",
-        "4096x4096",
-        "--count",
-        "64",
-        "--out",
-        "a.png",
-    ];
-    folder.run(&large).refuses(&["pixels"]);
     assert_eq!(folder.names(), [""; 0]);
 }
 
@@ -260,7 +185,8 @@ fn a_name_that_is_no_text_is_a_name() {
 
     let folder = Folder::new("sprites-name");
     let name = std::ffi::OsStr::from_bytes(b"fire-\xff.png");
-    let mut command = folder.command(&[&CHEAP[..], &["--atlas", "json", "--out"]].concat());
+    let line = format!("{CHEAP} --count 2 --atlas json --out");
+    let mut command = folder.command(&line.split(' ').collect::<Vec<_>>());
     let run = crate::harness::ended(command.arg(name).spawn().expect("the command"));
     assert_eq!((run.code, &*run.errors), (0, ""));
     assert!(folder.0.join(name).exists());

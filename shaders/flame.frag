@@ -99,6 +99,10 @@ const float HALF_WIDTH = 1.6;
 const float AVERAGED = 1.0;
 const float EDGE = 1.15;         // temperature at its edge [kK]
 const float SOFT_EDGE = 0.25;    // softness of that edge, in squared radii
+// Kernels spread the heat as they spread the soot: the loss in the middle of its excess over the edge for each share of their
+// variance, and the least variance of the heat, which is uncertain at the tip, in squared source widths.
+const float SPREAD = 1.5;
+const float TIP = 0.03;
 const float CORE = 0.85;         // radius of the fuel in its middle, in radii
 const float THIN = 0.4;         // optical depth relative to that of a plane flame: a small flame is thin
 // Time in which soot forms above the source, and mean time since the soot's fuel burnt in which the fuel in the middle
@@ -114,9 +118,10 @@ const float OXIDES = 0.004;
 const float CONE = 0.015;
 const float UNBURNT = 0.019;
 const float CONE_CORE = 1.0;
-// Light of the cone, mostly of C2*, and of the mantle, where carbon monoxide burns with a pale continuum.
+// Light of the cone, mostly of C2*, and, for each share that burns, of the mantle, where carbon monoxide burns with a pale
+// continuum.
 const vec3 SWAN = vec3(0.06, 0.5, 1.8);
-const vec3 MANTLE = vec3(0.014, 0.026, 0.1);
+const vec3 MANTLE = vec3(1.2, 2.2, 8.7);
 // Light of CH* (431 nm) and C2* (473, 516 nm) of gas that burns at 1/s.
 const vec3 BLUE = vec3(0.03, 0.18, 1.0) * 0.1;
 
@@ -177,7 +182,7 @@ void main() {
         // About an axis, gas that burns is normally distributed, so the logarithm of its share is a squared chord.
         float burns = premixed * gas.w / weight * share;
         float cone = half_chord(log(burns / CONE)) - CONE_CORE * half_chord(log(burns / UNBURNT));
-        blue = SWAN * cone + MANTLE * half_chord(log(burns / OXIDES));
+        blue = SWAN * cone + MANTLE * min(burns, CONE) * half_chord(log(burns / OXIDES));
         left = 0.0;
     } else if (roundness > 0.0) {
         vec3 moments = vec3(0.0);
@@ -211,7 +216,7 @@ void main() {
         float begun = max(smoothstep(-0.5 * ROOT, 0.5 * ROOT, above - CUP * squared), on_solid) * step(EDGE, hottest);
         float chord = (half_chord(1.0 - squared) - core * half_chord(CORE * CORE - squared)) * begun;
         left = mix(left, THIN * soot_inside * chord * formed, roundness);
-        kilokelvin = mix(kilokelvin, hottest, roundness);
+        kilokelvin = mix(kilokelvin, EDGE + (hottest - EDGE) * (1.0 + SPREAD * kernel_variance / max(variance, TIP)), roundness);
         blue = BLUE * (roundness * burns * chord * (1.0 - formed));
     }
 

@@ -146,14 +146,14 @@ const float COAL_DARK = 0.4; // below zero
 const float COAL_BRIGHT = 0.3;
 const float COAL_SOFT = 0.3;
 
-const vec3 WAX_COLOUR = vec3(0.8, 0.72, 0.55);
+const vec3 WAX_COLOUR = vec3(0.82, 0.77, 0.66);
 const float WAX_SOFT = 0.6; // light spreads in wax
 const float WAX_SHINE = 0.15;
 // Light enters wax at its top and is lost on the way down: the share that is left far below, what the top gains, and the
 // depth over which it is lost [m].
-const float WAX_DARK = 0.28;
+const float WAX_DARK = 0.2;
 const float WAX_LIT = 1.9;
-const float WAX_DEPTH = 0.022;
+const float WAX_DEPTH = 0.032;
 const float WAX_ASIDE = 0.4; // share that is lost at its sides, away from the wick
 const vec3 PAPER_COLOUR = vec3(0.8, 0.78, 0.72);
 const float CRUMPLED = 0.5; // slope of paper by broad noise

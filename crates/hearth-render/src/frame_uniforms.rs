@@ -193,7 +193,8 @@ impl<'a> FrameUniforms<'a> {
     pub fn sky(&self) -> [f32; 3] {
         let share = SKY_BRIGHTNESS * (1.0 - self.wall());
         let [r, g, b, _] = background(self.parameters.background);
-        [r, g, b].map(|channel| self.parameters.ambient_light + share * channel * channel)
+        let ambient = AMBIENT_BRIGHTNESS * self.parameters.ambient_light;
+        [r, g, b].map(|channel| ambient + share * channel * channel)
     }
 
     /// Maximum radiance in targets as it lights things: a camera that sees a lit room takes less of the fire's light.
@@ -334,7 +335,10 @@ pub fn has_backdrop(parameters: &Parameters) -> bool {
 }
 
 /// Divides the fire's light on things by 1 + this much of the ambient light.
-const PER_AMBIENT_LIGHT: f32 = 4.0;
+const PER_AMBIENT_LIGHT: f32 = 8.0;
+
+/// Brightness of ambient light, in which white things are nearly white.
+const AMBIENT_BRIGHTNESS: f32 = 1.6;
 
 /// Brightness of the ground under a white background.
 const SKY_BRIGHTNESS: f32 = 0.4;

@@ -141,7 +141,10 @@ export class Field {
     const { clientWidth: width } = this.#fire;
     const [left, right] = [this.#fire.toMetres(0, 0), this.#fire.toMetres(width, 0)];
     if (!left || !right) return [];
-    const places = Array.from({ length: COLUMNS }, (_, at) => left.x + ((at + 0.5) / COLUMNS) * (right.x - left.x));
+    // A wide picture has more air, not more fire.
+    const edge = this.#fire.params.domain_width / 2;
+    const [from, to] = [Math.max(left.x, -edge), Math.min(right.x, edge)];
+    const places = Array.from({ length: COLUMNS }, (_, at) => from + ((at + 0.5) / COLUMNS) * (to - from));
     return Promise.all(places.map(async (x) => ({ x, profile: (await this.#fire.measure(x, 0)).profile })));
   }
 

@@ -144,7 +144,8 @@ test('a scene of the community burns, copies its HTML, and opens with the panel'
 
 test('a link to films opens their dialog over the scene', async () => {
   const tab = await browser.open('index.html?scene=candle&open=save', SIZES[0][1]);
-  await tab.until('the dialog', () => document.querySelector('dialog[open]'));
+  const open = () => document.querySelector('.hearth-recorder')?.shadowRoot?.querySelector('dialog')?.open;
+  await tab.until('the dialog', open);
   assert.equal(await tab.fire((fire) => fire.preset), 'candle');
   await tab.until('the address without it', () => !location.search.includes('open'));
   assert.deepEqual(tab.problems, []);

@@ -1,7 +1,7 @@
 /**
  * A fire for Phaser: an image whose texture burns, and which follows a target.
  *
- *     const fire = new FireImage(scene, { preset: 'torch' });
+ *     const fire = new FireImage(scene, { values: { source_width: 0.17 } });
  *     scene.add.existing(fire);
  *     fire.target = player;
  */

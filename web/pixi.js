@@ -1,7 +1,7 @@
 /**
  * A fire for PixiJS: a sprite whose texture burns, and which follows a target.
  *
- *     const fire = new FireSprite({ preset: 'torch' });
+ *     const fire = new FireSprite({ values: { source_width: 0.17 } });
  *     app.stage.addChild(fire);
  *     fire.target = player;
  *

@@ -9,7 +9,9 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
+import { eventually } from '../e2e/driver.mjs';
 import { serve } from '../e2e/server.mjs';
+
 import { installed } from './package.mjs';
 import { browser } from './pages.mjs';
 
@@ -77,12 +79,17 @@ test('what is wrong is refused by name', async () => {
     assert.match(told[at], new RegExp(name));
 });
 
-test('fires that come and go leave no texture, context or worker', async () => {
+test('fires that come and go leave no texture, geometry or worker', async () => {
   const left = await seen('mounts', 10);
   assert.deepEqual([left.textures, left.geometries], [0, 0]);
-  await bare.until('the engine has ended', () => /** @type {any} */ (window).driver.workers() === 0);
-  const { contexts } = await bare.living();
-  assert.equal(contexts, 1);
+  // Its context goes with the worker.
+  await eventually(
+    'the engine has ended',
+    async () => bare.page.workers().length,
+    (workers) => workers === 0,
+    () => bare.frames(1),
+    (workers) => `${workers} workers`,
+  );
 });
 
 test('a strict compiler accepts the types beside those of the engines', async () => {

@@ -133,7 +133,7 @@ class Recording {
     const { count, fps } = this.#film;
     await this.#hear(copy);
     while (this.#samples.count < (count * RATE) / fps) {
-      this.#check();
+      await this.#check();
       await copy.call('advance', READ_SECONDS * speed);
       this.#done = Math.min(count, Math.floor((this.#samples.count * fps) / RATE));
       this.#progress();
@@ -162,7 +162,7 @@ class Recording {
     (await copy.picture(start > fade ? speed / fps : 0, film)).close();
     let encoded = Promise.resolve();
     for (let number = -fade; number < count; number += 1) {
-      this.#check();
+      await this.#check();
       const picture = await copy.picture(speed / fps, film);
       // One picture is encoded while the next one is drawn.
       await encoded;
@@ -194,7 +194,7 @@ class Recording {
     await small.show(this.#film, SEARCH_PIXELS);
     const { searched } = loopOf(count, fps);
     for (let number = 0; number < this.#lived; number += 1) {
-      this.#check();
+      await this.#check();
       const picture = await small.picture(speed / fps);
       if (number < searched) await this.#write(await this.#ask({ search: picture }, [picture]));
       else {
@@ -230,8 +230,13 @@ class Recording {
     this.#onprogress({ frame, frames, bytes: this.sink.bytes });
   }
 
-  /** @throws {Error} the fire is another one, or there is none */
-  #check() {
+  /**
+   * Waits until the page is shown.
+   * @throws {Error} the fire is another one, or there is none
+   */
+  async #check() {
+    while (document.hidden)
+      await new Promise((resolve) => document.addEventListener('visibilitychange', resolve, { once: true }));
     if (this.#session.connection?.number !== this.#copies[0].original)
       throw new Error('the fire was removed during the film');
   }

@@ -380,10 +380,16 @@ test('the dialog of the page shows a sample, and size and time, before it record
     await tab.page.waitForSelector(`${inside}dialog`);
     await tab.page.click(`${inside}[value="film"]`);
     await tab.page.select(`${inside}[name="size"]`, '256 × 256');
-    await tab.page.$eval(`${inside}[name="seconds"]`, (field) => {
-      /** @type {HTMLInputElement} */ (field).value = '0.5';
-      field.dispatchEvent(new Event('input', { bubbles: true }));
-    });
+    const lasts = (/** @type {string} */ seconds) =>
+      tab.page.$eval(
+        `${inside}[name="seconds"]`,
+        (field, seconds) => {
+          /** @type {HTMLInputElement} */ (field).value = seconds;
+          field.dispatchEvent(new Event('input', { bubbles: true }));
+        },
+        seconds,
+      );
+    await lasts('0.5');
     const says = (/** @type {RegExp} */ words) =>
       tab.page.waitForFunction(
         (source) =>
@@ -416,7 +422,8 @@ test('the dialog of the page shows a sample, and size and time, before it record
     await tab.page.click(`${inside}[name="cancel"]`);
     await says(/^Cancelled\. Nothing is saved\.$/);
     await tab.page.click(`${inside}[value="sheet"]`);
-    await says(/^15 pictures of 256 × 256/);
+    await lasts('1');
+    await says(/^30 pictures of 256 × 256/);
     await tab.key('Escape');
     await tab.until('no dialog', () => !document.querySelector('.hearth-recorder'));
     const age = await tab.fire((fire) => fire.stats?.time ?? 0);

@@ -14,8 +14,8 @@ import { RATE, Samples } from './record/wav.js';
 
 export { FORMATS, LOOP_SECONDS, MAX_SIDE, MIN_SIDE, RATES, estimate } from './record/options.js';
 
-/** Width of the pictures in which the beginning of a loop is looked for [pixels]. */
-const SEARCH_WIDTH = 64;
+/** Pixels of a picture in which the beginning of a loop is looked for. */
+const SEARCH_PIXELS = 64 * 64;
 
 /** Seconds of fire between two readings of its sound, if it has no pictures. */
 const READ_SECONDS = 0.1;
@@ -83,8 +83,7 @@ class Recording {
     this.#worker = session.trustedWorker(worker);
     this.sink = sink;
     this.#onprogress = onprogress;
-    const { fade, searched } = loopOf(film.count, film.fps);
-    this.#all = film.count + (film.loop ? searched + fade : 0);
+    this.#all = film.count + (film.loop ? loopOf(film.count, film.fps).fade + this.#lived : 0);
     this.#failed.catch(() => {});
     this.#worker.onmessage = ({ data }) => this.#awaited.shift()?.(data);
     this.#worker.onerror = (event) => {
@@ -117,6 +116,7 @@ class Recording {
     if (!copy) throw new Error('there is no fire to record');
     this.#copies.push(copy);
     await copy.added;
+    if (film.describe) film.text = JSON.stringify(await copy.call('export'));
     const { format } = await this.#ask({ open: film });
     film.format = format;
     const speed = Number(this.#session.fire.params.time_scale);
@@ -133,7 +133,7 @@ class Recording {
     const { count, fps } = this.#film;
     await this.#hear(copy);
     while (this.#samples.count < (count * RATE) / fps) {
-      this.#check();
+      await this.#check();
       await copy.call('advance', READ_SECONDS * speed);
       this.#done = Math.min(count, Math.floor((this.#samples.count * fps) / RATE));
       this.#progress();
@@ -147,19 +147,22 @@ class Recording {
     await copy.call('sound', RATE, roar, crackle, hiss);
   }
 
-  /** Draws the pictures of the film. @type {(copy: Copy, speed: number) => Promise<void>} */
-  async #draw(copy, speed) {
+  /** Draws the pictures of the film. @type {(original: Copy, speed: number) => Promise<void>} */
+  async #draw(original, speed) {
     const film = this.#film;
     const { count, fps, loop } = film;
     const fade = loop ? loopOf(count, fps).fade : 0;
-    const start = loop ? await this.#search(copy, speed) : 0;
+    const start = loop ? await this.#search(original, speed) : 0;
+    const copy = loop ? original.copy({ start, count }) : original;
+    if (loop) this.#copies.push(copy);
     if (film.sound) await this.#hear(copy);
     await copy.show(film);
-    // A spark is drawn as the path since the picture before: the first one is not shown.
-    (await copy.picture(((start - fade) / fps) * speed, film)).close();
+    // The steps are those of the search. What is seen follows from earlier pictures: the first one is not shown.
+    for (let number = 1; number < start - fade; number += 1) copy.call('advance', speed / fps).catch(this.#fail);
+    (await copy.picture(start > fade ? speed / fps : 0, film)).close();
     let encoded = Promise.resolve();
     for (let number = -fade; number < count; number += 1) {
-      this.#check();
+      await this.#check();
       const picture = await copy.picture(speed / fps, film);
       // One picture is encoded while the next one is drawn.
       await encoded;
@@ -173,25 +176,35 @@ class Recording {
     if (film.sound) await copy.call('advance', READ_SECONDS * speed);
   }
 
-  /** The number of the picture with which a loop begins. @type {(copy: Copy, speed: number) => Promise<number>} */
+  /** Pictures from the search of a loop until its last spark has gone out. */
+  get #lived() {
+    const { count, fps } = this.#film;
+    const { ember_life_max: life, time_scale: speed } = this.#session.fire.params;
+    return loopOf(count, fps).searched + Math.ceil((Number(life) / Number(speed)) * fps);
+  }
+
+  /**
+   * The number of the picture with which a loop begins. Another copy of the copy can show the loop's sparks then.
+   * @type {(copy: Copy, speed: number) => Promise<number>}
+   */
   async #search(copy, speed) {
-    const { width, height, count, fps, background } = this.#film;
+    const { count, fps } = this.#film;
     const small = copy.copy();
     this.#copies.push(small);
-    const size = {
-      width: SEARCH_WIDTH,
-      height: Math.min(256, Math.max(16, Math.round((SEARCH_WIDTH * height) / width))),
-    };
-    await small.show({ ...size, background });
+    await small.show(this.#film, SEARCH_PIXELS);
     const { searched } = loopOf(count, fps);
-    for (let number = 0; number < searched; number += 1) {
-      this.#check();
-      const picture = await small.picture(speed / fps, size);
-      await this.#write(await this.#ask({ search: picture }, [picture]));
+    for (let number = 0; number < this.#lived; number += 1) {
+      await this.#check();
+      const picture = await small.picture(speed / fps);
+      if (number < searched) await this.#write(await this.#ask({ search: picture }, [picture]));
+      else {
+        picture.close();
+        await this.#write({});
+      }
     }
+    const { start } = await this.#ask({ found: true });
     this.#copies.pop();
     small.close();
-    const { start } = await this.#ask({ found: true });
     return start;
   }
 
@@ -217,8 +230,13 @@ class Recording {
     this.#onprogress({ frame, frames, bytes: this.sink.bytes });
   }
 
-  /** @throws {Error} the fire is another one, or there is none */
-  #check() {
+  /**
+   * Waits until the page is shown.
+   * @throws {Error} the fire is another one, or there is none
+   */
+  async #check() {
+    while (document.hidden)
+      await new Promise((resolve) => document.addEventListener('visibilitychange', resolve, { once: true }));
     if (this.#session.connection?.number !== this.#copies[0].original)
       throw new Error('the fire was removed during the film');
   }

@@ -2,14 +2,16 @@
  * The files of films: what a reader of their formats finds in them. Browsers decode them in `e2e/extended/record.test.mjs`.
  */
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 import { crc32 as checksum, inflateSync, deflateSync } from 'node:zlib';
+import { bleed, stacked } from '../../web/record/alpha.js';
 import { chunksOf, crc32, joined } from '../../web/record/bytes.js';
 import { Gif, compressed, paletteOf, threshold } from '../../web/record/gif.js';
 import { mix, loopOf, shareOfEarlier, startOf } from '../../web/record/loop.js';
 import { Mp4 } from '../../web/record/mp4.js';
-import { Apng, WebP, Zip, ticks } from '../../web/record/pictures.js';
-import { bleed } from '../../web/record/video.js';
+import { Apng, Still, WebP, Zip, ticks } from '../../web/record/pictures.js';
+import { Sheet, atlasOf } from '../../web/record/sheet.js';
 import { Samples, wav } from '../../web/record/wav.js';
 import { WebM } from '../../web/record/webm.js';
 
@@ -273,6 +275,93 @@ test('colours go on where nothing is seen, and alpha stays', () => {
   for (const pixel of [0, 11, 29, 39]) assert.deepEqual(at(pixel), [0, 0, 0, 0]);
 });
 
+test('stacked alpha is a grey below the colours', () => {
+  const pixels = Uint8ClampedArray.of(90, 60, 30, 255, 0, 0, 0, 0, 8, 7, 6, 5, 0, 0, 0, 0);
+  const colours = [90, 60, 30, 255, 90, 60, 30, 255, 8, 7, 6, 255, 8, 7, 6, 255];
+  const greys = [255, 255, 255, 255, 0, 0, 0, 255, 5, 5, 5, 255, 0, 0, 0, 255];
+  assert.deepEqual([...stacked(pixels, 2)], [...colours, ...greys]);
+});
+
+/** The files of an archive. @param {Buffer} zip */
+function entriesOf(zip) {
+  const files = new Map();
+  for (let at = 0; zip.readUInt32LE(at) === 0x04034b50; ) {
+    const [size, length] = [zip.readUInt32LE(at + 18), zip.readUInt16LE(at + 26)];
+    const start = at + 30 + length;
+    files.set(text(zip.subarray(at + 30, start)), zip.subarray(start, start + size));
+    at = start + size;
+  }
+  return files;
+}
+
+test('a sheet has each picture where its description says, and the description is that of the command', async () => {
+  const known = JSON.parse(await readFile(new URL('sheet.json', import.meta.url), 'utf8'));
+  assert.deepEqual(atlasOf({ width: 48, height: 32, fps: 30, count: 9, premultiplied: false }), known);
+  for (const premultiplied of [false, true]) {
+    const header = { width: 4, height: 2, fps: 30, count: 9, premultiplied, text: '{}' };
+    const film = new Sheet(header);
+    // A pixel of each picture is seen, half of it.
+    for (let number = 0; number < header.count; number += 1) {
+      const pixels = new Uint8ClampedArray(4 * 4 * 2);
+      pixels.set([10 * number, 200, 0, 128], 4 * 5);
+      film.add(pixels, number);
+    }
+    const files = entriesOf(Buffer.from(fileOf(await film.end())));
+    const { frames, animations, meta } = JSON.parse(String(files.get('hearth.json')));
+    const chunks = chunksOf(new Uint8Array(files.get('hearth.png')), 'png');
+    assert.equal(chunks.map(({ name }) => name).join(' '), 'IHDR iTXt sRGB IDAT IEND');
+    const { w, h } = meta.size;
+    assert.deepEqual([...chunks[0].bytes.subarray(0, 8)], [0, 0, 0, w, 0, 0, 0, h]);
+    const rows = inflateSync(chunks[3].bytes);
+    const pixel = (/** @type {number} */ x, /** @type {number} */ y) =>
+      Array.from({ length: 4 }, (_, part) => {
+        // Each row has the differences from the one above.
+        let value = 0;
+        for (let row = 0; row <= y; row += 1) value += rows[row * (4 * w + 1) + 1 + 4 * x + part];
+        return value % 256;
+      });
+    for (const [number, name] of animations.hearth.entries()) {
+      const { x, y } = frames[name].frame;
+      const red = 10 * number;
+      const seen = premultiplied ? [Math.round((red * 128) / 255), 100, 0, 128] : [red, 200, 0, 128];
+      assert.deepEqual(pixel(x + 1, y + 1), seen, name);
+      // The colour goes on within the tile, and not beside it.
+      assert.deepEqual(pixel(x, y), premultiplied ? [0, 0, 0, 0] : [red, 200, 0, 0]);
+      assert.deepEqual(pixel(x - 1, y), [0, 0, 0, 0]);
+    }
+  }
+});
+
+test('every format but WAV has a place for a text, and none without one', async () => {
+  const about = `{"hearth":3,"values":{"seed":7},"name":"<ä> & ${'long '.repeat(80)}"}`;
+  const block = { bytes: Uint8Array.of(1), isKey: true, ms: 0 };
+  for (const told of [about, undefined]) {
+    const header = { width: 8, height: 8, fps: 25, count: 1, text: told };
+    const gif = new Gif(header);
+    gif.add(new Uint8ClampedArray(256));
+    const [webm, mp4] = [new WebM({ ...header, alpha: false }), new Mp4(header)];
+    const files = {
+      apng: filmOf(new Apng(header), [png(1)]),
+      png: filmOf(new Still(header), [png(1)]),
+      zip: filmOf(new Zip(header), [png(1)]),
+      webp: filmOf(new WebP(header), [webp([['VP8L', [7]]])]),
+      gif: fileOf(gif.end()),
+      webm: fileOf([...webm.begin(), ...webm.add(block, 1), ...webm.end()]),
+      mp4: fileOf([...mp4.begin(), ...mp4.add(block.bytes, 0, true, 1000), ...mp4.end(block.bytes)]),
+    };
+    for (const [format, file] of Object.entries(files)) {
+      let written = Buffer.from(file).toString('utf8');
+      if (format === 'webp') written = written.replaceAll('&lt;', '<').replaceAll('&amp;', '&');
+      // Blocks of a GIF have their lengths between them.
+      const part = about.slice(0, format === 'gif' ? 200 : undefined);
+      assert.equal(written.includes(part), told !== undefined, format);
+      if (format === 'webp') assert.equal(new DataView(file.buffer).getUint32(4, true), file.length - 8);
+    }
+    assert.equal(chunksOf(files.webp, 'riff')[0].bytes[0], told ? 0x16 : 0x12);
+    elements(files.webm);
+  }
+});
+
 test('WAV has both channels in turn, from the first sample to the last', () => {
   const samples = new Samples();
   samples.add(Float32Array.of(0, 1, 0.5, -1));
@@ -292,8 +381,8 @@ test('WAV has both channels in turn, from the first sample to the last', () => {
 
 /** The elements of WebM that contain others. */
 const PARENTS = [
-  0x18538067, 0x114d9b74, 0x4dbb, 0x1549a966, 0x1654ae6b, 0xae, 0xe0, 0x1f43b675, 0xa0, 0x75a1, 0xa6, 0x1c53bb6b, 0xbb,
-  0xb7,
+  0x1254c367, 0x7373, 0x67c8, 0x18538067, 0x114d9b74, 0x4dbb, 0x1549a966, 0x1654ae6b, 0xae, 0xe0, 0x1f43b675, 0xa0,
+  0x75a1, 0xa6, 0x1c53bb6b, 0xbb, 0xb7,
 ];
 
 /** The elements of a WebM file, with their places. @type {(file: Uint8Array, from?: number, to?: number) => {id: number, at: number, bytes: Uint8Array}[]} */

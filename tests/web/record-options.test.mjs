@@ -20,6 +20,9 @@ test('a film without options is of five seconds, 30 pictures a second, in the si
     count: 150,
     alpha: true,
     sound: false,
+    stackedAlpha: false,
+    premultiplied: false,
+    describe: false,
   };
   assert.deepEqual(of(undefined), film);
   assert.deepEqual(of({ width: 101 }).height, 152);
@@ -49,14 +52,21 @@ for (const [options, words] of /** @type {[any, RegExp][]} */ ([
   [{ sound: true }, /“auto” has no sound: webm, mp4 and wav have it/],
   [{ format: 'webm', sound: true, loop: true }, /a loop has no sound/],
   [{ format: 'webm', width: 101, height: 100 }, /both are even in webm/],
+  [{ format: 'webm', stackedAlpha: true }, /stackedAlpha is for mp4: webp, .* have alpha of their own/],
+  [{ format: 'webp', premultiplied: true }, /premultiplied is for a sheet/],
+  [
+    { format: 'wav', describe: true },
+    /WAV has no place for a text: webp, apng, gif, webm, mp4, zip, png, sheet have one/,
+  ],
 ]))
   test(`refused: ${JSON.stringify(options)}`, () =>
     assert.throws(() => of(options), { name: 'RangeError', message: words }));
 
 test('MP4 has no alpha: the refusal names the formats that have, and any opaque background is one', () => {
-  const words = /MP4 has no alpha: state a background .*: webp, apng, gif, webm, zip, png$/;
+  const words = /MP4 has no alpha: state a background .*, stackedAlpha, .*: webp, apng, gif, webm, zip, png, sheet$/;
   for (const background of [undefined, 'scene', 'transparent'])
     assert.throws(() => of({ format: 'mp4', background }), words);
+  assert.equal(of({ format: 'mp4', stackedAlpha: true }).alpha, true);
   assert.equal(of({ format: 'mp4', background: '#101018' }).alpha, false);
   assert.equal(of({ format: 'mp4' }, { ...params, background: '#203040' }).alpha, false);
   assert.equal(of({ format: 'mp4' }, { ...params, backdrop: 'bricks' }).alpha, false);
@@ -71,7 +81,7 @@ test('a film that exceeds the memory is refused with its estimate, unless a stre
   );
   assert.doesNotThrow(() => checkMemory(film, true));
   const gif = of({ format: 'gif', width: 1024, height: 1024, seconds: 20 });
-  assert.throws(() => checkMemory(gif, true), /another format than GIF, which keeps its pictures/);
+  assert.throws(() => checkMemory(gif, true), /another format, which does not keep its pictures/);
   assert.doesNotThrow(() => checkMemory(of({ width: 512, height: 512 }), false));
 });
 

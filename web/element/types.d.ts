@@ -112,9 +112,10 @@ export interface HearthFilmProgress {
 export interface HearthFilm {
   /**
    * `webp`, or `apng` where the browser encodes no WebP, without it. `zip` has PNG files, `png` is the first picture alone,
-   * `wav` the sound alone. `mp4` has no alpha and needs a `background`.
+   * `sheet` has all pictures as tiles of one, and a description of them, `wav` the sound alone. `mp4` has no alpha and needs a
+   * `background` or `stackedAlpha`.
    */
-  format?: 'webp' | 'apng' | 'gif' | 'webm' | 'mp4' | 'zip' | 'png' | 'wav';
+  format?: 'webp' | 'apng' | 'gif' | 'webm' | 'mp4' | 'zip' | 'png' | 'sheet' | 'wav';
   /** Length [s], up to 600, of a loop from 1 to 10; 5 without it. */
   seconds?: number;
   /** Pictures per second: 24, 25, 30, 50 or 60, of a GIF 20, 25, 33.33 or 50; 30 without it, of a GIF 25. */
@@ -130,6 +131,12 @@ export interface HearthFilm {
   sound?: boolean;
   /** What is behind fire and solids: `scene`, as the element shows them, `transparent`, or a colour such as `#101018`. */
   background?: string;
+  /** Whether an `mp4` is twice as high, with alpha as a grey in its lower half. */
+  stackedAlpha?: boolean;
+  /** Whether colours of a `sheet` are multiplied by alpha; without it, those of the edge go on where nothing is seen. */
+  premultiplied?: boolean;
+  /** Whether scene and seed are in the file, as a text that is a settings file; all formats but `wav` have a place for it. */
+  describe?: boolean;
   /** Takes the file, which then is not kept in memory. It is closed at the end; a film that fails leaves nothing in it. */
   stream?: FileSystemWritableFileStream;
   /** Cancels the film. */

@@ -12,6 +12,9 @@ export function ascii(letters) {
   return Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
 }
 
+/** A text as bytes. @param {string} text */
+export const utf8 = (text) => new TextEncoder().encode(text);
+
 /**
  * Bytes one after another.
  * @param {...(Uint8Array | number[])} parts

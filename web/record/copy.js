@@ -25,8 +25,9 @@ export class Copy {
    * @param {import('../engine/engine.js').Port} port
    * @param {number} original the number of the fire
    * @param {(call: Call) => Call} host resolves values of a call
+   * @param {{start: number, count: number}} [loop] the pictures whose sparks it shows
    */
-  constructor(port, original, host) {
+  constructor(port, original, host, loop) {
     this.#port = port;
     this.#host = host;
     this.original = original;
@@ -39,13 +40,16 @@ export class Copy {
         port.shown(this.#fire);
       },
     });
-    this.added = this.call('add', { films: original, paused: true });
+    this.added = this.call('add', { films: original, paused: true, values: loop });
     this.added.catch(() => {});
   }
 
-  /** A copy of this one, for which it waits. */
-  copy() {
-    return new Copy(this.#port, this.#fire, this.#host);
+  /**
+   * A copy of this one, for which it waits. It records its sparks or shows those of a loop that another copy has recorded.
+   * @param {{start: number, count: number}} [loop]
+   */
+  copy(loop) {
+    return new Copy(this.#port, this.#fire, this.#host, loop);
   }
 
   /** @type {(...call: Call) => Promise<any>} */
@@ -57,32 +61,31 @@ export class Copy {
   }
 
   /**
-   * Sets how pictures are drawn.
-   * @type {(size: {width: number, height: number, background?: string}) => Promise<void>}
+   * Sets how pictures are drawn, in that many pixels at most.
+   * @type {(size: {width: number, height: number, background?: string}, pixels?: number) => Promise<void>}
    */
-  async show({ width, height, background }) {
+  async show({ width, height, background }, pixels = Math.max(width * height, 1024)) {
     await this.added;
     if (background !== undefined) await this.call('set', { backdrop: 'none', ground: 'none', background }, 'film');
-    await this.call('max_pixels', Math.max(width * height, 1024));
+    await this.call('max_pixels', pixels);
     await this.call('resize', width, height, 0);
     await this.call('visible', true);
   }
 
   /**
-   * Burns on for so long and draws.
-   * @type {(seconds: number, size: {width: number, height: number}) => Promise<ImageBitmap>}
+   * Burns on for so long and draws: a picture of that size, or of any.
+   * @type {(seconds: number, size?: {width: number, height: number}) => Promise<ImageBitmap>}
    */
-  async picture(seconds, { width, height }) {
+  async picture(seconds, size) {
     // Without time that passes, the picture may be there already.
     await this.call('advance', seconds);
     const picture = await this.#picture;
     this.#picture = undefined;
-    if (picture?.width === width && picture.height === height) return picture;
-    picture?.close();
+    if (!picture) throw new Error('the fire was not drawn');
+    if (!size || (picture.width === size.width && picture.height === size.height)) return picture;
+    picture.close();
     throw new Error(
-      picture
-        ? `the graphics card has no memory for ${width} × ${height} pixels: it draws ${picture.width} × ${picture.height}`
-        : 'the fire was not drawn',
+      `the graphics card has no memory for ${size.width} × ${size.height} pixels: it draws ${picture.width} × ${picture.height}`,
     );
   }
 

@@ -1,5 +1,5 @@
 /**
- * The dialog that saves a fire: as a film, a loop, a GIF or an image. It shows a sample, and what the file takes, before it
+ * The dialog that saves a fire: as a film, a loop, a GIF, a sprite sheet or an image. It shows a sample, and what the file takes, before it
  * starts. The panel and the page open it.
  *
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
@@ -14,7 +14,7 @@ import { loopOf } from './loop.js';
 import { STYLES } from './style.js';
 
 /** What the fire is saved as. */
-const KINDS = { film: 'Film', loop: 'Loop', gif: 'GIF', still: 'Image' };
+const KINDS = { film: 'Film', loop: 'Loop', gif: 'GIF', sheet: 'Sheet', still: 'Image' };
 
 /** The formats of a film, by name, and of a loop. @type {{[format: string]: string}} */
 const FILMS = {
@@ -22,6 +22,7 @@ const FILMS = {
   apng: 'APNG: transparent, exact colours',
   webm: 'WebM: transparent, not in Safari',
   mp4: 'MP4: for players, not transparent',
+  stacked: 'MP4 with alpha in its lower half',
   zip: 'PNG pictures in a zip archive',
   wav: 'WAV: the sound alone',
 };
@@ -71,6 +72,8 @@ class Recorder {
   #background = choice('background', 'Background', Object.entries(BACKGROUNDS));
   #sound = element('input', { name: 'sound', type: 'checkbox' });
   #soundRow = element('label', {}, element('span', {}, 'With sound'), this.#sound);
+  #describe = element('input', { name: 'describe', type: 'checkbox' });
+  #describeRow = element('label', {}, element('span', {}, 'With its settings'), this.#describe);
   #preview = element('div', { class: 'preview' });
   #about = element('p', { class: 'about', role: 'status' });
   #alert = element('p', { role: 'alert' });
@@ -118,11 +121,12 @@ class Recorder {
       this.#rate.row,
       this.#background.row,
       this.#soundRow,
+      this.#describeRow,
     );
     const sheets = element(
       'p',
       { class: 'note' },
-      'Sprite sheets with motion vectors: the command ',
+      'Sheets of motion vectors, light or smoke: the command ',
       element('code', {}, 'hearth sprites'),
       '.',
     );
@@ -173,11 +177,15 @@ class Recorder {
 
   get #format() {
     const kind = this.#kind;
-    return kind === 'gif'
-      ? 'gif'
-      : kind === 'still'
-        ? 'png'
-        : /** @type {keyof typeof FORMATS} */ (this.#formats.select.value);
+    if (kind === 'gif' || kind === 'sheet') return kind;
+    if (kind === 'still') return 'png';
+    const { value } = this.#formats.select;
+    return /** @type {keyof typeof FORMATS} */ (value === 'stacked' ? 'mp4' : value);
+  }
+
+  /** Whether the end goes over into the beginning: game engines play sheets again and again. */
+  get #isLoop() {
+    return this.#kind === 'loop' || this.#kind === 'sheet';
   }
 
   /** The size that is chosen [pixels]. */
@@ -195,9 +203,12 @@ class Recorder {
     const film = { format, width, height, seconds: this.#seconds.valueAsNumber, fps: Number(this.#rate.select.value) };
     const kind = this.#kind;
     const sound = this.#sound.checked && !this.#soundRow.hidden;
-    const options = { ...film, loop: kind === 'loop', sound, background: this.#background.select.value };
+    const stackedAlpha = kind === 'film' && this.#formats.select.value === 'stacked';
+    const describe = this.#describe.checked && !this.#describeRow.hidden;
+    const background = this.#background.select.value;
+    const options = { ...film, loop: this.#isLoop, sound, background, stackedAlpha, describe };
     // What has no alpha is over black.
-    if (format === 'mp4' && this.#filmOf(options) === undefined && this.#background.select.value !== '#ffffff')
+    if (format === 'mp4' && this.#filmOf(options) === undefined && background !== '#ffffff')
       return { ...options, background: '#000000' };
     return options;
   }
@@ -221,13 +232,13 @@ class Recorder {
     if (this.#formats.select.selectedOptions[0]?.disabled) this.#formats.select.value = LOOPS[0];
     const format = this.#format;
     const isSound = format === 'wav';
-    this.#formats.row.hidden = kind === 'gif' || still;
+    this.#formats.row.hidden = kind !== 'film' && kind !== 'loop';
     this.#length.hidden = still;
     this.#rate.row.hidden = still || isSound;
-    this.#size.row.hidden = this.#background.row.hidden = isSound;
+    this.#size.row.hidden = this.#background.row.hidden = this.#describeRow.hidden = isSound;
     this.#soundRow.hidden = kind !== 'film' || !['webm', 'mp4'].includes(format);
-    this.#seconds.min = kind === 'loop' ? '1' : '0.5';
-    this.#seconds.max = kind === 'loop' ? '10' : '600';
+    this.#seconds.min = this.#isLoop ? '1' : '0.5';
+    this.#seconds.max = this.#isLoop ? '10' : '600';
     this.#offerRates(format === 'gif' ? RATES.gif : RATES.others, format === 'gif' ? 25 : 30);
     this.#alert.textContent = '';
     this.#tell();
@@ -287,7 +298,9 @@ class Recorder {
     }
     const scale = Math.min(1, SAMPLE_SIDE / Math.max(width, height));
     const [across, up] = [width, height].map((side) => Math.max(16, 2 * Math.round((side * scale) / 2)));
-    const moving = ['webp', 'apng', 'gif'].includes(String(format)) ? format : 'png';
+    const isStill = this.#kind === 'still';
+    /** @type {Options['format']} */
+    const moving = isStill ? 'png' : format === 'gif' || format === 'webp' ? format : 'apng';
     this.#sample = new AbortController();
     const { signal } = this.#sample;
     /** @type {number[]} */
@@ -306,10 +319,11 @@ class Recorder {
       const file = await this.#fire.record({ ...sample, signal, onprogress });
       if (!file || signal.aborted) return;
       this.#show(file);
-      if (moving === 'png') return;
+      if (isStill) return;
       // The first picture comes with the start of all.
       const seconds = (times[SAMPLE - 1] - times[0]) / (SAMPLE - 1) / 1000 / scale ** 2;
-      this.#measured = { seconds, bytes: file.size / SAMPLE / scale ** 2 };
+      const isAlike = !['webm', 'mp4'].includes(String(format));
+      this.#measured = { seconds, ...(isAlike && { bytes: file.size / SAMPLE / scale ** 2 }) };
       this.#tell();
     } catch (error) {
       if (!signal.aborted) this.#alert.textContent = messageOf(error);
@@ -349,7 +363,7 @@ class Recorder {
       const { ending } = FORMATS[/** @type {keyof typeof FORMATS} */ (format)];
       const name = `hearth.${ending}`;
       download(file, name);
-      if (format !== 'zip' && format !== 'wav') this.#show(file);
+      if (ending !== 'zip' && format !== 'wav') this.#show(file);
       const { width, height } = options;
       this.#about.textContent = `Saved ${name}, ${kind === 'still' ? `${width} pixels wide` : `${width} × ${height} pixels, ${megabytes(file.size)}`}.`;
       this.#saved(this.#about.textContent);
@@ -367,8 +381,8 @@ class Recorder {
   async #file(options, signal) {
     // One film of a fire is recorded at a time.
     await this.#sampled;
-    const { width, background } = options;
-    if (this.#kind === 'still' && this.#size.select.value === SIZES.at(-1))
+    const { width, background, describe } = options;
+    if (this.#kind === 'still' && !describe && this.#size.select.value === SIZES.at(-1))
       return this.#fire.toBlob({ width, background });
     let told = 0;
     return this.#fire.record({

@@ -5,7 +5,7 @@
  * @typedef {import('./bytes.js').Piece} Piece
  */
 
-import { ascii, joined, little } from './bytes.js';
+import { ascii, joined, little, utf8 } from './bytes.js';
 import { ticks } from './pictures.js';
 
 /** Colours of the palette. One more entry is transparent. */
@@ -70,12 +70,13 @@ export class Gif {
 
   /** @returns {Piece[]} */
   end() {
-    const { width, height, fps } = this.header;
+    const { width, height, fps, text } = this.header;
     const { colours, nearest } = paletteOf(this.#counts);
     const sides = [...little(width, 2), ...little(height, 2)];
     const forever = [0x21, 0xff, 11, ...ascii('NETSCAPE2.0'), 3, 1, 0, 0, 0];
     /** @type {Piece[]} */
     const pieces = [{ bytes: joined(ascii('GIF89a'), sides, [0xf7, 0, 0], colours.flat(), forever) }];
+    if (text) pieces.push({ bytes: joined([0x21, 0xfe], blocksOf(utf8(text))) });
     for (const [number, cells] of this.#pictures.entries()) {
       const shown = ticks(number + 1, fps, 100) - ticks(number, fps, 100);
       // The background replaces it before the next one.
@@ -186,9 +187,14 @@ export function compressed(indices) {
   if (next === 1 << size && size < 12) size += 1;
   write(end);
   if (bits > 0) out.push(held & 255);
+  return blocksOf(out);
+}
+
+/** Bytes in blocks, each behind its length, the last one of none. @param {Uint8Array | number[]} bytes */
+function blocksOf(bytes) {
   const blocks = [];
-  for (let at = 0; at < out.length; at += 255) {
-    const block = out.slice(at, at + 255);
+  for (let at = 0; at < bytes.length; at += 255) {
+    const block = bytes.slice(at, at + 255);
     blocks.push([block.length], block);
   }
   return joined(...blocks, [0]);

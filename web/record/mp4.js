@@ -5,7 +5,7 @@
  * @typedef {{size: number, at: number, isKey: boolean, length: number}} Sample
  */
 
-import { ascii, big, joined, room } from './bytes.js';
+import { ascii, big, joined, room, utf8 } from './bytes.js';
 
 /** A box. @type {(name: string, ...parts: (Uint8Array | number[])[]) => Uint8Array<ArrayBuffer>} */
 function box(name, ...parts) {
@@ -85,6 +85,13 @@ function track({ id, ms, units, samples, sides }, entry) {
   return box('trak', head, media);
 }
 
+/** A comment, where players look for it. @param {string} text */
+function comment(text) {
+  const handler = full('hdlr', 0, words(0), ascii('mdirappl'), room(9));
+  const data = box('data', words(1, 0), utf8(text));
+  return box('udta', full('meta', 0, handler, box('ilst', box('\xa9cmt', data))));
+}
+
 /** A film of pictures and sound. */
 export class Mp4 {
   #header;
@@ -93,7 +100,7 @@ export class Mp4 {
   /** @type {Sample[][]} */
   #samples = [[], []];
 
-  /** @param {{width: number, height: number, fps: number, count: number}} header */
+  /** @param {{width: number, height: number, fps: number, count: number, text?: string}} header */
   constructor(header) {
     this.#header = header;
   }
@@ -123,7 +130,7 @@ export class Mp4 {
    * @returns {Piece[]}
    */
   end(description, sound) {
-    const { width, height, fps, count } = this.#header;
+    const { width, height, fps, count, text } = this.#header;
     const ms = Math.round((count * 1000) / fps);
     const entry = [...room(6), 0, 1, ...room(16), ...big(width, 2), ...big(height, 2), ...words(0x480000, 0x480000, 0)];
     const avc1 = box('avc1', entry, [0, 1], room(32), [0, 24, 0xff, 0xff], box('avcC', description));
@@ -133,6 +140,6 @@ export class Mp4 {
     if (sound) tracks.push(track({ id: 2, ms, units: RATE, samples: sounds, sides: [0, 0] }, soundEntry(sound)));
     const head = full('mvhd', 0, words(0, 0, 1000, ms, 0x10000), [1, 0], room(10), MATRIX, room(24), words(3));
     const size = { bytes: joined(big(this.#at - this.#dataAt, 8)), at: this.#dataAt + 8 };
-    return [{ bytes: box('moov', head, ...tracks) }, size];
+    return [{ bytes: box('moov', head, ...tracks, ...(text ? [comment(text)] : [])) }, size];
   }
 }

@@ -1,7 +1,7 @@
 /**
  * What a film is: its options, checked, and what it will take.
  *
- * @typedef {'webp' | 'apng' | 'gif' | 'webm' | 'mp4' | 'zip' | 'png' | 'wav'} Format
+ * @typedef {'webp' | 'apng' | 'gif' | 'webm' | 'mp4' | 'zip' | 'png' | 'wav' | 'sheet'} Format
  *
  * @typedef {object} Film
  * @property {Format | 'auto'} format
@@ -13,6 +13,10 @@
  * @property {boolean} loop
  * @property {boolean} sound
  * @property {boolean} alpha whether what is behind the fire is seen
+ * @property {boolean} stackedAlpha whether an MP4 has alpha as a grey below each picture
+ * @property {boolean} premultiplied whether colours of a sheet are multiplied by alpha
+ * @property {boolean} describe whether the file has a text about the scene
+ * @property {string} [text] that text
  * @property {string} [background] in place of that of the scene
  */
 
@@ -30,6 +34,7 @@ export const FORMATS = {
   mp4: { type: 'video/mp4', ending: 'mp4', alpha: false, bytes: 0.04 },
   zip: { type: 'application/zip', ending: 'zip', alpha: true, bytes: 0.46 },
   png: { type: 'image/png', ending: 'png', alpha: true, bytes: 0.46 },
+  sheet: { type: 'application/zip', ending: 'zip', alpha: true, bytes: 0.46 },
   wav: { type: 'audio/wav', ending: 'wav', alpha: false, bytes: 0 },
 };
 
@@ -47,8 +52,8 @@ export const MAX_BYTES = 500_000_000;
 const SOUND_BYTES = 192_000;
 
 const OPTIONS = [
-  ...['format', 'seconds', 'fps', 'width', 'height', 'from', 'loop', 'background', 'sound'],
-  ...['stream', 'signal', 'onprogress'],
+  ...['format', 'seconds', 'fps', 'width', 'height', 'from', 'loop', 'background', 'sound', 'stackedAlpha'],
+  ...['premultiplied', 'describe', 'stream', 'signal', 'onprogress'],
 ];
 
 /** A value in a message. @param {unknown} value */
@@ -89,17 +94,31 @@ export function filmOf(given, { width: across, height: up, params }) {
   const background = backgroundOf(options.background);
   const behind = background ?? params.background;
   const isOpaque = /^#[\da-f]{6}(ff)?$/i.test(String(behind)) || (!background && params.backdrop !== 'none');
-  const sound = Boolean(options.sound) || format === 'wav';
-  check({ format, loop, sound, isOpaque, width, height });
-  return { ...film, count, alpha: !isOpaque, sound, ...(background !== undefined && { background }) };
+  const whether = (/** @type {string} */ name) => Boolean(options[name]);
+  const about = {
+    ...{ ...film, count, alpha: !isOpaque, sound: whether('sound') || format === 'wav' },
+    ...{
+      stackedAlpha: whether('stackedAlpha'),
+      premultiplied: whether('premultiplied'),
+      describe: whether('describe'),
+    },
+  };
+  check(about);
+  return background === undefined ? about : { ...about, background };
 }
 
-/** @type {(film: {format: string, loop: boolean, sound: boolean, isOpaque: boolean, width: number, height: number}) => void} */
-function check({ format, loop, sound, isOpaque, width, height }) {
-  const withAlpha = Object.entries(FORMATS).flatMap(([name, { alpha }]) => (alpha ? [name] : []));
-  if (format === 'mp4' && !isOpaque)
+/** @param {Film} film */
+function check({ format, loop, sound, alpha, stackedAlpha, premultiplied, describe, width, height }) {
+  const names = (/** @type {(name: string) => boolean} */ has) => Object.keys(FORMATS).filter(has).join(', ');
+  const withAlpha = names((name) => FORMATS[/** @type {Format} */ (name)].alpha);
+  if (stackedAlpha && format !== 'mp4')
+    throw new RangeError(`stackedAlpha is for mp4: ${withAlpha} have alpha of their own`);
+  if (premultiplied && format !== 'sheet') throw new RangeError('premultiplied is for a sheet');
+  if (describe && format === 'wav')
+    throw new RangeError(`WAV has no place for a text: ${names((name) => name !== 'wav')} have one`);
+  if (format === 'mp4' && alpha && !stackedAlpha)
     throw new RangeError(
-      `MP4 has no alpha: state a background as “#000000”, or a format that has: ${withAlpha.join(', ')}`,
+      `MP4 has no alpha: state a background as “#000000”, stackedAlpha, or a format that has: ${withAlpha}`,
     );
   if (loop && (format === 'wav' || format === 'png')) throw new RangeError(`format “${format}” has no loop`);
   if (sound && !['wav', 'webm', 'mp4'].includes(format))
@@ -147,9 +166,10 @@ export function estimate({ format, width, height, fps, count, loop, sound }, isS
   const seconds = count / fps;
   const { bytes } = FORMATS[format === 'auto' ? 'webp' : format];
   const file = Math.ceil(pixels * count * bytes + (sound ? seconds * SOUND_BYTES : 0));
-  // A GIF keeps its pictures for the palette, a loop those that it mixes. Half floats of the light, of fields and of bloom
+  // A GIF keeps its pictures for the palette, a sheet its tiles, a loop those that it mixes. Half floats of the light, of fields and of bloom
   // are some forty bytes of a pixel; three pictures are under way.
-  const kept = (format === 'gif' ? 2 * pixels * count : 0) + (loop ? 4 * pixels * Math.round(0.3 * fps) : 0);
+  const kept =
+    ({ gif: 2, sheet: 8 }[String(format)] ?? 0) * pixels * count + (loop ? 4 * pixels * Math.round(0.3 * fps) : 0);
   const drawing = format === 'wav' ? 0 : pixels * (40 + 12);
   return { bytes: file, memory: Math.ceil((isStreamed ? 0 : file) + kept + drawing), drawing };
 }
@@ -165,6 +185,6 @@ export function checkMemory(film, isStreamed) {
   const { memory, drawing } = estimate(film, isStreamed);
   if (memory - drawing <= MAX_BYTES) return;
   throw new RangeError(
-    `the film would take about ${megabytes(memory - drawing)} of memory, and ${megabytes(drawing)} to draw; at most ${megabytes(MAX_BYTES)} are kept: make it smaller or shorter, or give a \`stream\`${film.format === 'gif' ? ' and another format than GIF, which keeps its pictures' : ''}`,
+    `the film would take about ${megabytes(memory - drawing)} of memory, and ${megabytes(drawing)} to draw; at most ${megabytes(MAX_BYTES)} are kept: make it smaller or shorter, or give a \`stream\`${['gif', 'sheet'].includes(film.format) ? ' and another format, which does not keep its pictures' : ''}`,
   );
 }

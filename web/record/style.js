@@ -11,7 +11,7 @@ form { padding: 18px 20px; }
 h2 { margin: 0 0 10px; font-size: 1.25rem; line-height: 1.2; }
 fieldset { margin: 0 0 14px; padding: 0; border: 0; }
 legend { position: absolute; inline-size: 1px; block-size: 1px; overflow: hidden; clip-path: inset(50%); }
-.kinds { display: grid; grid-template-columns: repeat(4, 1fr); gap: 6px; }
+.kinds { display: grid; grid-template-columns: repeat(5, 1fr); gap: 6px; }
 .kinds label { position: relative; }
 .kinds input { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; margin: 0; opacity: 0; cursor: pointer; }
 .kinds span { display: block; padding: 9px 4px; border: 1px solid #5a4c42; border-radius: 9px; text-align: center; }

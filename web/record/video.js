@@ -6,6 +6,7 @@
  * @typedef {import('./webm.js').Block} Block
  */
 
+import { bleed, stacked } from './alpha.js';
 import { Mp4, RATE } from './mp4.js';
 import { WebM } from './webm.js';
 
@@ -22,8 +23,6 @@ const SOUND_BITS = 160_000;
 const KEY_SECONDS = 2;
 /** Pictures that wait in an encoder. */
 const MAX_QUEUE = 4;
-/** Distance to which the colour of the fire goes on where nothing is seen, in case an encoder mixes it in [pixels]. */
-const BLED = 8;
 /** Samples that an encoder gets at once. */
 const SAMPLES = 4800;
 
@@ -82,7 +81,8 @@ export class Video {
 
   /** @param {Film} film */
   static async open(film) {
-    return new Video(film, await configOf(film), film.sound ? await soundConfigOf(film) : undefined);
+    const shown = film.stackedAlpha ? { ...film, height: 2 * film.height, alpha: false } : film;
+    return new Video(shown, await configOf(shown), film.sound ? await soundConfigOf(film) : undefined);
   }
 
   /**
@@ -111,7 +111,7 @@ export class Video {
    * @type {(canvas: OffscreenCanvas, pixels: () => Uint8ClampedArray, number: number) => Promise<Piece[]>}
    */
   async add(canvas, pixels, number) {
-    const { width, height, fps, alpha } = this.#film;
+    const { width, height, fps, alpha, stackedAlpha } = this.#film;
     const timestamp = Math.round((number * 1e6) / fps);
     const about = { timestamp, codedWidth: width, codedHeight: height };
     if (alpha) {
@@ -121,6 +121,8 @@ export class Video {
       this.#encode(1, new VideoFrame(planes, { format: 'I420', ...about }), number);
       bleed(rgba, width);
       this.#encode(0, new VideoFrame(rgba, { format: 'RGBX', ...about }), number);
+    } else if (stackedAlpha) {
+      this.#encode(0, new VideoFrame(stacked(pixels(), width), { format: 'RGBX', ...about }), number);
     } else {
       this.#encode(0, new VideoFrame(canvas, { timestamp, alpha: 'discard' }), number);
     }
@@ -231,28 +233,4 @@ function described(config) {
   return ArrayBuffer.isView(given)
     ? new Uint8Array(given.buffer, given.byteOffset, given.byteLength).slice()
     : new Uint8Array(given).slice();
-}
-
-/**
- * Continues colours where nothing is seen, to the right and down, then to the left and up.
- * @type {(rgba: Uint8ClampedArray, width: number) => void}
- */
-export function bleed(rgba, width) {
-  const count = rgba.length / 4;
-  const far = new Uint8Array(count).fill(BLED + 1);
-  const pass = (/** @type {number} */ from, /** @type {number} */ by) => {
-    for (let done = 0, pixel = from; done < count; done += 1, pixel += by) {
-      if (rgba[4 * pixel + 3] > 0) {
-        far[pixel] = 0;
-        continue;
-      }
-      for (const near of [pixel - by, pixel - by * width]) {
-        if (near < 0 || near >= count || far[near] + 1 >= far[pixel]) continue;
-        far[pixel] = far[near] + 1;
-        rgba.copyWithin(4 * pixel, 4 * near, 4 * near + 3);
-      }
-    }
-  };
-  pass(0, 1);
-  pass(count - 1, -1);
 }

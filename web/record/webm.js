@@ -5,7 +5,7 @@
  * @typedef {{bytes: Uint8Array<ArrayBuffer>, isKey: boolean, ms: number}} Block
  */
 
-import { ascii, big, joined } from './bytes.js';
+import { ascii, big, joined, utf8 } from './bytes.js';
 
 /** Names of elements. */
 const ID = {
@@ -55,6 +55,12 @@ const ID = {
   MORE: 0xa6,
   ADD_ID: 0xee,
   ADDITIONAL: 0xa5,
+  TAGS: 0x1254c367,
+  TAG: 0x7373,
+  TARGETS: 0x63c0,
+  SIMPLE_TAG: 0x67c8,
+  TAG_NAME: 0x45a3,
+  TAG_STRING: 0x4487,
   CUES: 0x1c53bb6b,
   POINT: 0xbb,
   POINT_TIME: 0xb3,
@@ -115,6 +121,7 @@ export class WebM {
    * @param {number} header.count
    * @param {boolean} header.alpha
    * @param {Uint8Array | undefined} [header.opus] what an Opus decoder needs first
+   * @param {string} [header.text]
    */
   constructor(header) {
     this.#header = header;
@@ -128,7 +135,7 @@ export class WebM {
 
   /** @returns {Piece[]} */
   begin() {
-    const { width, height, fps, count, alpha, opus } = this.#header;
+    const { width, height, fps, count, alpha, opus, text: about } = this.#header;
     const size = [number(ID.WIDTH, width), number(ID.HEIGHT, height)];
     const video = element(ID.VIDEO, ...size, ...(alpha ? [number(ID.ALPHA, 1, 1)] : []));
     const pictures = element(
@@ -173,6 +180,8 @@ export class WebM {
       text(ID.WRITER, 'hearth'),
     );
     const tracks = element(ID.TRACKS, pictures, ...(sound ? [sound] : []));
+    const comment = [text(ID.TAG_NAME, 'COMMENT'), element(ID.TAG_STRING, utf8(about ?? ''))];
+    const tags = element(ID.TAGS, element(ID.TAG, element(ID.TARGETS), element(ID.SIMPLE_TAG, ...comment)));
     const segment = joined(idOf(ID.SEGMENT), sizeOf(0));
     this.#segment = head.length + segment.length;
     const seeks = (/** @type {number} */ cues) => {
@@ -181,7 +190,7 @@ export class WebM {
     };
     this.seeks = seeks;
     this.#seekAt = this.#segment;
-    return [this.#piece(joined(head, segment, seeks(0), info, tracks))];
+    return [this.#piece(joined(head, segment, seeks(0), info, tracks, about ? tags : []))];
   }
 
   /**

@@ -19,6 +19,7 @@
 import { Gif } from './gif.js';
 import { mix, startOf } from './loop.js';
 import { Apng, Still, WebP, Zip } from './pictures.js';
+import { Sheet } from './sheet.js';
 import { wav } from './wav.js';
 
 /** Quality of the colours of WebP. */
@@ -28,7 +29,7 @@ const QUALITY = 0.9;
 let film;
 /** @type {OffscreenCanvas} */
 let canvas;
-/** @type {WebP | Apng | Zip | Still | Gif | import('./video.js').Video | undefined} */
+/** @type {WebP | Apng | Zip | Still | Gif | Sheet | import('./video.js').Video | undefined} */
 let file;
 /** @type {Uint8ClampedArray[]} */
 const searched = [];
@@ -85,9 +86,10 @@ async function open(opened) {
   const { format } = film;
   if (format === 'webp') file = new WebP(film);
   else if (format === 'apng') file = new Apng(film);
-  else if (format === 'zip') file = new Zip();
-  else if (format === 'png') file = new Still();
+  else if (format === 'zip') file = new Zip(film);
+  else if (format === 'png') file = new Still(film);
   else if (format === 'gif') file = new Gif(film);
+  else if (format === 'sheet') file = new Sheet(film);
   else if (format !== 'wav') file = await (await import('./video.js')).Video.open(film);
   return { format };
 }
@@ -113,11 +115,11 @@ async function add(picture, number, share) {
     mix(data, earlier, share ?? 0);
     context2d().putImageData(new ImageData(data, film.width, film.height), 0, 0);
   }
-  if (file instanceof Gif) return file.add(pixels.data);
+  if (file instanceof Gif || file instanceof Sheet) return file.add(pixels.data, number);
   if (file instanceof WebP) return file.add(await encoded('image/webp'), number);
   if (file instanceof Apng || file instanceof Zip || file instanceof Still)
     return file.add(await encoded('image/png'), number);
-  return (await file?.add(canvas, () => pixels.data, number)) ?? [];
+  return /** @type {import('./video.js').Video} */ (file).add(canvas, () => pixels.data, number);
 }
 
 let before = Promise.resolve();

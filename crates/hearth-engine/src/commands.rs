@@ -257,7 +257,8 @@ pub struct Start<'a> {
     pub preset: Option<&'a str>,
     /// A settings file, which replaces the preset.
     pub config: &'a Untrusted,
-    /// Values on top of all.
+    /// Values on top of all. A copy of a copy records the sparks of a loop or, with two values, shows those of the loop: the
+    /// number of its first picture, and of its pictures.
     pub values: Values<'a>,
     /// The requested level of quality; `None`: adaptive.
     pub quality: Option<Level>,

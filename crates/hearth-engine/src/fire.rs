@@ -1,6 +1,6 @@
 //! A fire: its simulation, and when, how and how much of it is drawn.
 
-mod film;
+pub mod film;
 mod playback;
 mod presentation;
 mod sound;
@@ -36,8 +36,6 @@ pub struct Fire {
     sound: Option<Box<Sound>>,
     /// Time of the last statistics \[ms\].
     stats_at: f64,
-    /// The number of the fire that this one copies for a film: it burns by requested steps alone, with as many particles.
-    films: Option<u32>,
     /// Whether it waits while a copy of it is filmed.
     waits: bool,
 }
@@ -55,7 +53,6 @@ impl Fire {
             pacing: Pacing::new(start, on_page),
             sound: None,
             stats_at: f64::NEG_INFINITY,
-            films: None,
             waits: false,
         };
         fire.presentation.lights = start.lights;
@@ -69,9 +66,9 @@ impl Fire {
         self.id
     }
 
-    /// The number of the fire that this one copies for a film.
+    /// The number of the fire that this one copies for a film: it burns by requested steps alone, with as many particles.
     pub fn films(&self) -> Option<u32> {
-        self.films
+        self.presentation.film.as_ref().map(|film| film.of)
     }
 
     /// Goes on after a film. The time of the film is not made up for.

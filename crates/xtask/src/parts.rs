@@ -36,7 +36,7 @@ const PARTS: [Part; 5] = [
     },
     Part {
         name: "films",
-        modules: &["hearth_engine::fire::film::"],
+        modules: &["hearth_core::looping::", "hearth_engine::fire::film::"],
     },
 ];
 

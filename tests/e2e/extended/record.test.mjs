@@ -38,6 +38,22 @@ test('two films have the same bytes, and no time of the clock is in them', async
   assert.deepEqual(tab.problems, []);
 });
 
+test('a film that is described has scene and seed as a settings file, and a sheet has a tile for each picture', async () => {
+  const tab = await paused('<hearth-fire preset="candle" seed="7" style="width: 64px; height: 64px"></hearth-fire>');
+  const texts = await tab.fire(async (fire) => {
+    const film = { seconds: 0.1, width: 32, height: 40 };
+    const texts = [];
+    for (const format of /** @type {const} */ (['webp', 'sheet'])) {
+      const file = /** @type {Blob} */ (await fire.record({ ...film, format, describe: true }));
+      texts.push(await file.text());
+    }
+    return texts;
+  });
+  for (const text of texts) assert.match(text, /\{"hearth":3,[^}]*"seed":7/);
+  assert.match(texts[0], /"preset":"candle"/);
+  assert.match(texts[1], /"hearth-0002": \{/);
+});
+
 test('the fire goes on where it was, as one does that was never recorded', async () => {
   const tab = await paused(FIRE + FIRE);
   const [recorded, other] = await tab.evaluate(async () => {
@@ -199,9 +215,9 @@ test('a film with sound and a WAV have the same length of sound, which is the sa
   assert.ok(Math.abs(webm[1] - 24_000) < 2000, `${webm[1]} samples`);
 });
 
-test('a loop has the length that was asked for, and its end is as near to its beginning as neighbours are', async () => {
-  const tab = await paused();
-  const { count, seam, neighbours } = await tab.fire(async (fire) => {
+test('a loop has the length that was asked for, its end is near to its beginning, and its sparks do not fade there', async () => {
+  const tab = await paused(FIRE.replace('quality', 'fuel-power="20" ember-rate="400" ember-size="0.02" quality'));
+  const { count, seam, neighbours, contrasts } = await tab.fire(async (fire) => {
     const file = /** @type {Blob} */ (
       await fire.record({ format: 'apng', loop: true, seconds: 1, fps: 24, width: 48, height: 60 })
     );
@@ -223,10 +239,60 @@ test('a loop has the length that was asked for, and its end is as near to its be
     const far = (/** @type {number} */ a, /** @type {number} */ b) =>
       pictures[a].reduce((sum, value, at) => sum + Math.abs(value - pictures[b][at]), 0);
     const neighbours = pictures.slice(1).map((_, at) => far(at, at + 1));
-    return { count, seam: far(count - 1, 0), neighbours: neighbours.sort((a, b) => a - b) };
+    const contrasts = pictures.map((picture) => {
+      const mean = picture.reduce((sum, value) => sum + value, 0) / picture.length;
+      return Math.sqrt(picture.reduce((sum, value) => sum + (value - mean) ** 2, 0) / picture.length);
+    });
+    return { count, seam: far(count - 1, 0), neighbours: neighbours.sort((a, b) => a - b), contrasts };
   });
   assert.equal(count, 24);
+  // The last six pictures are mixed with earlier ones.
+  const mean = (/** @type {number[]} */ values) => values.reduce((sum, value) => sum + value, 0) / values.length;
+  const kept = mean(contrasts.slice(-6)) / mean(contrasts.slice(0, -6));
+  assert.ok(kept >= 0.9, `${kept} of the contrast: ${contrasts}`);
   assert.ok(seam <= neighbours[Math.floor(neighbours.length * 0.95)], `${seam} among ${neighbours}`);
+});
+
+test('a hidden tab pauses a film, which goes on when it is shown', async () => {
+  const tab = await paused();
+  await tab.fire((fire) => {
+    const page = /** @type {any} */ (window);
+    const onprogress = (/** @type {{frame: number}} */ { frame }) => (page.frame = frame);
+    page.film = fire.record({ format: 'zip', seconds: 8, width: 32, height: 40, onprogress });
+  });
+  await tab.until('a picture', () => /** @type {any} */ (window).frame > 0);
+  const other = await browser.browser.newPage();
+  await other.bringToFront();
+  const rest = await tab.evaluate(async () => {
+    const page = /** @type {any} */ (window);
+    for (let before = -1; before !== page.frame; ) {
+      before = page.frame;
+      await new Promise((resolve) => setTimeout(resolve, 1500));
+    }
+    return { frame: page.frame, hidden: document.hidden };
+  });
+  assert.ok(rest.hidden && rest.frame < 240, JSON.stringify(rest));
+  await other.close();
+  await tab.page.bringToFront();
+  const frames = await tab.evaluate(async () => {
+    await /** @type {any} */ (window).film;
+    return /** @type {any} */ (window).frame;
+  });
+  assert.equal(frames, 240);
+});
+
+test('one picture of 4096 × 4096 is whole, and a film that exceeds the memory says what it would take', async () => {
+  const tab = await paused();
+  const outcome = await tab.fire(async (fire) => {
+    const film = { width: 4096, height: 4096, seconds: 10 };
+    const refusal = await fire.record(film).then(String, (error) => error.message);
+    const file = /** @type {Blob} */ (await fire.record({ ...film, format: 'png' }));
+    const { width, height } = await createImageBitmap(file);
+    return { refusal, size: [width, height], bytes: file.size };
+  });
+  assert.match(outcome.refusal, /about \d+ MB of memory, and 872 MB to draw; at most 500 MB/);
+  assert.deepEqual(outcome.size, [4096, 4096]);
+  assert.ok(outcome.bytes > 100_000, `${outcome.bytes}`);
 });
 
 test('a cancelled film leaves no worker, no object of the graphics card and no byte in its stream', async () => {
@@ -314,11 +380,16 @@ test('the dialog of the page shows a sample, and size and time, before it record
     await tab.page.waitForSelector(`${inside}dialog`);
     await tab.page.click(`${inside}[value="film"]`);
     await tab.page.select(`${inside}[name="size"]`, '256 × 256');
-    await tab.page.$eval(`${inside}[name="seconds"]`, (field) => {
-      /** @type {HTMLInputElement} */ (field).value = '0.5';
-      field.dispatchEvent(new Event('input', { bubbles: true }));
-    });
-    const about = () => tab.page.$eval(`${inside}.about`, (element) => element.textContent ?? '');
+    const lasts = (/** @type {string} */ seconds) =>
+      tab.page.$eval(
+        `${inside}[name="seconds"]`,
+        (field, seconds) => {
+          /** @type {HTMLInputElement} */ (field).value = seconds;
+          field.dispatchEvent(new Event('input', { bubbles: true }));
+        },
+        seconds,
+      );
+    await lasts('0.5');
     const says = (/** @type {RegExp} */ words) =>
       tab.page.waitForFunction(
         (source) =>
@@ -350,7 +421,9 @@ test('the dialog of the page shows a sample, and size and time, before it record
     await says(/^Picture /);
     await tab.page.click(`${inside}[name="cancel"]`);
     await says(/^Cancelled\. Nothing is saved\.$/);
-    assert.match(await about(), /Cancelled/);
+    await tab.page.click(`${inside}[value="sheet"]`);
+    await lasts('1');
+    await says(/^30 pictures of 256 × 256/);
     await tab.key('Escape');
     await tab.until('no dialog', () => !document.querySelector('.hearth-recorder'));
     const age = await tab.fire((fire) => fire.stats?.time ?? 0);

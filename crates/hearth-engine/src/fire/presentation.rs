@@ -5,6 +5,7 @@ use hearth_core::params::DisplayMode;
 use hearth_core::{Charred, Instance, Simulation};
 use hearth_render::{Camera, History, ResolutionLimits, Viewport};
 
+use super::film::Film;
 use crate::fire_renderer::{FireRenderer, FrameInput};
 use crate::pacing::picture_limits::{Fps, PictureLimits, Pixels};
 use crate::pacing::quality::Quality;
@@ -35,6 +36,8 @@ pub struct Presentation {
     instances: Vec<Instance>,
     embers: Vec<Instance>,
     charred: Charred,
+    /// What is filmed, if this is a copy for a film.
+    pub(super) film: Option<Box<Film>>,
 }
 
 impl Presentation {
@@ -149,6 +152,9 @@ impl Presentation {
             simulation.write_embers(&mut self.embers);
         } else {
             self.embers.clear();
+        }
+        if let Some(film) = &mut self.film {
+            film.follow(simulation, &mut self.embers);
         }
         let temperatures: Vec<_> = simulation.solid_temperatures().collect();
         let drawn = self.renderer.draw(

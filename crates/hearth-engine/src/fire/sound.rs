@@ -38,7 +38,7 @@ impl Fire {
         let values = self.settings.parameters();
         let half_width = 0.5 * values.domain_width;
         let samples = match (self.sound.as_mut(), passed) {
-            (Some(sound), _) if self.films.is_some() => {
+            (Some(sound), _) if self.presentation.film.is_some() => {
                 sound.film(&steps, values.time_scale.into(), half_width)
             }
             (Some(sound), Some(passed)) => sound.frame(&steps, passed, half_width),

@@ -109,7 +109,7 @@ impl Fire {
         }
         let paused = !self.playback.playing;
         let reports = (drawn && paused) || rescaled || now - self.stats_at >= STATS_INTERVAL_MS;
-        if reports && self.films.is_none() {
+        if reports && self.films().is_none() {
             self.stats_at = now;
             events.stats(self.id, &stats::of(self, canvas));
         }
@@ -190,7 +190,7 @@ impl Fire {
         self.presentation.current = false;
         let resolution = self.settings.resolution();
         // The time of a step decides nothing of a film.
-        if resolution == Resolution::Level || self.films.is_some() {
+        if resolution == Resolution::Level || self.films().is_some() {
             return;
         }
         // Open air has fewer particles than would fill its domain, and the limit is one of those.

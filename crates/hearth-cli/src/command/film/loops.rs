@@ -55,7 +55,7 @@ impl Film {
         let start = film.start(&seen);
         let mut fire = self.fire.fire(settings, self.size);
         let mut counter = Counter::new(&progress);
-        let mut earlier = VecDeque::new();
+        let (mut earlier, mut shown) = (VecDeque::new(), Vec::new());
         for number in 0..start + part.end {
             fire.advance(time(number), &mut |age| counter.at(age));
             // What is shown before the beginning is mixed into the end, with the embers of the end.
@@ -67,7 +67,12 @@ impl Film {
                 }
                 continue;
             };
-            let shown = sparks.shown(time(number), start as usize, film.count as usize);
+            sparks.show(
+                time(number),
+                start as usize,
+                film.count as usize,
+                &mut shown,
+            );
             let picture = painter.paint_with(&mut fire, &shown)?;
             if number < start {
                 earlier.push_back(picture);

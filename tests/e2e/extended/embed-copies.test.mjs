@@ -1,0 +1,138 @@
+/**
+ * What *Embed* copies looks as what it shows: the page of the copied HTML and the preview, on the same ground and at the same
+ * moment of the fire. `HEARTH_SCENES=all` compares every scene on each ground.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { table } from '../site.mjs';
+
+const { PRESETS } = await table();
+
+const GROUNDS = ['white', 'black', 'brick', 'picture'];
+
+/** The scenes and their grounds. @type {[string, string][]} */
+const CASES =
+  process.env.HEARTH_SCENES === 'all'
+    ? PRESETS.flatMap(({ name }) => GROUNDS.map((ground) => /** @type {[string, string]} */ ([name, ground])))
+    : [
+        ['fireside', 'white'],
+        ['candle', 'picture'],
+        ['torch', 'black'],
+        ['wooden-word', 'brick'],
+      ];
+
+/** The element, which the preview shows in its own size, and the moment at which they are compared [s]. */
+const SIZE = { width: 200, height: 240 };
+const MOMENT = 0.25;
+
+/** The largest difference of two pictures (CIE76, on average over their pixels). */
+const LIKE = 3;
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+/** L*a*b* of a colour of sRGB. @type {(r: number, g: number, b: number) => number[]} */
+function lab(r, g, b) {
+  const [red, green, blue] = [r, g, b].map((byte) =>
+    byte <= 10 ? byte / 3295 : ((byte / 255 + 0.055) / 1.055) ** 2.4,
+  );
+  const root = (/** @type {number} */ share) => (share > 0.008856 ? Math.cbrt(share) : 7.787 * share + 16 / 116);
+  const [x, y, z] = [
+    (0.4124 * red + 0.3576 * green + 0.1805 * blue) / 0.9505,
+    0.2126 * red + 0.7152 * green + 0.0722 * blue,
+    (0.0193 * red + 0.1192 * green + 0.9505 * blue) / 1.089,
+  ].map(root);
+  return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
+}
+
+/** @param {import('../picture.mjs').Picture} a @param {import('../picture.mjs').Picture} b */
+function difference(a, b) {
+  assert.deepEqual([a.width, a.height], [b.width, b.height]);
+  let sum = 0;
+  for (let at = 0; at < a.rgb.length; at += 3) {
+    const [p, q] = [a, b].map(({ rgb }) => lab(rgb[at], rgb[at + 1], rgb[at + 2]));
+    sum += Math.hypot(...p.map((value, axis) => value - q[axis]));
+  }
+  return sum / (a.rgb.length / 3);
+}
+
+/** Restarts the fire of that selector, and shows it at a moment. @param {import('../driver.mjs').Tab} tab @param {string} selector */
+async function pictureOf(tab, selector) {
+  await tab.page.$eval(
+    selector,
+    async (element, seconds) => {
+      const fire = /** @type {any} */ (element);
+      await fire.ready;
+      fire.pause();
+      // The automatic choice depends on the machine.
+      fire.quality = 'low';
+      await fire.reset();
+      await fire.advance(seconds);
+      // A paused fire posts statistics with its picture.
+      const shown = () => new Promise((resolve) => fire.addEventListener('stats', resolve, { once: true }));
+      while (!(Math.abs(fire.stats.time - seconds) < 1e-3)) await shown();
+    },
+    MOMENT,
+  );
+  await tab.frames(3);
+  return tab.picture(await tab.rectangle(selector));
+}
+
+/** @type {import('../picture.mjs').Picture | undefined} */
+let last;
+for (const [scene, ground] of CASES) {
+  test(`the copied HTML of ${scene} on a page that is ${ground} looks as the preview`, async (context) => {
+    const tab = await browser.open(`index.html?scene=${scene}&paused`, { width: 800, height: 700, pixels: 4000 });
+    await tab.ready();
+    await tab.evaluate(() => document.querySelector('[data-opens="embed"]')?.dispatchEvent(new MouseEvent('click')));
+    await tab.until('the dialog', () => document.querySelector('dialog[open] [data-code="html"]'));
+    await tab.page.select('#embed [name=ground]', ground);
+    for (const [side, length] of Object.entries(SIZE))
+      await tab.page.$eval(
+        `#embed [name=${side}]`,
+        (field, length) => {
+          /** @type {HTMLInputElement} */ (field).value = String(length);
+          field.dispatchEvent(new Event('input', { bubbles: true }));
+        },
+        length,
+      );
+    const { height } = SIZE;
+    await tab.until(
+      'the code has the size',
+      (height) => /** @type {any} */ (document.querySelector('#embed textarea')).value.includes(`height: ${height}px`),
+      height,
+    );
+    const preview = await pictureOf(tab, '#embed .preview > hearth-fire');
+    const { code, style } = await tab.evaluate(() => {
+      const box = /** @type {HTMLElement} */ (document.querySelector('#embed .preview'));
+      const fire = /** @type {HTMLElement} */ (box.firstElementChild);
+      const { x, y } = fire.getBoundingClientRect();
+      const { width, height } = box.getBoundingClientRect();
+      const [left, top] = [
+        x - box.getBoundingClientRect().x - box.clientLeft,
+        y - box.getBoundingClientRect().y - box.clientTop,
+      ];
+      const { background } = getComputedStyle(box);
+      return {
+        code: /** @type {HTMLTextAreaElement} */ (document.querySelector('#embed textarea')).value,
+        style: `box-sizing: border-box; width: ${width - 2}px; height: ${height - 2}px; padding: ${top}px 0 0 ${left}px; background: ${background}`,
+      };
+    });
+    const page = await browser.open(
+      `<!doctype html><html lang="en"><title>A page</title><body style="margin: 0"><div style='${style}'>${code.replace('></hearth-fire>', ' id="copied"></hearth-fire>')}</div></body></html>`,
+      { width: 800, height: 700 },
+    );
+    const copied = await pictureOf(page, 'hearth-fire');
+    const found = difference(preview, copied);
+    context.diagnostic(`ΔE ${found.toFixed(2)}`);
+    assert.ok(found <= LIKE, `ΔE ${found.toFixed(2)}`);
+    if (last) assert.ok(difference(preview, last) > LIKE, 'the test distinguishes scenes');
+    last = preview;
+    assert.deepEqual(page.problems, []);
+  });
+}

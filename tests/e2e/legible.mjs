@@ -1,5 +1,6 @@
 /**
- * Whether a burning word is read: its mask is found again in the picture of its coal.
+ * Whether a burning word is read: its mask is found again in the picture of its coal. And whether it burns along its
+ * outline: where the light beside it is.
  */
 import { decoded } from './masks.mjs';
 
@@ -57,4 +58,30 @@ export function correlation(picture, solid) {
   const [a, b] = [mean(0), mean(1)];
   const total = (of) => pairs.reduce((sum, pair) => sum + of(pair[0] - a, pair[1] - b), 0);
   return total((p, q) => p * q) / Math.sqrt(total((p) => p * p) * total((_, q) => q * q));
+}
+
+/** How far light is from the outline that it burns on [px], and luma below which nothing shines. */
+const NEAR = 15;
+const DARK = 8;
+
+/**
+ * Light near the solid, as a share of all light beside it in the lowest third of the flame.
+ * @param {import('./picture.mjs').Picture} picture @param {Awaited<ReturnType<typeof solidOf>>} solid
+ */
+export function lightAtOutline(picture, solid) {
+  const [luma, isIn] = [lumaOf(picture), insideOf(solid)];
+  const rim = [];
+  for (let angle = 0; angle < 32; angle += 1)
+    for (let at = 1; at <= NEAR; at += 2)
+      rim.push([at * Math.cos((angle * Math.PI) / 16), at * Math.sin((angle * Math.PI) / 16)]);
+  const lit = [];
+  for (let y = 0; y < picture.height; y += 1)
+    for (let x = 0; x < picture.width; x += 1)
+      if (luma(x, y) > DARK && !isIn(x, y)) lit.push({ x, y, light: luma(x, y) });
+  const rows = lit.map(({ y }) => y);
+  const [top, bottom] = [Math.min(...rows), Math.max(...rows)];
+  const lowest = lit.filter(({ y }) => y > bottom - (bottom - top) / 3);
+  const sum = (of) => of.reduce((sum, { light }) => sum + light, 0);
+  const near = lowest.filter(({ x, y }) => rim.some(([dx, dy]) => isIn(x + dx, y + dy)));
+  return { share: sum(near) / sum(lowest), light: sum(lit) };
 }

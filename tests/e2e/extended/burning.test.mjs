@@ -1,10 +1,10 @@
 /**
- * A word that burns by the attributes `burning` and `text` is read. `web/children.test.mjs` has the recipe.
+ * A word that burns by the attributes `burning` and `text` is read, and a logo burns along its outline. `web/children.test.mjs` has the recipe.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
-import { correlation, hasMask, solidOf } from '../legible.mjs';
+import { correlation, hasMask, lightAtOutline, solidOf } from '../legible.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -28,5 +28,41 @@ for (const [script, [word, width]] of Object.entries(WORDS)) {
     await tab.burnt(10);
     const found = correlation(await tab.picture(), await solidOf(tab));
     assert.ok(found >= 0.6, `correlation ${found.toFixed(2)}`);
+  });
+}
+
+/** Logos of different build: strokes, a full shape with a hole, and small parts side by side. */
+const LOGOS = {
+  'of strokes': '<path d="M50 12 88 84H12Z" fill="none" stroke="#fff" stroke-width="10"/>',
+  'that is full': '<path d="M50 5a45 45 0 1 0 .1 0zM50 35a15 15 0 1 1-.1 0z" fill="#fff" fill-rule="evenodd"/>',
+  'of parts': [0, 1, 2].map(
+    (at) => `<rect x="${4 + 34 * at}" y="${20 + 12 * at}" width="24" height="60" fill="#fff"/>`,
+  ),
+};
+
+for (const [build, paths] of Object.entries(LOGOS)) {
+  test(`a logo ${build} burns along its outline`, async () => {
+    const tab = await browser.open(
+      `<style>body { margin: 0; background: black } svg { position: absolute; left: 272px; bottom: 60px; width: 96px }
+        hearth-fire { position: absolute; inset: 0; width: auto; height: auto }</style>
+      <svg id="logo" viewBox="0 0 100 100">${[paths].flat().join('')}</svg>
+      <hearth-fire domain-width="2" domain-height="1" particles="7000" ember-rate="0">
+        <hearth-solid of="#logo" burning></hearth-solid>
+      </hearth-fire>`,
+      { width: 640, height: 320 },
+    );
+    await tab.ready();
+    await tab.until('the logo', hasMask);
+    const solid = await solidOf(tab);
+    const shares = [];
+    for (const moment of [3, 4, 5]) {
+      await tab.burnt(moment);
+      shares.push(lightAtOutline(await tab.picture(), solid));
+    }
+    const mean = (key) => shares.reduce((sum, it) => sum + it[key], 0) / shares.length;
+    const said = JSON.stringify(shares);
+    // A flame, not charcoal alone: as much light as 2000 white pixels.
+    assert.ok(mean('light') > 2000 * 255, said);
+    assert.ok(mean('share') >= 0.7, said);
   });
 }

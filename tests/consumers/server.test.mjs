@@ -26,10 +26,13 @@ async function node(program) {
   return stdout;
 }
 
+/** Entries for an engine, which needs that engine and a window. */
+const ENGINES = ['./three', './pixi', './phaser'];
+
 test('every entry point is imported without a window and touches no global', async () => {
   const manifest = JSON.parse(await readFile(path.join(PACKAGE, 'package.json'), 'utf8'));
   const scripts = Object.entries(manifest.exports)
-    .filter(([, target]) => target.default?.endsWith('.js'))
+    .filter(([entry, target]) => target.default?.endsWith('.js') && !ENGINES.includes(entry))
     .map(([entry]) => entry.replace(/^\./, manifest.name));
   assert(scripts.length > 5);
   for (const script of scripts) {

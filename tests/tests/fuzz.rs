@@ -4,6 +4,7 @@
 //! `cargo measure fuzz --minutes N` looks for longer. A case that fails names the seed that
 //! repeats it.
 
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use std::{env, fs, io, thread};
 
@@ -189,9 +190,12 @@ fn damage(random: &mut Random, part: &mut Untrusted) {
 fn corpus() -> io::Result<Vec<Untrusted>> {
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
     let mut files = vec![format!("{root}/tests/tests/fuzz.json").into()];
-    for entry in fs::read_dir(format!("{root}/scenes"))? {
-        files.push(entry?.path());
+    for folder in ["scenes", "scenes/community"] {
+        for entry in fs::read_dir(format!("{root}/{folder}"))? {
+            files.push(entry?.path());
+        }
     }
+    files.retain(|file: &PathBuf| file.extension().is_some_and(|it| it == "json"));
     files.sort();
     let mut all = Vec::new();
     for file in files {

@@ -1,5 +1,6 @@
 //! A fire: its simulation, and when, how and how much of it is drawn.
 
+mod copy;
 pub mod film;
 mod playback;
 mod presentation;

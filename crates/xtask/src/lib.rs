@@ -70,7 +70,7 @@ fn run(command: Xtask) -> Result<ExitCode> {
             let (url, repository) = (publish.url.as_ref(), publish.repository.as_ref());
             publish::make(&Places { url, repository })?;
         }
-        XtaskCmd::Reproduce(_) => package::reproduce()?,
+        XtaskCmd::Reproduce(_) => publish::reproduce()?,
         XtaskCmd::Test(test) => {
             if !stages::run(test.skip_browser, test.all, &test.stage)? {
                 return Ok(ExitCode::FAILURE);

@@ -8,9 +8,8 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 use xshell::cmd;
 
-use crate::pages::Places;
 use crate::shell::Shell;
-use crate::{npm, paths, publish, script, site, tools};
+use crate::{npm, paths, script, site, tools};
 
 /// Builds the site, makes the package of it, and writes the notices into the crate of the command.
 pub(crate) fn build() -> Result<()> {
@@ -48,13 +47,6 @@ pub(crate) fn command_notices() -> Result<()> {
     tools::node()?;
     let (sh, scripts) = (Shell::new()?, paths::packaging());
     Ok(cmd!(sh, "node {scripts}/legal.mjs --command").run()?)
-}
-
-/// Makes the release of the last commit, and in a folder with another name once more, and compares both.
-pub(crate) fn reproduce() -> Result<()> {
-    publish::make(&Places::default())?;
-    let (sh, scripts) = (Shell::new()?, paths::packaging());
-    Ok(cmd!(sh, "node {scripts}/reproduce.mjs").run()?)
 }
 
 /// Prints the download sizes of a package or a site's `web` folder, and compares them with the

@@ -2,6 +2,7 @@
 //! contents, a page that lists them, those of `web/pages/`, and the page for addresses that lead nowhere.
 
 mod card;
+mod contents;
 mod frame;
 mod gallery;
 mod highlight;
@@ -17,54 +18,12 @@ use serde_json::json;
 
 use crate::links::Base;
 use crate::shell::Shell;
-use frame::{Content, Frame, Place};
+use contents::DOCUMENTS;
+pub(crate) use frame::Places;
+use frame::{Content, Frame, Place, Source, between};
 use highlight::escaped;
 pub use markdown::anchor;
 use markdown::{Document, Targets};
-
-/// The documents that are pages, in the order of the contents.
-const DOCUMENTS: [(&str, &[&str]); 4] = [
-    (
-        "Use",
-        &[
-            "embedding",
-            "recipes",
-            "hosts",
-            "costs",
-            "element",
-            "parameters",
-            "scenes",
-            "package",
-            "iframe",
-        ],
-    ),
-    (
-        "Make",
-        &["films", "worlds", "sound", "simulation", "community"],
-    ),
-    ("Learn", &["learn", "lesson-sheet"]),
-    (
-        "Understand",
-        &[
-            "physics",
-            "look",
-            "evaluation",
-            "compare",
-            "glossary",
-            "about",
-        ],
-    ),
-];
-
-/// A page whose text is `web/pages/NAME.html`: a title, a paragraph that describes it, and the rest.
-struct Source {
-    name: &'static str,
-    /// Its script and its style sheets below `web/`, without their ends.
-    script: &'static str,
-    styles: &'static [&'static str],
-    /// Whether it shows frames of the site.
-    has_frames: bool,
-}
 
 const PAGES: [Source; 4] = [
     Source {
@@ -92,15 +51,6 @@ const PAGES: [Source; 4] = [
         has_frames: true,
     },
 ];
-
-/// What the site says about where it is.
-#[derive(Default)]
-pub(crate) struct Places<'a> {
-    /// Its own address.
-    pub url: Option<&'a Base>,
-    /// The address of its sources.
-    pub repository: Option<&'a Base>,
-}
 
 /// Writes the pages into the built site, with the files that they show.
 pub(crate) fn write(root: &Path, site: &Path, places: &Places) -> Result<()> {
@@ -202,12 +152,6 @@ pub(crate) fn write(root: &Path, site: &Path, places: &Places) -> Result<()> {
     Ok(())
 }
 
-/// What stands between two marks.
-fn between<'t>(text: &'t str, start: &str, end: &str) -> Option<&'t str> {
-    let (_, rest) = text.split_once(start)?;
-    Some(rest.split_once(end)?.0)
-}
-
 /// A document with the measured sections that its comments name, as `<!-- look.md: filmed -->`: a table of a command
 /// stands in one document.
 fn with_sections(root: &Path, text: &str) -> Result<String> {
@@ -229,36 +173,6 @@ fn with_sections(root: &Path, text: &str) -> Result<String> {
         whole.push('\n');
     }
     Ok(whole)
-}
-
-/// The contents: all pages, and the headings of the one that is open.
-fn contents(root: &str, documents: &[Document], open: Option<&Document>) -> String {
-    let mut html = String::from(
-        "<nav id=\"contents\" aria-label=\"Documentation\">\n<details>\n<summary>Contents</summary>\n",
-    );
-    for (group, names) in DOCUMENTS {
-        let _ = writeln!(html, "<p>{group}</p>\n<ul>");
-        for document in documents.iter().filter(|it| names.contains(&it.name)) {
-            let (name, title) = (document.name, escaped(document.title()));
-            let here = open.filter(|open| open.name == name);
-            let current = here.map_or("", |_| " aria-current=\"page\"");
-            let link = format!("<a href=\"{root}docs/{name}.html\"{current}>{title}</a>");
-            let _ = write!(html, "<li>{link}");
-            let sections = here.map_or(&[][..], |here| &here.sections).iter();
-            let headings: String = sections
-                .filter(|it| it.level == 2)
-                .map(|it| (&it.anchor, escaped(&it.heading)))
-                .map(|(anchor, heading)| format!("<li><a href=\"#{anchor}\">{heading}</a></li>\n"))
-                .collect();
-            if !headings.is_empty() {
-                let _ = write!(html, "\n<ul>\n{headings}</ul>\n");
-            }
-            html.push_str("</li>\n");
-        }
-        html.push_str("</ul>\n");
-    }
-    html.push_str("</details>\n</nav>\n");
-    html
 }
 
 /// The list of all pages, each with its first sentence.

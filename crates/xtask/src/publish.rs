@@ -50,6 +50,13 @@ pub(crate) fn make(places: &Places) -> Result<()> {
     Ok(())
 }
 
+/// Makes the release of the last commit, and in a folder with another name once more, and compares both.
+pub(crate) fn reproduce() -> Result<()> {
+    make(&Places::default())?;
+    let (sh, scripts) = (Shell::new()?, paths::packaging());
+    Ok(cmd!(sh, "node {scripts}/reproduce.mjs").run()?)
+}
+
 /// Writes what the built site says about where it is.
 pub(crate) fn finish_site(places: &Places) -> Result<()> {
     pages::write(&paths::root(), &paths::site(), places)?;

@@ -1,13 +1,10 @@
-//! The copy of a fire that is filmed.
+//! What a film of a fire does with its embers.
 
 use std::cell::RefCell;
 use std::rc::Rc;
 
 use hearth_core::looping::Sparks;
 use hearth_core::{Instance, Simulation};
-
-use super::Fire;
-use crate::commands::Start;
 
 /// What is filmed by a copy of a fire.
 pub struct Film {
@@ -30,6 +27,21 @@ enum Embers {
 }
 
 impl Film {
+    /// The film of a fire, at that time \[s\]. Its copy copies another one of it if there is a `known` film: that one
+    /// records embers for a loop, or shows those of the loop, of which `looped` has the number of the first picture,
+    /// and of all.
+    pub fn new(of: u32, known: Option<&Film>, looped: &[usize], time: f64) -> Film {
+        Film {
+            of,
+            embers: match (known, looped) {
+                (Some(_), &[start, count]) => Embers::Replaces([start, count]),
+                (Some(_), _) => Embers::Records(time),
+                (None, _) => Embers::Shows,
+            },
+            sparks: known.map_or_else(Rc::default, |film| film.sparks.clone()),
+        }
+    }
+
     /// Records the embers of a picture for a loop, or replaces them by those of the loop.
     // An entry of the part `films` of the wasm.
     #[inline(never)]
@@ -45,41 +57,5 @@ impl Film {
             }
             _ => {}
         }
-    }
-}
-
-impl Fire {
-    /// A copy with that number for a film, invisible and without a size. This fire waits until it [goes on](Fire::go_on).
-    // An entry of the part `films` of the wasm.
-    #[inline(never)]
-    pub fn film(&mut self, id: u32, start: &Start<'_>, on_page: bool) -> Fire {
-        self.waits = true;
-        let mut copy = Fire {
-            simulation: self.simulation.clone(),
-            ..Fire::new(id, self.settings.clone(), start, on_page)
-        };
-        let known = self.presentation.film.as_ref();
-        let looped: Vec<_> = start
-            .values
-            .iter()
-            .map(|(_, value)| value.number() as usize)
-            .collect();
-        copy.presentation.film = Some(Box::new(Film {
-            of: self.id,
-            embers: match (known, &looped[..]) {
-                (Some(_), &[start, count]) => Embers::Replaces([start, count]),
-                (Some(_), _) => Embers::Records(self.simulation.time()),
-                (None, _) => Embers::Shows,
-            },
-            sparks: known.map_or_else(Rc::default, |film| film.sparks.clone()),
-        }));
-        // Without sound, its part of the wasm may be missing.
-        if self.sound.is_some() {
-            copy.simulation.record_series(false);
-        }
-        copy.playback.copy(&self.playback);
-        copy.presentation.copy(&self.presentation);
-        copy.pacing.copy(&self.pacing);
-        copy
     }
 }

@@ -6,7 +6,6 @@ use anyhow::{Context, Result};
 
 use super::highlight::escaped;
 use super::markdown::Document;
-use super::{Places, Source, between};
 use crate::links::Base;
 
 /// The head of every page: the file, from the folder of the site, and its name there.
@@ -19,6 +18,25 @@ pub(super) const HEAD: [(&str, &str); 5] = [
 ];
 
 const FRAME: &str = include_str!("page.html");
+
+/// What the site says about where it is.
+#[derive(Default)]
+pub(crate) struct Places<'a> {
+    /// Its own address.
+    pub url: Option<&'a Base>,
+    /// The address of its sources.
+    pub repository: Option<&'a Base>,
+}
+
+/// A page whose text is `web/pages/NAME.html`: a title, a paragraph that describes it, and the rest.
+pub(super) struct Source {
+    pub(super) name: &'static str,
+    /// Its script and its style sheets below `web/`, without their ends.
+    pub(super) script: &'static str,
+    pub(super) styles: &'static [&'static str],
+    /// Whether it shows frames of the site.
+    pub(super) has_frames: bool,
+}
 
 /// What all pages have in common.
 pub(super) struct Frame<'a> {
@@ -78,7 +96,7 @@ impl<'a> Frame<'a> {
         let (mut files, mut contents) = (String::new(), String::new());
         match content.place {
             Place::Documentation(open) => {
-                contents = super::contents(root, self.documents, open);
+                contents = super::contents::contents(root, self.documents, open);
                 if content.html.contains("class=\"card\"") {
                     files = format!("<link rel=\"stylesheet\" href=\"{root}web/docs/cards.css\">");
                 }
@@ -134,4 +152,10 @@ fn head(root: &str, open: &str) -> String {
         format!("<li><a href=\"{root}{file}\"{current}>{name}</a></li>")
     });
     links.collect()
+}
+
+/// What stands between two marks.
+pub(super) fn between<'t>(text: &'t str, start: &str, end: &str) -> Option<&'t str> {
+    let (_, rest) = text.split_once(start)?;
+    Some(rest.split_once(end)?.0)
 }

@@ -22,7 +22,8 @@ export async function table() {
   const entry = Object.fromEntries(PARAMETERS.map((parameter) => [parameter.id, parameter]));
   const DEFAULTS = Object.fromEntries(PARAMETERS.map((parameter) => [parameter.id, parameter.default]));
   const defaultsOf = (/** @type {string} */ model) => {
-    const values = PARAMETERS.map((parameter) => [parameter.id, domainOf(parameter, model).default]);
+    const used = PARAMETERS.filter(({ models }) => models.includes(model));
+    const values = used.map((parameter) => [parameter.id, parameter.domains[model].default]);
     return { ...Object.fromEntries(values), model };
   };
   return { PARAMETERS, PRESETS, DEFAULTS, defaultsOf, entry };

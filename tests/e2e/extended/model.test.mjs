@@ -45,7 +45,7 @@ test('a change of the model reports every value that differs', async () => {
     assert.deepEqual([...new Set(sent.map((message) => message.source))], [source]);
     const other = defaultsOf(/** @type {string} */ (before));
     const differing = Object.entries(defaultsOf(/** @type {string} */ (now))).filter(
-      ([id, value]) => other[id] !== value,
+      ([id, value]) => Object.hasOwn(other, id) && other[id] !== value,
     );
     assert.deepEqual(Object.fromEntries(sent.map(({ id, value }) => [id, value])), Object.fromEntries(differing));
   }

@@ -20,12 +20,12 @@ export async function table() {
   accessSync(file);
   const { PARAMETERS, PRESETS } = await import(pathToFileURL(file).href);
   const entry = Object.fromEntries(PARAMETERS.map((parameter) => [parameter.id, parameter]));
-  const DEFAULTS = Object.fromEntries(PARAMETERS.map((parameter) => [parameter.id, parameter.default]));
   const defaultsOf = (/** @type {string} */ model) => {
     const used = PARAMETERS.filter(({ models }) => models.includes(model));
     const values = used.map((parameter) => [parameter.id, parameter.domains[model].default]);
     return { ...Object.fromEntries(values), model };
   };
+  const DEFAULTS = defaultsOf(entry.model.default);
   return { PARAMETERS, PRESETS, DEFAULTS, defaultsOf, entry };
 }
 

@@ -26,6 +26,7 @@ export function frameScenes(fire) {
     if (WHOLE.includes(fire.preset)) fire.fit = 'contain';
     else fire.removeAttribute('fit');
   };
-  fire.addEventListener('params-change', fit);
+  // A fire that starts reports no change: a scene that a visitor chose meanwhile is that of `ready`.
+  for (const event of ['ready', 'params-change']) fire.addEventListener(event, fit);
   fit();
 }

@@ -185,11 +185,12 @@ impl Domain {
 
     /// How many there are of these.
     fn crowd(near: &[Vec<Neighbour>], reach: f64) -> Crowd {
-        let surely = (1.0 - RIM) * reach;
-        let count = |near: &Vec<Neighbour>| {
-            let within = near.iter().filter(|other| other.offset.length() < surely);
-            [within.count() as u32, near.len() as u32]
+        let within = |near: &[Neighbour], reach: f64| {
+            let within = near.iter().filter(|other| other.offset.length() < reach);
+            within.count() as u32
         };
+        let count =
+            |near: &Vec<Neighbour>| [1.0 - RIM, 1.0 + RIM].map(|rim| within(near, rim * reach));
         near.iter().map(count).collect()
     }
 

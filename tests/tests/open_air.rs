@@ -340,7 +340,7 @@ fn the_wind_blows_through_the_air_as_fast_as_it_is_set() {
             2.0,
         );
         let (mut sum, mut count) = (0.0, 0.0);
-        while fire.time() < 4.0 {
+        while fire.time() < 10.0 {
             fire.step();
             for velocity in fire.velocities() {
                 sum += f64::from(velocity.x);

@@ -35,6 +35,9 @@ pub(crate) trait Block: Copy {
     /// a step: many particles within a large smoothing radius would have thousands of neighbours
     /// each. A hundred thousand particles reach it at some 650 neighbours.
     const MAX_ENTRIES: usize = 1 << 24;
+    /// Distance up to which particles are pairs, in smoothing lengths: the support radius, or more for passes
+    /// over particles that have moved since the search. The grid has to have it too.
+    const REACH: f32 = 2.0;
 
     /// Positions, in smoothing lengths.
     fn position(&self) -> [Lanes; 2];
@@ -194,6 +197,7 @@ impl Neighbours {
             };
             (*y, *weight) = (y.broadcast(lane), weight.broadcast(lane));
         }
+        let reach = Lanes::splat(B::REACH * B::REACH);
         let mut sums = [Lanes::ZERO; LANES];
         let mut inner = [0; LANES];
         if own {
@@ -201,7 +205,7 @@ impl Neighbours {
                 let square = square(each[lane].0 - x, each[lane].1 - y);
                 sums[lane] = kernel::w(square.sqrt()) * weight;
                 let later = !((2 << lane) - 1);
-                inner[lane] = (square.less_mask(SUPPORT_SQUARED) & later) as u8;
+                inner[lane] = (square.less_mask(reach) & later) as u8;
             }
         }
         for (x, y, _) in &mut each {
@@ -219,7 +223,7 @@ impl Neighbours {
                     back[lane] = w * own_weight;
                     // The write is unconditional, and the count grows only for a neighbour: a
                     // mispredicted branch costs more than the write.
-                    let mask = square.less_mask(SUPPORT_SQUARED);
+                    let mask = square.less_mask(reach);
                     list[count] = Entry::new(lane, number, mask);
                     count += usize::from(mask != 0);
                 }
@@ -313,9 +317,9 @@ impl Neighbours {
         self.candidates
     }
 
-    /// Mean and maximum number of neighbours of a particle in the last search. It counts them
-    /// again.
-    pub fn mean_and_max(&self) -> (f32, u32) {
+    /// Mean and maximum number of neighbours of a particle in the last search, whose blocks these are: those
+    /// within its support. It counts them again.
+    pub fn mean_and_max<B: Block>(&self, blocks: &[B]) -> (f32, u32) {
         let (mut sum, mut most) = (0_u32, 0);
         let mut counts = vec![0; LANES * self.blocks];
         let mut count = |particle: usize| {
@@ -326,7 +330,12 @@ impl Neighbours {
         for sweep in &self.sweeps {
             let list = &self.entries[sweep.range()];
             for entry in sweep.inner_entries().chain(list.iter().copied()) {
-                let (lanes, members) = MEMBERS[entry.mask()];
+                let [x, y] = blocks[sweep.block as usize].position();
+                let [x, y] = [x - sweep.shift.x, y - sweep.shift.y];
+                let [other_x, other_y] = blocks[entry.number()].position();
+                let (x, y) = (x.broadcast(entry.lane()), y.broadcast(entry.lane()));
+                let near = square(x - other_x, y - other_y).less_mask(SUPPORT_SQUARED);
+                let (lanes, members) = MEMBERS[entry.mask() & near as usize];
                 for &lane in &lanes[..members] {
                     count(sweep.block as usize * LANES + entry.lane());
                     count(entry.number() * LANES + lane as usize);

@@ -17,6 +17,8 @@ const HEAT_CAPACITY: f64 = 1.0;
 const ROLL_STEPS: u32 = 4;
 /// Parts of a step. Each has its own pressure; the pairs are those of the start of the step.
 pub const PARTS: u32 = 2;
+/// Distance up to which particles are pairs, in smoothing lengths.
+const REACH: f32 = 2.05;
 /// Longest step \[s\].
 const LONGEST: f64 = 1.0 / 60.0;
 /// What drives the strongest fire for which the parameter is the speed of sound.
@@ -86,9 +88,9 @@ impl Combustion {
     pub fn step(&mut self, scene: &Scene) {
         let scene = &self.at_limit(scene);
         let common = Common::new(scene, self.particles.len());
-        let reach = common.kernel.support();
+        let (reach, support) = (f64::from(REACH) * common.kernel.h, common.kernel.support());
         let mut near = common.domain.neighbours(&self.particles, reach);
-        self.crowd = Domain::crowd(&near, reach);
+        self.crowd = Domain::crowd(&near, support);
         self.keep_pairs(&mut near, &common);
         let mean = self.fill(&common, &near, None);
         if self.steps.is_multiple_of(ROLL_STEPS) {
@@ -146,7 +148,7 @@ impl Combustion {
                 let [here, there] = [here, &self.particles[j]].map(|q| q.position.value);
                 let shift = (here - there - offset).as_vec2() * inverse_h;
                 let [here, there] = [here, there].map(|at| at.as_vec2() * inverse_h);
-                (here - shift - there).length_squared() < 4.0
+                (here - shift - there).length_squared() < REACH * REACH
             });
         }
     }

@@ -154,7 +154,7 @@ impl Pairs {
 
     /// Mean and maximum number of neighbours of a particle.
     pub fn mean_and_max(&self) -> (f32, u32) {
-        self.neighbours.mean_and_max()
+        self.neighbours.mean_and_max(&self.blocks)
     }
 }
 

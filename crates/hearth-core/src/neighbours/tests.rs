@@ -37,7 +37,7 @@ fn lists_stop_at_their_limit() {
     neighbours.find_and_sum(&mut blocks, &grid, 0.02);
     let stride = blocks.len() * LANES;
     assert!((Four::MAX_ENTRIES - stride..=Four::MAX_ENTRIES).contains(&neighbours.candidates()));
-    let (mean, max) = neighbours.mean_and_max();
+    let (mean, max) = neighbours.mean_and_max(&blocks);
     assert!(mean > 0.9 * 2.0 * Four::MAX_ENTRIES as f32 * LANES as f32 / n as f32);
     assert_eq!(max as usize, n - 1);
     // Particles beyond the limit still interact within their block.

@@ -21,6 +21,10 @@ use crate::neighbours::{self, FAR_AWAY, Neighbours, PairSum};
 use crate::params::Physics;
 use crate::solids::Solids;
 
+/// Distance up to which particles are pairs, in smoothing lengths. In the later part of a step, some come within
+/// the support that were beyond it in the search. Without them, noise that changes its sign from part to part grows.
+pub(super) const REACH: f32 = 2.05;
+
 /// Four particles for the neighbour search.
 #[derive(Clone, Copy, Debug, Default)]
 struct Block {
@@ -36,6 +40,7 @@ impl neighbours::Block for Block {
     /// Gas fills the domain evenly: even twice the maximum number of particles stays below, at
     /// any smoothing ratio.
     const MAX_ENTRIES: usize = 1 << 23;
+    const REACH: f32 = REACH;
 
     #[inline(always)]
     fn position(&self) -> [Lanes; 2] {

@@ -3,7 +3,7 @@
 
 use super::Gas;
 use super::interactions::Interactions;
-use super::number_density::NumberDensity;
+use super::number_density::{self, NumberDensity};
 use super::pair::Context;
 use super::pressing::Later;
 use super::rolls::Rolls;
@@ -36,7 +36,8 @@ crate::state! { Pairs: rolls; grid neighbours number_density interactions later 
 impl Pairs {
     /// Makes room for so many particles within `bounds`, with kernels of this support radius \[m\].
     pub fn reserve(&mut self, particles: usize, bounds: &Bounds, support: f32) {
-        self.grid.reserve(particles, bounds, support);
+        let reach = number_density::REACH * 0.5 * support;
+        self.grid.reserve(particles, bounds, reach);
         let blocks = self.grid.max_blocks(particles);
         self.number_density.reserve(blocks);
         self.interactions.reserve(blocks);
@@ -49,7 +50,8 @@ impl Pairs {
     #[inline(never)]
     pub fn sort(&mut self, gas: &mut Gas, bounds: &Bounds, kernel: &Kernel) {
         let positions = gas.position.iter().copied();
-        let new_indices = self.grid.sort(positions, bounds, kernel.support());
+        let reach = number_density::REACH * kernel.smoothing_length();
+        let new_indices = self.grid.sort(positions, bounds, reach);
         gas.reorder(new_indices);
     }
 
@@ -115,6 +117,58 @@ impl Pairs {
 
     /// Mean and largest number of neighbours.
     pub fn mean_and_max_neighbours(&self) -> (f32, u32) {
-        self.neighbours.mean_and_max()
+        self.neighbours.mean_and_max(self.interactions.blocks())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use glam::Vec2;
+
+    use super::*;
+    use crate::combustion::gas::periodic_bounds;
+    use crate::combustion::gas::tests::{random_gas, with};
+    use crate::random::Random;
+
+    #[test]
+    fn gas_that_has_moved_since_the_search_has_the_density_of_another_search() {
+        let parameters = with(&[("particles", 1500.0)]);
+        let (mut gas, bounds) = (random_gas(&parameters, 3), periodic_bounds(&parameters));
+        let kernel = Kernel::new(parameters.smoothing_length());
+        let context = Context::new(&gas, &parameters, &kernel, 6.0);
+        let bare = (&Walls::default(), &Solids::default());
+        let mut pairs = Pairs::default();
+        pairs.sort(&mut gas, &bounds, &kernel);
+        pairs.find_and_sum(&mut gas, bare, &context);
+        let h = kernel.smoothing_length();
+        let (edge, mut random) = (0.5 * bounds.width - h, Random::new(1));
+        // Two that approach along a diagonal cross the rim between support and reach.
+        let most = (number_density::REACH - 2.0) * h / 8.0_f32.sqrt();
+        for at in &mut gas.position {
+            let by = Vec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+            if at.x.abs() < edge && (h..bounds.height - h).contains(&at.y) {
+                *at += by * most;
+            }
+        }
+        pairs.sum_number_density(&mut gas, &context);
+        let by_id = |gas: &Gas| {
+            let all = gas
+                .id
+                .iter()
+                .copied()
+                .zip(gas.number_density.iter().copied());
+            all.collect::<BTreeMap<_, _>>()
+        };
+        let moved = by_id(&gas);
+        pairs.sort(&mut gas, &bounds, &kernel);
+        pairs.find_and_sum(&mut gas, bare, &context);
+        for ((id, moved), found) in moved.into_iter().zip(by_id(&gas).into_values()) {
+            assert!(
+                (moved / found - 1.0).abs() < 1e-6,
+                "{id}: {moved} for {found}"
+            );
+        }
     }
 }

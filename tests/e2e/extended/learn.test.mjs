@@ -88,7 +88,7 @@ test('where motion is reduced nothing burns before a press', async () => {
   }
 });
 
-test('a printed card has a whole picture and lines to write on, and no answer', async () => {
+test('a printed card has a whole picture, its question, then lines to write on, and no answer', async () => {
   const tab = await browser.open('docs/learn.html', WIDE);
   await light(tab, 'gravity');
   await numbers(tab);
@@ -98,10 +98,24 @@ test('a printed card has a whole picture and lines to write on, and no answer', 
       const image = /** @type {HTMLImageElement} */ (card.querySelector('img'));
       const shown = (/** @type {string} */ at) =>
         [...card.querySelectorAll(at)].filter((it) => it.checkVisibility()).length;
-      return [image.complete && image.naturalWidth > 0, shown('img'), shown('.line'), shown('hearth-fire, button')];
+      const [question, lines] = [card.nextElementSibling, card.nextElementSibling?.nextElementSibling];
+      const [picture, asked, written] = [card, question, lines].map((part) => part?.getBoundingClientRect());
+      return [
+        image.complete && image.naturalWidth > 0,
+        shown('img'),
+        shown('hearth-fire, button'),
+        /^Question\./.test(question?.textContent ?? ''),
+        lines?.querySelectorAll('.line').length,
+        picture &&
+          asked &&
+          written &&
+          picture.bottom <= asked.top &&
+          asked.bottom <= written.top &&
+          written.height > 100,
+      ];
     }),
   );
-  assert.deepEqual(cards, Array(6).fill([true, 1, 4, 0]));
+  assert.deepEqual(cards, Array(6).fill([true, 1, 0, true, 4, true]));
   assert.equal(
     await tab.evaluate(() => [...document.querySelectorAll('details')].some((it) => it.checkVisibility())),
     false,

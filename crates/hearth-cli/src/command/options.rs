@@ -44,7 +44,7 @@ pub struct FireOptions {
 /// What is behind the fire of a picture, and what the picture says of it.
 #[derive(Args, Clone)]
 pub struct PictureOfFire {
-    /// What is behind the fire: #rrggbb, black, white or transparent [default: that of the scene].
+    /// What is behind the fire, in place of its wall and ground: #rrggbb, black, white or transparent [default: that of the scene].
     #[arg(long, value_name = "COLOUR", value_parser = background)]
     background: Option<(String, Colour)>,
     /// Writes scene and seed into the file, as a text that is a settings file.
@@ -52,13 +52,24 @@ pub struct PictureOfFire {
     describe: bool,
 }
 
+/// The values of a fire with nothing behind and under it but that colour.
+pub fn bare(background: String) -> Vec<Setting> {
+    let none = || "none".to_owned();
+    let values = [
+        ("background", background),
+        ("backdrop", none()),
+        ("ground", none()),
+    ];
+    values.map(|(id, value)| (id.to_owned(), value)).into()
+}
+
 impl PictureOfFire {
-    /// The values that it sets.
+    /// The values that it sets. As in a film of a page, a background takes the place of the scene's wall and ground.
     pub fn values(&self) -> Vec<Setting> {
-        let colour = self.background.iter();
-        colour
-            .map(|(_, colour)| ("background".to_owned(), colour.to_string()))
-            .collect()
+        let Some((_, colour)) = &self.background else {
+            return Vec::new();
+        };
+        bare(colour.to_string())
     }
 
     /// The text of a file.

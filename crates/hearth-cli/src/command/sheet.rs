@@ -46,7 +46,7 @@ pub struct Sheet {
     /// Seconds between the pictures of a strip.
     #[arg(long, value_name = "SECONDS", default_value = "1/30", value_parser = interval, allow_negative_numbers = true)]
     every: f64,
-    /// What is behind the fires: as of `hearth render`; the paper of the sheet shows through.
+    /// What is behind the fires, their walls and grounds stay: colours as of `hearth render`; the paper of the sheet shows through.
     #[arg(long, value_name = "COLOUR,…", value_delimiter = ',', default_value = "black", value_parser = background)]
     background: Vec<(String, Colour)>,
     /// Tiles in a row [default: those of a scene].

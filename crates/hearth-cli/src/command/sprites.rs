@@ -7,7 +7,7 @@ use clap::Args;
 use hearth_settings::Settings;
 
 use super::film::rate;
-use super::options::{DriverOptions, FireOptions, age, named, size};
+use super::options::{DriverOptions, FireOptions, age, bare, named, size};
 use super::progress::{Counter, Progress};
 use crate::error::Error;
 use crate::film::{Clock, Rate};
@@ -115,14 +115,9 @@ impl Layer {
             Layer::Smoke => "smoke",
             Layer::Colour | Layer::Motion => return Vec::new(),
         };
-        let value = |(id, text): (&str, &str)| (id.to_owned(), text.to_owned());
-        let values = [
-            ("layers", layers),
-            ("background", "transparent"),
-            ("backdrop", "none"),
-            ("ground", "none"),
-        ];
-        values.map(value).into()
+        let mut values = bare("transparent".to_owned());
+        values.push(("layers".to_owned(), layers.to_owned()));
+        values
     }
 }
 

@@ -98,6 +98,23 @@ fn a_background_makes_the_picture_opaque() {
 }
 
 #[test]
+fn a_background_takes_the_place_of_the_wall_and_the_ground() {
+    let folder = Folder::new("walls");
+    let picture = |options: &str| {
+        let line = cheap(&format!("fireside --out - {options}"));
+        Png::decode(&folder.done(&line))
+    };
+    assert_eq!(picture("").channels, 3, "its wall is opaque");
+    let bare = picture("--background transparent");
+    for corner in [[0, 0], [47, 0], [0, 31], [47, 31]] {
+        let alpha = bare.pixel(corner)[3];
+        assert!(alpha < 64, "{alpha} at {corner:?}");
+    }
+    let white = picture("--background white");
+    assert_eq!(white.pixel([0, 0]), [255, 255, 255]);
+}
+
+#[test]
 fn a_supersampled_picture_is_as_large_and_of_other_pixels() {
     let folder = Folder::new("supersample");
     let supersampled = |factor| {

@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use super::highlight::escaped;
 
-/// The lines of a printed card that pupils fill in.
+/// The lines that pupils fill in, below the question of a printed card.
 const LINES: [&str; 4] = [
     "I expect, because",
     "Fire A",
@@ -23,12 +23,16 @@ pub(super) fn card(root: &Path, json: &str) -> Result<String> {
         .as_str()
         .context("the card has no \"scene\"")?;
     let (width, height) = super::markdown::size(&root.join(format!("web/scenes/{scene}.jpg")))?;
-    let lines = LINES.map(|line| format!("<p class=\"line\">{line}</p>"));
     Ok(format!(
         "<div class=\"card\" data-card=\"{}\"><img src=\"../web/scenes/{scene}.jpg\" \
          alt=\"A fire of this card\" width=\"{width}\" height=\"{height}\">\
-         <p><button type=\"button\" hidden>Light both fires</button></p>{}</div>\n",
-        escaped(&card.to_string()),
-        lines.concat()
+         <p><button type=\"button\" hidden>Light both fires</button></p></div>\n",
+        escaped(&card.to_string())
     ))
+}
+
+/// The HTML of the lines.
+pub(super) fn lines() -> String {
+    let lines = LINES.map(|line| format!("<p class=\"line\">{line}</p>"));
+    format!("<div class=\"lines\">{}</div>\n", lines.concat())
 }

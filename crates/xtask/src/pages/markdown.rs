@@ -10,7 +10,7 @@ use pulldown_cmark::{
     Alignment, CodeBlockKind, CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html,
 };
 
-use super::card::card;
+use super::card::{card, lines};
 use super::highlight::{escaped, highlight};
 
 /// A picture of more bytes is a link: no page fetches it unasked.
@@ -152,6 +152,7 @@ impl<'a> Document<'a> {
             column: 0,
             unlinked: false,
             file: None,
+            asks: false,
         };
         let mut made: Vec<Event> = Vec::new();
         let mut events = self.events.iter();
@@ -169,6 +170,11 @@ impl<'a> Document<'a> {
                 event => made.push(page.event(event)?),
             }
         }
+        ensure!(
+            !page.asks,
+            "docs/{}.md: a card has no question behind it",
+            self.name
+        );
         let mut rendered = String::new();
         html::push_html(&mut rendered, made.into_iter());
         // An empty header cell is no header.
@@ -214,6 +220,8 @@ struct Page<'a> {
     unlinked: bool,
     /// A document that the link of now leads to: its file and its title.
     file: Option<(String, String)>,
+    /// Whether the next paragraph is the question of a card.
+    asks: bool,
 }
 
 impl Page<'_> {
@@ -224,6 +232,10 @@ impl Page<'_> {
             // A quote is the answer to a question.
             Event::Start(Tag::BlockQuote(_)) => "<details><summary>Why?</summary>".to_owned(),
             Event::End(TagEnd::BlockQuote(_)) => "</details>\n".to_owned(),
+            Event::End(TagEnd::Paragraph) if self.asks => {
+                self.asks = false;
+                format!("</p>\n{}", lines())
+            }
             Event::Start(Tag::Table(alignments)) => {
                 self.alignments.clone_from(alignments);
                 format!("<div class=\"scroll\"{}><table>", self.scrolls("Table"))
@@ -291,7 +303,7 @@ impl Page<'_> {
         format!(" tabindex=\"0\" role=\"group\" aria-label=\"{what}: {heading}\"")
     }
 
-    fn code(&self, kind: &CodeBlockKind, code: &str) -> Result<Event<'static>> {
+    fn code(&mut self, kind: &CodeBlockKind, code: &str) -> Result<Event<'static>> {
         let info = match kind {
             CodeBlockKind::Fenced(info) => info,
             CodeBlockKind::Indented => &CowStr::Borrowed(""),
@@ -302,8 +314,11 @@ impl Page<'_> {
         let html = match live {
             "" => format!("{pre}\n"),
             "live" if language == "html" => format!("<div class=\"example\">{pre}</div>\n"),
-            "card" if language == "json" => card(self.targets.root, code)
-                .with_context(|| format!("docs/{}.md", self.document.name))?,
+            "card" if language == "json" => {
+                self.asks = true;
+                card(self.targets.root, code)
+                    .with_context(|| format!("docs/{}.md", self.document.name))?
+            }
             other => bail!(
                 "docs/{}.md: a fence of {language} says \"{other}\"; html can be \"live\", json a \"card\"",
                 self.document.name

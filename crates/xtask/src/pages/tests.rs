@@ -274,6 +274,7 @@ fn what_a_page_cannot_show_is_refused_with_its_document() {
         ("```html burning\n```", "burning"),
         ("```json card\n{\"scene\": \"nothing\"}\n```", "nothing.jpg"),
         ("```json card\n{}\n```", "scene"),
+        ("```json card\n{\"scene\": \"candle\"}\n```", "question"),
     ] {
         let why = rendered(text).err().map(|why| format!("{why:#}"));
         let why = why.unwrap_or_default();
@@ -311,12 +312,27 @@ fn markdown_becomes_html_for_a_strict_policy() -> Result<()> {
         ("```html\n<p>\n```", "<span class=\"t\">&lt;p</span>"),
         ("> a", "<details><summary>Why?</summary>"),
         (
-            "```json card\n{\"scene\": \"candle\"}\n```",
+            "```json card\n{\"scene\": \"candle\"}\n```\n\nWhich?",
             "data-card=\"{&quot;scene&quot;:&quot;candle&quot;}\"",
         ),
     ] {
         let rendered = rendered(text)?;
         assert!(rendered.contains(html), "{text}: {rendered}");
     }
+    Ok(())
+}
+
+#[test]
+fn a_card_is_followed_by_its_question_the_lines_for_it_and_the_answer() -> Result<()> {
+    let files = built(&Places::default())?;
+    let html = &files["docs/learn.html"];
+    let marks = ["data-card", "Question.", "class=\"lines\"", "<summary>Why?"];
+    let mut all: Vec<_> = marks
+        .iter()
+        .flat_map(|mark| html.match_indices(mark))
+        .collect();
+    all.sort_unstable();
+    let order: Vec<_> = all.into_iter().map(|(_, mark)| mark).collect();
+    assert_eq!(order, marks.repeat(6));
     Ok(())
 }

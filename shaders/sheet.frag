@@ -30,9 +30,9 @@ void main() {
         pixel = stored(sharp.rgb * (rooted > 0.0 ? sharp.rgb * light_range : vec3(1.0)), sharp.a);
         return;
     }
-    vec2 at = vec2(fract(2.0 * uv.x), uv.y);
+    vec2 at = vec2(uv.x, fract(2.0 * uv.y));
     vec3 soft = texture(glow, at).rgb;
     vec4 lit = texture(smoke_light, at);
     vec3 grey = SOOT * (soot * lit.a);
-    pixel = uv.x < 0.5 ? stored(soft * soft * bloom, 1.0) : vec4(min(sqrt(lit.rgb * lit.rgb + grey * grey), 1.0), 1.0);
+    pixel = uv.y < 0.5 ? stored(soft * soft * bloom, 1.0) : vec4(min(sqrt(lit.rgb * lit.rgb + grey * grey), 1.0), 1.0);
 }

@@ -27,15 +27,7 @@ export class FireImage extends GameObjects.Image {
     super(scene, 0, 0, key);
     this.#canvas = canvas;
     this.setOrigin(0, 0);
-    this.#flat = new FlatFire(
-      options,
-      (picture) => this.#show(picture),
-      (error) => this.emit('error', error),
-    );
-    /** The fire: its values, statistics and calls. */
-    this.fire = this.#flat.source;
-    /** Its light: a place in the world, brightness and colour. */
-    this.light = this.#flat.light;
+    this.#flat = new FlatFire(this, options, (picture) => this.#show(picture));
     scene.events.on('prerender', this.#follow, this);
     this.once('destroy', this.#free, this);
   }
@@ -56,7 +48,7 @@ export class FireImage extends GameObjects.Image {
 
   #free() {
     this.scene?.events.off('prerender', this.#follow, this);
-    this.fire.dispose();
+    this.#flat.source.dispose();
     this.#canvas.destroy();
   }
 }

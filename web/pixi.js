@@ -31,15 +31,7 @@ export class FireSprite extends Sprite {
     });
     super(new Texture({ source: image }));
     this.#image = image;
-    this.#flat = new FlatFire(
-      options,
-      (picture) => this.#show(picture),
-      (error) => this.emit('error', error),
-    );
-    /** The fire: its values, statistics and calls. */
-    this.fire = this.#flat.source;
-    /** Its light: a place in the world, brightness and colour. */
-    this.light = this.#flat.light;
+    this.#flat = new FlatFire(this, options, (picture) => this.#show(picture));
     this.onRender = () => {
       const { x, y } = this.#flat.follow(this.target, this.height);
       this.position.set(x, y);
@@ -59,7 +51,7 @@ export class FireSprite extends Sprite {
   /** Frees the fire and its texture. @param {any} [options] */
   destroy(options) {
     this.onRender = /** @type {any} */ (null);
-    this.fire.dispose();
+    this.#flat.source.dispose();
     super.destroy(options);
     const { resource } = this.#image;
     this.#image.destroy();

@@ -23,6 +23,8 @@ export interface FireObjectOptions extends FireOptions {
 export interface FireObjectEventMap extends Object3DEventMap {
   /** A value is refused, or there is no fire. */
   error: { error: Error };
+  /** A new picture: a scene in which nothing else moves is drawn then, and no more often. */
+  picture: object;
 }
 
 /** A fire in a scene. Its origin is on the floor, below its source. */

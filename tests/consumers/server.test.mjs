@@ -27,7 +27,7 @@ async function node(program) {
 }
 
 /** Entries for an engine, which needs that engine and a window. */
-const ENGINES = ['./three', './pixi', './phaser'];
+const ENGINES = ['./three', './three/webgpu', './three/react', './pixi', './phaser'];
 
 test('every entry point is imported without a window and touches no global', async () => {
   const manifest = JSON.parse(await readFile(path.join(PACKAGE, 'package.json'), 'utf8'));

@@ -21,14 +21,14 @@ export class FlatFire {
   #light = [0, 0, 0];
 
   /**
+   * @param {any} object of an engine, which gets `fire` and `light`, and events `error`
    * @param {import('./source.js').FireOptions} options
-   * @param {(picture: ImageBitmap) => void} picture
-   * @param {(error: Error) => void} error
+   * @param {(picture: ImageBitmap) => void} show
    */
-  constructor(options, picture, error) {
+  constructor(object, options, show) {
     this.source = new FireSource(options, {
-      picture: (bitmap) => {
-        picture(bitmap);
+      picture: (picture) => {
+        show(picture);
         // The engine draws no more pictures than the page shows.
         requestAnimationFrame(() => this.source.shown());
       },
@@ -36,8 +36,9 @@ export class FlatFire {
         this.area = [left, lower, right, upper];
         this.#light = light;
       },
-      error,
+      error: (error) => object.emit('error', error),
     });
+    Object.assign(object, { fire: this.source, light: this.light });
     this.#motion = new Motion(this.source);
   }
 

@@ -47,7 +47,7 @@ pub struct FrameInput<'a> {
     pub temperatures: &'a [(u32, f32)],
     /// What is left of solids with fuel.
     pub charred: &'a Charred,
-    /// Whether the picture is an atlas of pictures of that size.
+    /// Whether the picture is an atlas of a picture of that size.
     pub sheets: bool,
     /// The fire's past.
     pub history: &'a History,
@@ -130,10 +130,15 @@ impl FireRenderer {
                 return Ok(clock.now());
             };
             let passes = &mut drawing.passes;
-            let [columns, rows] = if sheets { ATLAS } else { [1, 1] };
             let (width, height) = input.size;
-            let [width, height] = canvas.resize((columns * width, rows * height));
-            let [width, height] = [width / columns, height / rows];
+            let [width, height] = if sheets {
+                let [columns, rows] = ATLAS;
+                let half = [width, height].map(|side| side.div_ceil(2));
+                let [width, height] = canvas.resize((columns * half[0], rows * half[1]));
+                [2 * (width / columns), 2 * (height / rows)]
+            } else {
+                canvas.resize((width, height))
+            };
             renderer.upload(gl, parameters.display_mode, input.particles, input.embers);
             renderer.upload_solids(gl, scene, input.poses, input.temperatures, input.charred);
             let sent = clock.now();

@@ -9,7 +9,7 @@
 const INLINE = './hearth-fire.inline.js';
 
 /** Modules that no script of the package contains: those of Node, where there is Node, and the peers. */
-export const OUTSIDE = ['node:*', 'three', 'pixi.js', 'phaser'];
+export const OUTSIDE = ['node:*', 'three', 'react', '@react-three/fiber', 'pixi.js', 'phaser'];
 
 /** What users of the package read. */
 export const DOCS = [

@@ -65,6 +65,10 @@ const DOWNLOADS = [
     name: 'a fire in three.js, without it and the engine',
     files: (await loaded('three.js')).filter((file) => !always.includes(file)),
   },
+  {
+    name: 'a fire in nodes of three.js, without it and the engine',
+    files: (await loaded('three/webgpu.js')).filter((file) => !always.includes(file)),
+  },
   { name: 'headless library', files: await loaded('sim.js') },
 ];
 

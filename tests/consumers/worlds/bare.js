@@ -1,4 +1,7 @@
-/** What the tests of `hearth-fire/three` do in a page: a scene with one fire, which stands still. */
+/**
+ * What the tests of `hearth-fire/three` do in a page: a scene with one fire, which stands still. The import map of the page
+ * says which three.js and which `FireObject` they are.
+ */
 import { FireObject } from 'hearth-fire/three';
 import * as THREE from 'three';
 
@@ -6,13 +9,17 @@ export const SIDE = 160;
 const START = { width: SIDE, height: SIDE, quality: 'low', paused: true };
 const SECONDS = 1.5;
 
-const renderer = new THREE.WebGLRenderer({ alpha: true });
+const isNodes = 'WebGPURenderer' in THREE;
+const renderer = isNodes
+  ? new THREE.WebGPURenderer({ alpha: true, forceWebGL: true })
+  : new THREE.WebGLRenderer({ alpha: true });
+await renderer.init?.();
 renderer.setSize(SIDE, SIDE);
 document.body.append(renderer.domElement);
 
 /** A fire whose picture of that moment is uploaded. */
-async function burning(values, seconds = SECONDS) {
-  const fire = new FireObject({ ...START, values: { ember_rate: 0, seed: 7, ...values } });
+async function burning(values, seconds = SECONDS, options = {}) {
+  const fire = new FireObject({ ...START, ...options, values: { ember_rate: 0, seed: 7, ...values } });
   await fire.fire.ready;
   const scene = new THREE.Scene();
   scene.add(fire);
@@ -73,6 +80,12 @@ function difference(a, b, background) {
   return { mean: sum / count, count };
 }
 
+/** Frees a fire and the things in its scene. */
+function free({ fire, scene }) {
+  fire.dispose();
+  scene.traverse(({ geometry }) => geometry?.dispose());
+}
+
 /** A green plate at a distance before the middle of the fire. */
 function plate(z) {
   const mesh = new THREE.Mesh(new THREE.PlaneGeometry(9, 9), new THREE.MeshBasicMaterial({ color: 0x00ff00 }));
@@ -96,25 +109,83 @@ Object.assign(globalThis, {
       made.fire.dispose();
       return seen;
     },
-    /** The red light before a plate close behind the first sheet, without the scene's depth and with it. */
+    /** The red light before a plate close behind the first sheet, with edges of a millimetre and with those of a fire. */
     async soft() {
-      const made = await burning();
-      const mesh = plate(0.08);
       const target = new THREE.WebGLRenderTarget(SIDE, SIDE, { depthTexture: new THREE.DepthTexture(SIDE, SIDE) });
-      made.scene.add(mesh);
-      const [hard] = sums(pixels(made, '#000000'));
-      made.fire.visible = false;
-      renderer.setRenderTarget(target);
-      renderer.render(made.scene, made.camera);
-      renderer.setRenderTarget(null);
-      made.fire.visible = true;
-      made.fire.depthTexture = target.depthTexture;
-      const [soft] = sums(pixels(made, '#000000'));
-      made.fire.dispose();
-      mesh.geometry.dispose();
+      const seen = [];
+      for (const soft of [0.001, 0]) {
+        const made = await burning({}, SECONDS, { soft });
+        made.scene.add(plate(0.08));
+        if (!isNodes) {
+          made.fire.visible = false;
+          renderer.setRenderTarget(target);
+          renderer.render(made.scene, made.camera);
+          renderer.setRenderTarget(null);
+          made.fire.visible = true;
+          made.fire.depthTexture = target.depthTexture;
+        }
+        seen.push(sums(pixels(made, '#000000'))[0]);
+        free(made);
+      }
       target.dispose();
       target.depthTexture.dispose();
-      return [hard, soft];
+      return seen;
+    },
+    /** The red light of embers alone, with a plate behind, amid and before them. */
+    async embers() {
+      const made = await burning({ ember_rate: 400 }, 3);
+      pixels(made, '#000000');
+      const embers = made.fire.children.find(({ geometry }) => geometry?.isInstancedBufferGeometry);
+      for (const child of made.fire.children) if (child.isMesh) child.visible = child === embers;
+      const seen = [-2, 0, 2].map((z) => {
+        const mesh = plate(z);
+        made.scene.add(mesh);
+        const [red] = sums(pixels(made, '#000000'));
+        made.scene.remove(mesh);
+        mesh.geometry.dispose();
+        return red;
+      });
+      made.fire.dispose();
+      return seen;
+    },
+    /** The red light of a fire before a camera at those places. */
+    async passing(places) {
+      const made = await burning();
+      const seen = places.map((z) => {
+        made.camera.position.z = z;
+        return sums(pixels(made, '#000000'))[0];
+      });
+      made.fire.dispose();
+      return seen;
+    },
+    /** The wind in the gas, for a wind in the world to the right, towards the camera, and to the left of a camera at its side [m/s]. */
+    async winds() {
+      const made = await burning();
+      const felt = [];
+      const feel = async () => {
+        pixels(made, '#000000');
+        await made.fire.fire.call('advance', 0.05);
+        await made.fire.fire.call('advance', 0.05);
+        felt.push(made.fire.fire.values.wind);
+      };
+      made.fire.wind.set(0.8, 0, 0);
+      await feel();
+      made.fire.wind.set(0, 0, 0.8);
+      await feel();
+      made.camera.position.set(5, 0, 0);
+      made.camera.lookAt(0, 0, 0);
+      made.scene.updateMatrixWorld();
+      await feel();
+      made.fire.dispose();
+      return felt;
+    },
+    /** Three fires at once. */
+    async several() {
+      const all = await Promise.all([1, 2, 3].map(() => burning({}, 0.1)));
+      this.burning = all;
+    },
+    freeSeveral() {
+      this.burning.forEach(free);
     },
     /** The brightest light of a fire in a target of half floats. */
     async light() {
@@ -123,8 +194,8 @@ Object.assign(globalThis, {
       renderer.setClearColor('#000000', 1);
       renderer.setRenderTarget(target);
       renderer.render(made.scene, made.camera);
-      const halves = new Uint16Array(4 * SIDE * SIDE);
-      renderer.readRenderTargetPixels(target, 0, 0, SIDE, SIDE, halves);
+      const last = isNodes ? 0 : new Uint16Array(4 * SIDE * SIDE);
+      const halves = await renderer.readRenderTargetPixelsAsync(target, 0, 0, SIDE, SIDE, last);
       renderer.setRenderTarget(null);
       target.dispose();
       made.fire.dispose();
@@ -204,14 +275,17 @@ Object.assign(globalThis, {
       made.fire.dispose();
       return places;
     },
-    /** Mounts and unmounts fires; returns what the renderer still has. */
+    /** Mounts and unmounts fires; returns what the renderer has after the first and after the last. */
     async mounts(count) {
+      const had = [];
       for (let i = 0; i < count; i += 1) {
         const made = await burning({}, 0.1);
         pixels(made, '#000000');
         made.fire.dispose();
+        const { textures, geometries } = renderer.info.memory;
+        had.push({ textures, geometries });
       }
-      return renderer.info.memory;
+      return [had[0], had.at(-1)];
     },
     /** What a wrong option, preset and value give. */
     async refusals() {

@@ -9,7 +9,6 @@ use crate::particles::draw_quads;
 use crate::pass::{Draw, Load, Per, Row};
 use crate::passes::PASSES;
 use crate::shaders::{FLOATS, SOURCES};
-use crate::slices::MAX_SLICES;
 use crate::target::{Target, bind};
 
 /// Name of the passes of all slices in `stats.passes`.
@@ -95,14 +94,24 @@ impl<G: Graphics> Renderer<G> {
                 part
             }
             None => {
-                let size = frame.layout.picture;
+                let [width, height] = frame.layout.picture;
+                let (half_width, half_height) = (width / 2, height / 2);
                 gl.bind_framebuffer(self.output.as_ref());
-                let cell = match row.per {
-                    _ if !frame.sheets => 0,
-                    Per::Frame => MAX_SLICES as u32,
-                    _ => frame.slice.index as u32,
+                let (corner, size) = match row.per {
+                    _ if !frame.sheets => ([0, 0], [width, height]),
+                    Per::Frame => ([4 * half_width, 0], [half_width, height]),
+                    _ => match frame.slice.index as u32 {
+                        0 => ([0, 0], [width, height]),
+                        index => (
+                            [
+                                (2 + (index - 1) / ATLAS[1]) * half_width,
+                                (index - 1) % ATLAS[1] * half_height,
+                            ],
+                            [half_width, half_height],
+                        ),
+                    },
                 };
-                gl.viewport([cell % ATLAS[0] * size[0], cell / ATLAS[0] * size[1]], size);
+                gl.viewport(corner, size);
                 size
             }
         };

@@ -21,39 +21,48 @@ vec4 placed(vec2 at, float behind) {
 }
 `;
 
+/** The atlas, whose cells are empty where no slice is visible. */
+const CELL = /* glsl */ `
+uniform sampler2D atlas;
+uniform vec2 texels; // size of a cell of half of the sides of the picture
+
+// The light of a slice from the front, then glow and light on smoke.
+vec4 cell(float number, vec2 at) {
+  float side = number == 0.0 ? 2.0 : 1.0;
+  vec2 corner = number == 0.0 ? vec2(0.0) : vec2(2.0 + floor(0.5 * (number - 1.0)), mod(number - 1.0, 2.0));
+  vec2 half_texel = 0.5 / (side * texels);
+  vec2 place = (corner + side * clamp(at, half_texel, 1.0 - half_texel)) / vec2(5.0, 2.0);
+  return texture2D(atlas, vec2(place.x, 1.0 - place.y));
+}
+`;
+
 export const VERTEX = /* glsl */ `
 attribute float sheet; // its number from the front
 varying vec2 at;
 flat varying float slice;
 varying float away;
 ${PLACE}
+${CELL}
 void main() {
   at = position.xy;
   slice = sheet;
   vec4 view = placed(mix(area.xy, area.zw, at), 0.25 * sheet - 0.5);
   away = -view.z;
-  gl_Position = projectionMatrix * view;
+  gl_Position = cell(sheet, vec2(0.5)).a < 0.25 ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * view;
 }
 `;
 
 export const FRAGMENT = /* glsl */ `
+${CELL}
 varying vec2 at;
 flat varying float slice;
 varying float away;
-uniform sampler2D atlas;
-uniform vec2 texels;   // size of a cell
 uniform vec4 pale;     // colour to which overexposed light pales; 1: by way of yellow
 uniform float size;
 uniform sampler2D sceneDepth;
 uniform vec4 lens;     // near and far, 1 / size of the target
 uniform float soft;    // distance over which it fades at things [m]; 0: without their depth
 uniform float close;   // distance from the camera over which it fades [m]
-
-vec4 cell(float number, vec2 at) {
-  vec2 inside = clamp(at, 0.5 / texels, 1.0 - 0.5 / texels);
-  vec2 place = (vec2(mod(number, 3.0), floor(number / 3.0)) + inside) / vec2(3.0, 2.0);
-  return texture2D(atlas, vec2(place.x, 1.0 - place.y));
-}
 
 float brightest(vec3 light) { return max(light.r, max(light.g, light.b)); }
 
@@ -108,16 +117,16 @@ vec4 shownOf(vec4 light, vec3 glow, vec3 lit) {
 
 void main() {
   vec4 here = cell(slice, at);
-  // No slice is visible.
-  if (here.a < 0.25) discard;
+  vec4 glowing = slice == 0.0 ? cell(5.0, at) : vec4(vec3(0.0), 0.5);
+  // A slice without light and coverage changes nothing.
+  if (here.a < 0.503 && brightest(here.rgb + glowing.rgb) == 0.0) discard;
   vec4 next = vec4(0.0);
   for (float number = 4.0; number > slice; number--) {
     vec4 other = cell(number, at);
     if (other.a > 0.25) next = over(lightOf(other), next);
   }
-  vec3 lit = cell(5.0, vec2(max(0.5 * at.x, 0.0) + 0.5, at.y)).rgb;
-  vec3 glow = slice == 0.0 ? lightOf(cell(5.0, vec2(0.5 * at.x, at.y))).rgb : vec3(0.0);
-  vec4 all = shownOf(over(lightOf(here), next), glow, lit);
+  vec3 lit = cell(6.0, at).rgb;
+  vec4 all = shownOf(over(lightOf(here), next), lightOf(glowing).rgb, lit);
   vec4 behind = shownOf(next, vec3(0.0), lit);
   float through = clamp((1.0 - all.a) / max(1.0 - behind.a, 1e-4), 0.0, 1.0);
   vec4 own = vec4(max(all.rgb - through * behind.rgb, 0.0), 1.0 - through);
@@ -137,15 +146,17 @@ export const EMBER_VERTEX = /* glsl */ `
 attribute vec4 ember; // place, temperature [K], remaining share of its life
 attribute float seed; // its diameter, which names it [m]
 uniform float pixels; // of a metre at a distance of 1
+uniform vec4 lens;
 varying vec4 spark;
+varying vec2 corner;
 ${PLACE}
 void main() {
+  corner = position.xy;
   // Each flies in a plane of its own.
-  vec4 view = placed(ember.xy, fract(seed * 4.7e4) - 0.5);
-  gl_Position = projectionMatrix * view;
-  float across = pixels * size * seed * (projectionMatrix[3][3] == 1.0 ? 1.0 : 1.0 / gl_Position.w);
-  gl_PointSize = max(3.0 * across, 2.5);
-  float bright = 12.0 * smoothstep(0.0, 0.2, ember.w) * pow(ember.z / 1500.0, 4.0);
+  gl_Position = projectionMatrix * placed(ember.xy, fract(seed * 4.7e4) - 0.5);
+  float across = pixels * size * seed / gl_Position.w;
+  gl_Position.xy += corner * max(3.0 * across, 2.5) * lens.zw * gl_Position.w;
+  float bright = 2.5 * smoothstep(0.0, 0.2, ember.w) * pow(ember.z / 1500.0, 4.0);
   float glint = 0.7 + 0.3 * sin(6.2832 * fract(seed * 9.1e4) + 40.0 * ember.w);
   spark = vec4(vec3(1.0, 0.62 * ember.z / 1500.0 - 0.2, 0.12) * bright * glint * min(1.0, across / 0.8), ember.z > 0.0);
 }
@@ -153,8 +164,9 @@ void main() {
 
 export const EMBER_FRAGMENT = /* glsl */ `
 varying vec4 spark;
+varying vec2 corner;
 void main() {
-  float inside = max(1.0 - 4.0 * dot(gl_PointCoord - 0.5, gl_PointCoord - 0.5), 0.0);
+  float inside = max(1.0 - dot(corner, corner), 0.0);
   vec3 light = spark.rgb * spark.a * inside * inside * inside;
 #ifdef TONE_MAPPING
   light = toneMapping(light);

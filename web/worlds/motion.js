@@ -32,7 +32,7 @@ export class Motion {
   }
 
   /**
-   * What carries the source has moved. At the edges of the picture, the fire moves with it.
+   * What carries the source has moved. At the edges of the picture and of the domain, the fire moves with it.
    * @param {number} right [m]
    * @param {number} up
    * @param {Area} area
@@ -53,8 +53,10 @@ export class Motion {
     if (Math.hypot(u, v) < FELT) return;
     this.#pending = [0, 0];
     const margin = values.source_width;
-    const x = Math.min(Math.max(this.x + u, left + margin), far - margin);
-    const y = Math.min(Math.max(this.y + v, Math.max(lower, 0)), upper - margin);
+    // There is no gas outside of the domain, which a picture may show.
+    const half = values.domain_width / 2;
+    const x = Math.min(Math.max(this.x + u, Math.max(left, -half) + margin), Math.min(far, half) - margin);
+    const y = Math.min(Math.max(this.y + v, Math.max(lower, 0)), Math.min(upper, values.domain_height) - margin);
     if (x === this.x && y === this.y) return;
     this.x = x;
     this.y = y;

@@ -22,6 +22,13 @@ pub(crate) fn minify(web: &Path) -> Result<()> {
     Ok(cmd!(sh, "node {scripts}/minify.mjs {web}").run()?)
 }
 
+/// Puts the examples with the engines of others, which their folder pins, into the site.
+pub(crate) fn bundle_worlds(site: &Path) -> Result<()> {
+    npm::install(&paths::root().join("examples/worlds"))?;
+    let (sh, scripts) = (Shell::new()?, folder());
+    Ok(cmd!(sh, "node {scripts}/worlds.mjs {site}").run()?)
+}
+
 /// Checks the format of scripts, and lints scripts and style sheets, by `biome.json`.
 pub(crate) fn lint() -> Result<()> {
     node_program(

@@ -62,7 +62,7 @@ pub fn build() -> Result<()> {
     }
     parts::divide(&sh, &web)?;
     script::minify(&web)?;
-    // Examples in folders of their own need packages.
+    script::bundle_worlds(&site)?;
     let examples = sh.create_dir(site.join("examples"))?;
     for example in sh.read_dir("examples")? {
         if example.extension() == Some("html".as_ref()) {

@@ -19,6 +19,8 @@ const BURNT = 4;
 const OTHERS = /** @type {{[name: string]: {burnt?: number, width?: number, clicks?: number[][]}}} */ ({
   card: { width: 280 },
   reveal: { width: 480, burnt: 8 },
+  burst: { burnt: 0.3, clicks: [[30, 392]] },
+  amount: { burnt: 9 },
   point: {
     clicks: [
       [180, 300],

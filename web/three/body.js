@@ -40,7 +40,7 @@ export const BLENDED = {
   blendDst: OneMinusSrcAlphaFactor,
 };
 
-/** Sheets of a fire, and columns and rows of the atlas: `ATLAS` of the renderer. */
+/** Sheets of a fire, and columns and rows of the atlas: `atlas_size` of the renderer. */
 const SHEETS = 5;
 const [COLUMNS, ROWS] = [5, 2];
 /** Numbers of an ember in the engine's `lights`, and of what is before the embers. */

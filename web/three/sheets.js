@@ -24,7 +24,7 @@ vec4 placed(vec2 at, float behind) {
 /** The atlas, whose cells are empty where no slice is visible. */
 const CELL = /* glsl */ `
 uniform sampler2D atlas;
-uniform vec2 texels; // size of a cell of half of the sides of the picture
+uniform vec2 texels; // size of a cell
 
 // The light of a slice from the front, then glow and light on smoke.
 vec4 cell(float number, vec2 at) {

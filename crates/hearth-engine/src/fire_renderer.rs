@@ -3,7 +3,9 @@
 use hearth_core::params::DisplayMode;
 use hearth_core::scene::Pose;
 use hearth_core::{Charred, Instance, Scene};
-use hearth_render::{ATLAS, Camera, History, RenderError, Renderer, ResolutionLimits, Scale, View};
+use hearth_render::{
+    Camera, History, RenderError, Renderer, ResolutionLimits, Scale, View, atlas_size,
+};
 
 use crate::pass_times::PassTimes;
 use crate::shared_canvas::{Gpu, SharedCanvas};
@@ -132,10 +134,8 @@ impl FireRenderer {
             let passes = &mut drawing.passes;
             let (width, height) = input.size;
             let [width, height] = if sheets {
-                let [columns, rows] = ATLAS;
-                let half = [width, height].map(|side| side.div_ceil(2));
-                let [width, height] = canvas.resize((columns * half[0], rows * half[1]));
-                [2 * (width / columns), 2 * (height / rows)]
+                canvas.resize(atlas_size([width, height], input.limits).into());
+                [width, height]
             } else {
                 canvas.resize((width, height))
             };

@@ -31,9 +31,6 @@ use crate::solids::Solids;
 use crate::targets::Targets;
 use crate::viewport::Viewport;
 
-/// Columns and rows of an [atlas](View::sheets), of cells with half of the sides of the picture.
-pub const ATLAS: [u32; 2] = [5, 2];
-
 /// Size, time and camera of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct View {
@@ -47,9 +44,9 @@ pub struct View {
     pub camera: Camera,
     /// Whether the fire stands still: then another number of slices is shown at once.
     pub is_paused: bool,
-    /// Whether a fire without solids and embers is drawn as an atlas of [`ATLAS`] cells: from the left, the light of the front
-    /// slice in four, that of each slice behind it in one, then the glow below the light on smoke. Only the front one has
-    /// finer light than a cell. A cell is empty where no slice is visible.
+    /// Whether a fire without solids and embers is drawn as an [atlas](crate::atlas_size): from the left, the light of the front
+    /// slice in four, that of each slice behind it in one, then the glow below the light on smoke. A cell is empty
+    /// where no slice is visible.
     pub sheets: bool,
 }
 

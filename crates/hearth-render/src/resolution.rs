@@ -92,6 +92,16 @@ impl ResolutionLimits {
     };
 }
 
+/// Columns and rows of cells of an atlas.
+const ATLAS: [u32; 2] = [5, 2];
+
+/// Size of the [atlas](crate::View::sheets) of a picture of that size. No cell has more texels than the light.
+pub fn atlas_size(picture: [u32; 2], limits: ResolutionLimits) -> [u32; 2] {
+    let layout = Layout::new(picture, limits, u32::MAX);
+    let [width, height] = layout.map_or([1, 1], |layout| layout.atlas_cell());
+    [ATLAS[0] * width, ATLAS[1] * height]
+}
+
 /// Sizes of the targets of a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Layout {
@@ -169,6 +179,26 @@ impl Layout {
         })
     }
 
+    /// Corner and size of the light of a slice in an [atlas](atlas_size), or without one those of the glow below the light on
+    /// smoke.
+    pub(crate) fn in_atlas(&self, slice: Option<usize>) -> ([u32; 2], [u32; 2]) {
+        let [width, height] = self.atlas_cell();
+        let (column, row, columns, rows) = match slice {
+            Some(0) => (0, 0, 2, 2),
+            Some(index) => (2 + (index as u32 - 1) / 2, (index as u32 - 1) % 2, 1, 1),
+            None => (4, 0, 1, 2),
+        };
+        (
+            [column * width, row * height],
+            [columns * width, rows * height],
+        )
+    }
+
+    /// Size of a cell: half of the sides of the light.
+    fn atlas_cell(&self) -> [u32; 2] {
+        self.light.map(|side| side.div_ceil(2))
+    }
+
     /// Sizes of the blurred copies of the light, sharpest first.
     pub fn blurs(&self) -> &[[u32; 2]] {
         &self.blurs[..self.limits.sharper_shares.len() + 1]
@@ -226,6 +256,27 @@ mod tests {
             let [width, height] = layout.used_field(100_000, 0.01, 6.0, false);
             assert!((1..=layout.field[0]).contains(&width));
             assert!((1..=layout.field[1]).contains(&height));
+        }
+    }
+
+    #[test]
+    fn slices_and_glow_fill_an_atlas_without_overlap() {
+        for picture in [[1, 1], [16, 2048], [512, 512], [333, 257]] {
+            for limits in [ResolutionLimits::LOW, ResolutionLimits::HIGH] {
+                let layout = Layout::new(picture, limits, 4096).expect("a picture with pixels");
+                let [width, height] = atlas_size(picture, limits);
+                let mut covered = vec![0; (width * height) as usize];
+                for slice in (0..crate::slices::MAX_SLICES).map(Some).chain([None]) {
+                    let ([left, lower], [across, up]) = layout.in_atlas(slice);
+                    assert!(slice != Some(0) || across >= layout.light[0]);
+                    for y in lower..lower + up {
+                        for x in left..left + across {
+                            covered[(y * width + x) as usize] += 1;
+                        }
+                    }
+                }
+                assert!(covered.iter().all(|&count| count == 1), "{picture:?}");
+            }
         }
     }
 

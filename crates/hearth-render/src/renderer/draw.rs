@@ -1,7 +1,7 @@
 //! Draws the passes of a frame.
 
+use super::Renderer;
 use super::slices::SliceFrame;
-use super::{ATLAS, Renderer};
 use crate::frame_uniforms::{FrameUniforms, background};
 use crate::gl::Graphics;
 use crate::image::{Image, Which};
@@ -94,22 +94,12 @@ impl<G: Graphics> Renderer<G> {
                 part
             }
             None => {
-                let [width, height] = frame.layout.picture;
-                let (half_width, half_height) = (width / 2, height / 2);
                 gl.bind_framebuffer(self.output.as_ref());
-                let (corner, size) = match row.per {
-                    _ if !frame.sheets => ([0, 0], [width, height]),
-                    Per::Frame => ([4 * half_width, 0], [half_width, height]),
-                    _ => match frame.slice.index as u32 {
-                        0 => ([0, 0], [width, height]),
-                        index => (
-                            [
-                                (2 + (index - 1) / ATLAS[1]) * half_width,
-                                (index - 1) % ATLAS[1] * half_height,
-                            ],
-                            [half_width, half_height],
-                        ),
-                    },
+                let slice = (row.per != Per::Frame).then_some(frame.slice.index);
+                let (corner, size) = if frame.sheets {
+                    frame.layout.in_atlas(slice)
+                } else {
+                    ([0, 0], frame.layout.picture)
                 };
                 gl.viewport(corner, size);
                 size

@@ -11,9 +11,19 @@ import { spec as Spec } from 'node:test/reporters';
 const FILE_TIMEOUT = 20 * 60_000;
 
 /**
- * Runs the files.
+ * How a test ended.
+ * @typedef {object} Outcome
+ * @property {string} file  Its name without `.test.mjs`.
+ * @property {string} name
+ * @property {'passed' | 'failed' | 'left out'} end
+ * @property {string} reason  Why it is left out.
+ */
+
+/**
+ * Runs the files, and returns how each test ended.
  * @param {string[]} folders  Absolute paths.
  * @param {number} [concurrency]  Files that run at a time.
+ * @returns {Promise<Outcome[]>}
  */
 export async function runTests(folders, concurrency = 2) {
   const words = process.argv.slice(2).filter((argument) => !argument.startsWith('-'));
@@ -25,11 +35,42 @@ export async function runTests(folders, concurrency = 2) {
   // Without files, Node would run every test that it finds.
   if (files.length === 0) throw new Error(`no test file begins with ${words.join(' or ')}`);
   const events = run({ files, concurrency, timeout: FILE_TIMEOUT });
-  events.on('test:fail', () => {
-    process.exitCode = 1;
-  });
-  events.compose(new Spec()).pipe(process.stdout, { end: false });
+  /** @type {Outcome[]} */
+  const outcomes = [];
+  /** @type {any} */
+  const read = events.compose((/** @type {AsyncIterable<any>} */ source) => judged(source, outcomes));
+  read.compose(new Spec()).pipe(process.stdout, { end: false });
   await new Promise((resolve) => {
     events.on('end', resolve);
   });
+  if (outcomes.some(({ end }) => end === 'failed')) process.exitCode = 1;
+  return outcomes;
+}
+
+/**
+ * Reads the outcomes, and hands on the events: a test that throws `left out: …` becomes one that is skipped, with the
+ * group around it unless another one of the file failed.
+ * @param {AsyncIterable<any>} source @param {Outcome[]} outcomes
+ */
+async function* judged(source, outcomes) {
+  for await (const { type, data } of source) {
+    if (type !== 'test:pass' && type !== 'test:fail') {
+      yield { type, data };
+      continue;
+    }
+    const { name, details } = data;
+    const file = path.basename(data.file ?? name, '.test.mjs');
+    const { failureType, cause } = details.error ?? {};
+    const [, leftOut] = String(cause?.message ?? cause).match(/^left out: (.*)/) ?? [];
+    const isGroup = details.type === 'suite' || failureType === 'subtestsFailed';
+    const failed = isGroup
+      ? outcomes.some((outcome) => outcome.file === file && outcome.end === 'failed')
+      : leftOut === undefined;
+    const reason = leftOut ?? data.skip;
+    const end = type === 'test:fail' && failed ? 'failed' : reason ? 'left out' : 'passed';
+    if (!isGroup) outcomes.push({ file, name, end, reason: String(reason ?? '') });
+    yield end === 'failed'
+      ? { type, data }
+      : { type: 'test:pass', data: { ...data, skip: reason, details: { ...details, error: undefined } } };
+  }
 }

@@ -44,7 +44,7 @@ function longestTask(milliseconds) {
  * @param {string} site
  */
 export async function onThePage(site) {
-  const browser = await Browser.start('chromium', { folders: [site], likeGraphicsCard: true });
+  const browser = await Browser.start({ kind: 'chromium', folders: [site], likeGraphicsCard: true });
   // A page is measured as a first visit loads it, and as it draws by itself.
   browser.server.cached = false;
   const pixels = Infinity;

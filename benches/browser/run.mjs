@@ -232,7 +232,8 @@ const programs = [{ command: [program] }, ...(others.programs ?? [])];
 const leftOut = others.leftOut ?? [];
 
 // The root, for the paper's loop: the page of the tables measures it too.
-const browser = await Browser.start('chromium', {
+const browser = await Browser.start({
+  kind: 'chromium',
   folders: [folder, HERE, path.join(HERE, '../..')],
   likeGraphicsCard: true,
 });

@@ -6,10 +6,10 @@
  * `HEARTH_SITE` names the folder of the built site (`dist/site` by default);
  * `HEARTH_CHROMIUM`, `HEARTH_HEADLESS_SHELL`, `HEARTH_FIREFOX`, `HEARTH_WEBKIT_DRIVER` and
  * `HEARTH_XVFB` name programs (by default those on the PATH). A missing browser is a failure, never a skipped
- * test; `HEARTH_BROWSERS=chromium,firefox` selects some of the three.
+ * test; `HEARTH_BROWSERS=firefox` names another browser than Chromium.
  */
 export { Browser } from './driver/browser.mjs';
-export { BROWSERS } from './driver/programs.mjs';
+export { BROWSER, BROWSERS, except } from './driver/programs.mjs';
 export { eventually } from './driver/tab.mjs';
 
 /** @typedef {import('./driver/tab.mjs').Tab} Tab */

@@ -62,7 +62,7 @@ for (const name of [...FIRES, ...others]) {
 /** The loudest level of each sound, to which its picture refers. */
 const loudestOf = (samples) => Math.max(...densityOf(samples, WINDOW).map((x, bin) => (x * bin * RATE) / WINDOW));
 
-const browser = await Browser.start('chromium');
+const browser = await Browser.start();
 const tab = await browser.open('<p>A canvas.</p>');
 const picture = await tab.evaluate(
   (panels, width, height) => {

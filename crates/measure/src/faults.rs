@@ -15,7 +15,7 @@ pub(crate) fn run(names: &[String]) -> Result<()> {
     let table = tools::target()?.join("hearth-faults.md");
     Shell::new()?.remove_path(&table)?;
     let arguments = iter::once(table.clone()).chain(names.iter().map(Into::into));
-    let passed = browser::run_script("demand/faults.mjs", arguments, tools::other_browsers()?);
+    let passed = browser::run_script("demand/faults.mjs", arguments, tools::browsers()?);
     if names.is_empty() && table.exists() {
         evaluation::write("faults", &fs::read_to_string(table)?)?;
     }

@@ -49,6 +49,8 @@ xflags::xflags! {
             /// A stage; `format`, for instance.
             repeated stage: String
         }
+        /// Runs every end-to-end test in Chromium, Firefox and WebKitGTK, and writes the table of browsers.
+        cmd browsers {}
         /// Counts the instructions of a step and records them; `test cost` compares with the record.
         cmd cost {}
         /// Draws the golden pictures again.
@@ -115,6 +117,7 @@ mod tests {
             "publish → Publish { url: None, repository: None }",
             "publish --url https://a.example → url: Some(Base(\"https://a.example/\"))",
             "reproduce → Reproduce",
+            "browsers → Browsers",
             "poster → Poster",
             "showcase → Showcase",
             "cost → Cost",

@@ -14,7 +14,7 @@ use std::thread;
 use anyhow::{Result, ensure};
 
 use crate::report::Report;
-use crate::{baselines, cost, goldens, package, paths, script, site};
+use crate::{baselines, cost, goldens, package, paths, script, site, tools};
 
 /// When a stage runs without being named.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -87,12 +87,15 @@ const STAGES: &[Stage] = stages! {
     Demand "trunk-files" needs "site": "Trunk builds the same files", trunk::same_files;
     All "goldens": "fires match the golden pictures", goldens::check, in_background;
     Quick "e2e-core" needs "site": "a visitor's first minutes, in Chromium", browser::core, in_browser;
-    All "e2e" needs "site": "the page in Chromium, and its element in every browser", browser::extended, in_browser;
+    All "e2e" needs "site": "the page in Chromium, and its core in Firefox and WebKitGTK", browser::extended, in_browser;
 };
 
 /// Runs the named stages, or those of the quick ring, or with `all` of both rings, and prints a report; returns
 /// whether all passed.
 pub(crate) fn run(skip_browser: bool, all: bool, names: &[String]) -> Result<bool> {
+    if names.is_empty() {
+        tools::whole_ring(all, !skip_browser)?;
+    }
     let report = Report::new();
     let run = |stages: Vec<&Stage>| {
         for stage in stages {

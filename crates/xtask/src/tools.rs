@@ -4,17 +4,26 @@
 //! `serve` and `build` need the wasm target and Node. Tests also need browsers with their
 //! drivers, wasm-bindgen's test runner, valgrind, the reference compiler of GLSL and Trunk.
 
+mod debian;
+
 use std::collections::BTreeSet;
 use std::env;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
-use anyhow::{Context, Result, anyhow, bail, ensure};
+use anyhow::{Context, Result, bail, ensure};
 use xshell::cmd;
 
 use crate::paths;
 use crate::shell::{Shell, find};
+
+use debian::apt_install;
+pub(crate) use debian::{
+    BROWSERS, CHROMEDRIVER, CJPEG, GLSLANG, IMG2WEBP, VALGRIND, chinese_font, graphics_driver,
+    wanted_browsers, whole_ring,
+};
+pub use debian::{browsers, chromium};
 
 /// The version of wasm-bindgen of this workspace, which its command line tools must have
 /// too. A test compares it with `Cargo.lock`.
@@ -158,153 +167,6 @@ fn crate_tool(
         .run()?)
 }
 
-/// A program that Debian has.
-pub(crate) struct Program {
-    /// The environment variable that names another program; empty: none.
-    variable: &'static str,
-    names: Names,
-    packages: Names,
-}
-
-type Names = &'static [&'static str];
-
-pub(crate) const CHROMIUM: Program = Program::new(
-    "HEARTH_CHROMIUM",
-    &["chromium", "chromium-browser", "google-chrome"],
-    &["chromium"],
-);
-const SHELL: Names = &["chromium-headless-shell"];
-/// Chromium without what a window needs: its pages take less of the processor.
-const HEADLESS_SHELL: Program = Program::new("", SHELL, SHELL);
-pub(crate) const CHROMEDRIVER: Program =
-    Program::new("CHROMEDRIVER", &["chromedriver"], &["chromium-driver"]);
-const FIREFOX: Program = Program::new(
-    "HEARTH_FIREFOX",
-    &["firefox-esr", "firefox"],
-    &["firefox-esr"],
-);
-/// It comes with WebKitGTK's small browser.
-const WEBKIT: Program = Program::new(
-    "HEARTH_WEBKIT_DRIVER",
-    &["WebKitWebDriver"],
-    &["webkit2gtk-driver"],
-);
-/// Firefox and WebKit draw into windows only, and with these libraries where there is no
-/// graphics card.
-const XVFB: Program = Program::new(
-    "HEARTH_XVFB",
-    &["Xvfb"],
-    &["xvfb", "libgl1", "libegl1", "libgl1-mesa-dri"],
-);
-pub(crate) const VALGRIND: Program = Program::new("", &["valgrind"], &["valgrind", "libc6-dbg"]);
-/// The reference compiler of GLSL.
-pub(crate) const GLSLANG: Program =
-    Program::new("HEARTH_GLSLANG", &["glslangValidator"], &["glslang-tools"]);
-/// Makes an animation of pictures.
-pub(crate) const IMG2WEBP: Program = Program::new("", &["img2webp"], &["webp"]);
-/// Makes a JPEG of a picture.
-pub(crate) const CJPEG: Program =
-    Program::new("HEARTH_CJPEG", &["cjpeg"], &["libjpeg-turbo-progs"]);
-
-impl Program {
-    const fn new(variable: &'static str, names: Names, packages: Names) -> Program {
-        Program {
-            variable,
-            names,
-            packages,
-        }
-    }
-
-    /// The program, installed if it is missing.
-    pub(crate) fn get(&self) -> Result<PathBuf> {
-        let Program {
-            names,
-            packages,
-            variable,
-        } = self;
-        let _only = installing();
-        if let Some(found) = self.found() {
-            return Ok(found);
-        }
-        apt_install(packages).with_context(|| match *variable {
-            "" => format!("{} is missing", names[0]),
-            _ => format!("{} is missing; {variable} may name it", names[0]),
-        })?;
-        let not_found = || anyhow!("{} is installed, but not on the PATH", names[0]);
-        self.found().with_context(not_found)
-    }
-
-    /// The variable in which scripts look for the program, and the program.
-    pub(crate) fn variable(&self) -> Result<(&'static str, PathBuf)> {
-        Ok((self.variable, self.get()?))
-    }
-
-    fn found(&self) -> Option<PathBuf> {
-        let named = env::var_os(self.variable).map(PathBuf::from);
-        named
-            .filter(|file| file.is_file())
-            .or_else(|| self.names.iter().copied().find_map(find))
-    }
-}
-
-/// What the command `hearth` draws with where there is no graphics card.
-const GRAPHICS_DRIVER: Names = &["libegl1", "libgles2", "libegl-mesa0", "libgl1-mesa-dri"];
-
-/// Installs a font with the letters of a test in Chinese, which come with no browser.
-pub(crate) fn chinese_font() -> Result<()> {
-    let (_only, sh) = (installing(), Shell::new()?);
-    match cmd!(sh, "fc-list :lang=zh").quiet().ignore_status().read() {
-        Ok(fonts) if !fonts.is_empty() => Ok(()),
-        _ => apt_install(&["fonts-droid-fallback"]).context("there is no Chinese font"),
-    }
-}
-
-/// Installs EGL and a driver of OpenGL ES if the command `hearth` finds none.
-pub(crate) fn graphics_driver() -> Result<()> {
-    let (_only, sh) = (installing(), Shell::new()?);
-    let finds_one = || {
-        let info = sh.cargo("run --quiet --package hearth-fire-cli -- info");
-        info.quiet().ignore_stdout().run()
-    };
-    if finds_one().is_ok() {
-        return Ok(());
-    }
-    apt_install(GRAPHICS_DRIVER).context("there is no driver of OpenGL ES 3")?;
-    Ok(finds_one()?)
-}
-
-/// Chromium, with its driver beside it.
-pub fn chromium() -> Result<PathBuf> {
-    let hint = "this stage needs a browser (`--skip-browser` leaves such stages out)";
-    CHROMEDRIVER.get().context(hint)?;
-    // Not every distribution has it: tests then drive Chromium.
-    HEADLESS_SHELL.get().ok();
-    CHROMIUM.get().context(hint)
-}
-
-/// What drives Firefox and WebKit, each with the variable in which tests look for it.
-/// `HEARTH_BROWSERS` leaves browsers out.
-pub fn other_browsers() -> Result<Vec<(&'static str, PathBuf)>> {
-    let browsers = env::var("HEARTH_BROWSERS").unwrap_or_default();
-    let needed = needed_by(&browsers).into_iter();
-    needed.map(Program::variable).collect()
-}
-
-/// What the browsers in this list need; an empty list names all.
-fn needed_by(browsers: &str) -> Vec<&'static Program> {
-    let wanted =
-        |name: &str| browsers.is_empty() || browsers.split(',').any(|it| it.trim() == name);
-    let (firefox, webkit) = (wanted("firefox"), wanted("webkit"));
-    [
-        (firefox, &FIREFOX),
-        (webkit, &WEBKIT),
-        (firefox || webkit, &XVFB),
-    ]
-    .into_iter()
-    .filter_map(|(wanted, program)| wanted.then_some(program))
-    .collect()
-}
-
 /// Installs Node and npm if they are missing.
 pub fn node() -> Result<()> {
     let hint = || {
@@ -328,37 +190,6 @@ pub fn node() -> Result<()> {
 /// `v20.1.2` → 20.
 fn major(version: &str) -> Option<u32> {
     version.strip_prefix('v')?.split('.').next()?.parse().ok()
-}
-
-/// Installs Debian packages where that needs no password.
-fn apt_install(packages: &[&str]) -> Result<()> {
-    ensure!(
-        find("apt-get").is_some(),
-        "this is not Debian: install the equivalents of its packages {}",
-        packages.join(", ")
-    );
-    let by_hand = || format!("run: sudo apt-get install {}", packages.join(" "));
-    let sh = Shell::new()?;
-    sh.set_var("DEBIAN_FRONTEND", "noninteractive");
-    let is_root = cmd!(sh, "id -u").read().is_ok_and(|id| id == "0");
-    let sudo: &[&str] = if is_root { &[] } else { &["sudo", "-n"] };
-    if !is_root {
-        cmd!(sh, "sudo -n true")
-            .quiet()
-            .run()
-            .with_context(by_hand)?;
-    }
-    // `env` runs the rest of its line, with or without sudo in front.
-    let install = cmd!(
-        sh,
-        "env {sudo...} apt-get install -y --no-install-recommends {packages...}"
-    );
-    // A new machine often has an old list of packages, or none.
-    if install.run().is_err() {
-        let update = cmd!(sh, "env {sudo...} apt-get update").run();
-        update.and_then(|()| install.run()).with_context(by_hand)?;
-    }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -385,17 +216,6 @@ mod tests {
         drop(inner);
         other.try_lock()?;
         Ok(fs::remove_dir_all(dist)?)
-    }
-
-    #[test]
-    fn only_the_programs_of_the_wanted_browsers_are_needed() {
-        let packages = |browsers: &str| -> Vec<_> {
-            let needed = needed_by(browsers);
-            needed.iter().map(|program| program.packages[0]).collect()
-        };
-        assert_eq!(packages(""), ["firefox-esr", "webkit2gtk-driver", "xvfb"]);
-        assert_eq!(packages("chromium, webkit"), ["webkit2gtk-driver", "xvfb"]);
-        assert!(packages("chromium").is_empty());
     }
 
     #[test]

@@ -142,6 +142,8 @@ test('points of a fire are those of its picture, whatever the panel and the page
       does,
     );
     await tab.frames(4);
+    await tab.fire((fire) => fire.scrollTo(99, 99));
+    assert.equal(await tab.fire((fire) => fire.scrollTop + fire.scrollLeft), 0, about);
     await tab.page.click('hearth-fire >>> [data-tool="stir"]');
     // Where the picture shows the middle of a source and a box of the page, by the box of the picture alone.
     const seen = () =>
@@ -192,11 +194,8 @@ for (const scheme of ['light', 'dark'])
       width: 700,
       height: 500,
       reducedMotion: true,
-    });
-    const client = await tab.page.createCDPSession();
-    const features = { 'forced-colors': 'active', 'prefers-color-scheme': scheme, 'prefers-reduced-motion': 'reduce' };
-    await client.send('Emulation.setEmulatedMedia', {
-      features: Object.entries(features).map(([name, value]) => ({ name, value })),
+      forcedColors: true,
+      scheme,
     });
     await tab.ready();
     const panel = new Panel(tab, { inside: true });

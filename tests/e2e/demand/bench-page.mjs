@@ -12,7 +12,7 @@ const LOOK_MS = 1000;
 const [file, query = ''] = process.argv.slice(2);
 if (!file) throw new Error('the arguments are a file and, optionally, the query of the page');
 
-const browser = await Browser.start('chromium', { likeGraphicsCard: true });
+const browser = await Browser.start({ kind: 'chromium', likeGraphicsCard: true });
 try {
   const tab = await browser.open(`bench.html${query}`, { width: 1000, height: 1000, pixels: Infinity });
   await tab.page.click('#measure');

@@ -5,6 +5,7 @@
 import { serve } from '../server.mjs';
 import { SITE } from '../site.mjs';
 import { drawNothing, followWorkers, rememberContexts } from './page-scripts.mjs';
+import { BROWSER } from './programs.mjs';
 import { chromium, firefox } from './puppeteer.mjs';
 
 /** @typedef {import('./programs.mjs').Kind} Kind */
@@ -16,14 +17,23 @@ import { chromium, firefox } from './puppeteer.mjs';
  * @property {number} height
  * @property {number} ratio
  * @property {boolean} touch
- * @property {boolean} reducedMotion
+ * @property {Preferences} preferences
  * @property {string[]} before  Scripts that run in the page before its own.
  * @property {string[]} beforeWorker  Scripts that run in each worker before its own.
+ */
+/**
+ * What a visitor prefers.
+ * @typedef {object} Preferences
+ * @property {boolean} reducedMotion
+ * @property {'light' | 'dark'} scheme
+ * @property {boolean} forcedColors
  */
 /**
  * A running browser, as its kind implements it.
  * @typedef {object} Engine
  * @property {any} browser  The handle of its driver.
+ * @property {() => Promise<string>} version
+ * @property {(opening: Opening) => boolean} fits  Whether it opens such a page; else it has to start again for it.
  * @property {(opening: Opening) => Promise<Tab>} open  Opens an empty tab.
  * @property {() => Promise<unknown>} close
  */
@@ -35,6 +45,9 @@ const START = {
   webkit: async (options, server) => (await import('./webkit.mjs')).webkit(options, server),
 };
 
+/** @type {Preferences} */
+const NONE = { reducedMotion: false, scheme: 'light', forcedColors: false };
+
 /** Pixels of a fire whose sharpness no test asserts. */
 const FEW_PIXELS = 30_000;
 
@@ -43,52 +56,56 @@ export class Browser {
   /**
    * @param {Engine} engine
    * @param {import('../server.mjs').Server} server
-   * @param {boolean} reducedMotion
    * @param {boolean} draws
+   * @param {(preferences: Preferences, ratio: number) => Promise<Engine>} restart
    */
-  constructor(engine, server, reducedMotion, draws) {
+  constructor(engine, server, draws, restart) {
     this.engine = engine;
-    this.reducedMotion = reducedMotion;
     this.draws = draws;
-    this.browser = engine.browser;
     this.server = server;
+    this.restart = restart;
     /** @type {any} */
     this.tab = undefined;
   }
 
+  /** The handle of the browser's driver. */
+  get browser() {
+    return this.engine.browser;
+  }
+
   /**
-   * Starts Chromium's headless shell with an empty profile, and a server of the site or of other folders.
+   * Starts the browser of this run with an empty profile, and a server of the site or of other folders.
    * @param {...string} folders
    */
   static launch(...folders) {
-    return Browser.start('chromium', { shell: true, folders });
+    return Browser.start({ shell: true, folders });
   }
 
   /**
-   * Starts Chromium's headless shell for tests that look at no picture: WebGL2 draws nothing in its pages.
+   * Starts the browser of this run for tests that look at no picture: WebGL2 draws nothing in its pages.
    */
   static launchWithoutDrawing() {
-    return Browser.start('chromium', { shell: true, draws: false });
+    return Browser.start({ shell: true, draws: false });
   }
 
   /**
-   * Starts a browser of that kind.
-   * @param {Kind} kind
+   * Starts a browser.
    * @param {object} [options]
+   * @param {Kind} [options.kind]  Without it, the browser of this run.
    * @param {string[]} [options.folders]  Folders to serve instead of the site.
    * @param {boolean} [options.shell]  Chromium's headless shell, which has no window and no clipboard, starts for
    *   Chromium. Its pages share a process and the code that it has compiled.
-   * @param {boolean} [options.reducedMotion]  For all pages: Firefox and WebKit take it at
-   *   start.
    * @param {boolean} [options.likeGraphicsCard]  Chromium composes its pages by WebGL's renderer, as with a graphics
    *   card: a benchmark measures how the page draws there.
    * @param {boolean} [options.draws]  Whether WebGL2 draws.
    */
-  static async start(kind, options = {}) {
-    const { folders = [], reducedMotion = false, draws = true } = options;
+  static async start(options = {}) {
+    const { kind = BROWSER, folders = [], draws = true } = options;
     const server = await serve(...(folders.length > 0 ? folders : [SITE]));
+    /** @type {Browser['restart']} */
+    const start = (preferences, ratio) => START[kind]({ ...options, preferences, ratio }, server);
     try {
-      return new Browser(await START[kind](options, server), server, reducedMotion, draws);
+      return new Browser(await start(NONE, 1), server, draws, start);
     } catch (error) {
       await server.close();
       throw error;
@@ -104,9 +121,11 @@ export class Browser {
    * @param {object} [options]
    * @param {number} [options.width]  CSS pixels.
    * @param {number} [options.height]
-   * @param {number} [options.ratio]  Device pixels per CSS pixel; not in WebKit.
-   * @param {boolean} [options.touch]  A phone's touch and viewport; only in Chromium.
-   * @param {boolean} [options.reducedMotion]
+   * @param {number} [options.ratio]  Device pixels per CSS pixel; a whole number in WebKit.
+   * @param {boolean} [options.touch]  A phone's touch and, in Chromium, viewport; not in WebKit.
+   * @param {boolean} [options.reducedMotion]  Firefox and WebKit start again for pages with another preference.
+   * @param {'light' | 'dark'} [options.scheme]
+   * @param {boolean} [options.forcedColors]  Not in WebKit.
    * @param {boolean} [options.draws]  Whether WebGL2 draws.
    * @param {() => void} [options.before]  Runs in the page before its scripts.
    * @param {() => void} [options.beforeWorker]  Runs in each worker before its scripts.
@@ -122,14 +141,8 @@ export class Browser {
    */
   async open(page, options = {}) {
     const { width = 480, height = 480, ratio = 1, touch = false } = options;
-    const {
-      reducedMotion = this.reducedMotion,
-      draws = this.draws,
-      headers,
-      files = {},
-      without,
-      remember = false,
-    } = options;
+    const { draws = this.draws, headers, files = {}, without, remember = false } = options;
+    const { reducedMotion = false, scheme = 'light', forcedColors = false } = options;
     const ofSite = !page.includes('<');
     const { pixels = ofSite ? FEW_PIXELS : Infinity } = options;
     await this.tab?.page.close();
@@ -142,7 +155,13 @@ export class Browser {
     const beforeWorker = options.beforeWorker ? [`(${options.beforeWorker})();`] : [];
     if (!draws) for (const scripts of [before, beforeWorker]) scripts.unshift(`(${drawNothing})();`);
     this.server.prepend({ workers: beforeWorker });
-    const opening = { width, height, ratio, touch, reducedMotion, before, beforeWorker };
+    const preferences = { reducedMotion, scheme, forcedColors };
+    const opening = { width, height, ratio, touch, preferences, before, beforeWorker };
+    if (!this.engine.fits(opening)) {
+      const { engine } = this;
+      this.engine = await this.restart(preferences, ratio);
+      await engine.close();
+    }
     const tab = await this.engine.open(opening);
     this.tab = tab;
     tab.draws = draws;

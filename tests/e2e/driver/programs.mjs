@@ -10,12 +10,47 @@ import path from 'node:path';
 /** @type {Kind[]} */
 const KINDS = ['chromium', 'firefox', 'webkit'];
 
-/** The browsers under test: `HEARTH_BROWSERS=firefox,webkit` selects some. */
-export const BROWSERS = chosen(process.env.HEARTH_BROWSERS);
+/** The browsers of a run: `HEARTH_BROWSERS=firefox,webkit` names others than Chromium. Each file runs once in each. */
+export const BROWSERS = chosen(process.env.HEARTH_BROWSERS || 'chromium');
 
-/** @param {string | undefined} names */
+/** The browser of a test file. */
+export const BROWSER = BROWSERS[0];
+
+/** What the driver cannot do in a browser: the run counts a test that throws this as left out, and tells why. */
+export class LeftOut extends Error {
+  /** @param {string} reason */
+  constructor(reason) {
+    super(`left out: ${reason}`);
+  }
+}
+
+/** Methods of puppeteer's page that Chromium's alone has, and what it does by them. */
+export const CHROMIUM_ALONE = Object.fromEntries(
+  Object.entries({
+    createCDPSession: 'reads the memory, the time and the accessibility tree of a page',
+    emulateMediaFeatures: 'changes a preference while a page runs',
+    emulateMediaType: 'shows a page as it is printed',
+    workers: 'looks into a worker',
+  }).map(([method, does]) => [
+    method,
+    () => {
+      throw new LeftOut(`only Chromium's driver ${does}`);
+    },
+  ]),
+);
+
+/**
+ * Options of a test that holds in other browsers, with the reason for each one in which it does not.
+ * @param {Partial<Record<Kind, string>>} reasons
+ * @returns {{skip?: string}}
+ */
+export function except(reasons) {
+  const reason = reasons[BROWSER];
+  return reason === undefined ? {} : { skip: reason };
+}
+
+/** @param {string} names @returns {Kind[]} */
 function chosen(names) {
-  if (!names) return KINDS;
   return names.split(',').map((name) => {
     const kind = KINDS.find((known) => known === name.trim());
     if (!kind) throw new Error(`HEARTH_BROWSERS names "${name}"; there are: ${KINDS.join(', ')}`);

@@ -2,9 +2,10 @@
  * Chromium, headless with software rendering, and Firefox, in a window of a virtual display;
  * puppeteer drives both.
  */
+import { isDeepStrictEqual } from 'node:util';
 import puppeteer from 'puppeteer-core';
 import { display } from './display.mjs';
-import { chromium as whole, headlessShell, program } from './programs.mjs';
+import { CHROMIUM_ALONE, chromium as whole, headlessShell, program } from './programs.mjs';
 import { WAIT_MS, Tab } from './tab.mjs';
 
 const CHROMIUM_FLAGS = [
@@ -48,11 +49,11 @@ export async function chromium({ shell = false, likeGraphicsCard = false }, serv
   if (shell) await (await browser.newPage()).goto(server.publish('<!doctype html>'));
   return {
     browser,
-    async open({ reducedMotion, ...opening }) {
+    version: () => versionOf(browser),
+    fits: () => true,
+    async open(opening) {
       const tab = await opened(browser, opening);
-      await tab.page.emulateMediaFeatures([
-        { name: 'prefers-reduced-motion', value: reducedMotion ? 'reduce' : 'no-preference' },
-      ]);
+      await prefer(tab, opening.preferences);
       return tab;
     },
     close: () => browser.close(),
@@ -60,10 +61,25 @@ export async function chromium({ shell = false, likeGraphicsCard = false }, serv
 }
 
 /**
- * @param {{reducedMotion?: boolean}} options  A preference of all its pages.
+ * Gives a page of Chromium what a visitor prefers, while it runs too.
+ * @param {Tab} tab @param {import('./browser.mjs').Preferences} preferences
+ */
+export async function prefer(tab, { reducedMotion, scheme, forcedColors }) {
+  const client = await tab.page.createCDPSession();
+  await client.send('Emulation.setEmulatedMedia', {
+    features: [
+      { name: 'prefers-reduced-motion', value: reducedMotion ? 'reduce' : 'no-preference' },
+      { name: 'prefers-color-scheme', value: scheme },
+      { name: 'forced-colors', value: forcedColors ? 'active' : 'none' },
+    ],
+  });
+}
+
+/**
+ * @param {{preferences: import('./browser.mjs').Preferences}} options  Of all its pages.
  * @returns {Promise<import('./browser.mjs').Engine>}
  */
-export async function firefox({ reducedMotion = false }) {
+export async function firefox({ preferences }) {
   const executablePath = program('HEARTH_FIREFOX', ['firefox-esr', 'firefox'], 'firefox-esr');
   const screen = await display();
   const browser = await puppeteer
@@ -72,7 +88,11 @@ export async function firefox({ reducedMotion = false }) {
       executablePath,
       headless: false,
       env: { ...process.env, DISPLAY: screen.name, WAYLAND_DISPLAY: undefined },
-      extraPrefsFirefox: { 'ui.prefersReducedMotion': reducedMotion ? 1 : 0 },
+      extraPrefsFirefox: {
+        'ui.prefersReducedMotion': preferences.reducedMotion ? 1 : 0,
+        'layout.css.prefers-color-scheme.content-override': preferences.scheme === 'dark' ? 0 : 1,
+        'browser.display.document_color_use': preferences.forcedColors ? 2 : 1,
+      },
       protocolTimeout,
     })
     .catch((error) => {
@@ -81,9 +101,12 @@ export async function firefox({ reducedMotion = false }) {
     });
   return {
     browser,
-    async open({ reducedMotion: wanted, ...opening }) {
-      if (wanted && !reducedMotion) throw new Error('Firefox takes reduced motion at start');
-      return opened(browser, opening);
+    version: () => versionOf(browser),
+    fits: (opening) => isDeepStrictEqual(opening.preferences, preferences),
+    async open(opening) {
+      const tab = await opened(browser, opening);
+      Object.assign(tab.page, CHROMIUM_ALONE);
+      return tab;
     },
     async close() {
       await browser.close();
@@ -92,10 +115,13 @@ export async function firefox({ reducedMotion = false }) {
   };
 }
 
+/** `Chrome/156.0.8078.108` → `156.0.8078`. @param {import('puppeteer-core').Browser} browser */
+const versionOf = async (browser) => String((await browser.version()).match(/\d+(\.\d+){0,2}/)?.[0]);
+
 /**
  * A new page, which records its problems.
  * @param {import('puppeteer-core').Browser} browser
- * @param {Omit<Opening, 'reducedMotion'>} opening
+ * @param {Opening} opening
  */
 async function opened(browser, { width, height, ratio, touch, before }) {
   const page = await browser.newPage();

@@ -203,9 +203,10 @@ export class Tab {
     });
   }
 
-  /** @param {string} key */
+  /** @param {string} key  Its name, such as `ArrowLeft` or `Space`. */
   async key(key) {
-    await this.page.keyboard.press(/** @type {any} */ (key));
+    // Firefox's driver knows the space by its letter alone.
+    await this.page.keyboard.press(/** @type {any} */ (key === 'Space' ? ' ' : key));
     await this.frames();
   }
 

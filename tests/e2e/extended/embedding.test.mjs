@@ -159,7 +159,8 @@ async function run(examples) {
     examples.map(({ html }) => /<hearth-fire|<iframe|'hearth-fire'/.test(html)),
   );
   await tab.frames(10);
-  for (const iframe of tab.page.mainFrame().childFrames()) {
+  for (const element of await tab.page.$$('iframe')) {
+    const iframe = await element.contentFrame();
     const buttons = await iframe.evaluate(() => document.querySelectorAll('button').length);
     for (let button = 0; button < buttons; button += 1) {
       await iframe.evaluate((number) => document.querySelectorAll('button')[number].click(), button);

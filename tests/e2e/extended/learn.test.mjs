@@ -75,17 +75,12 @@ test('the address of a card opens it with its slider on a phone, which it fits',
 });
 
 test('where motion is reduced nothing burns before a press', async () => {
-  const still = await Browser.start('chromium', { shell: true, draws: false, reducedMotion: true });
-  try {
-    const tab = await still.open('docs/learn.html#wind=0.5', WIDE);
-    await tab.until('the buttons', () => document.querySelector('.card button:not([hidden])'));
-    await tab.frames();
-    assert.equal(await fires(tab), 0);
-    await light(tab, 'wind');
-    await numbers(tab);
-  } finally {
-    await still.close();
-  }
+  const tab = await browser.open('docs/learn.html#wind=0.5', { ...WIDE, reducedMotion: true });
+  await tab.until('the buttons', () => document.querySelector('.card button:not([hidden])'));
+  await tab.frames();
+  assert.equal(await fires(tab), 0);
+  await light(tab, 'wind');
+  await numbers(tab);
 });
 
 test('a printed card has a whole picture, its question, then lines to write on, and no answer', async () => {

@@ -93,11 +93,7 @@ for (const reducedMotion of [false, true]) {
     for (const size of WIDTHS) {
       const name = `${size.width} pixels, ${theme}, ${reducedMotion ? 'reduced motion' : 'motion'}`;
       test(`each recipe is drawn, fits and is legible: ${name}`, async () => {
-        const tab = await browser.open('docs/recipes.html', { ...size, reducedMotion });
-        await tab.page.emulateMediaFeatures([
-          { name: 'prefers-color-scheme', value: theme },
-          { name: 'prefers-reduced-motion', value: reducedMotion ? 'reduce' : 'no-preference' },
-        ]);
+        const tab = await browser.open('docs/recipes.html', { ...size, reducedMotion, scheme: theme });
         await tab.until('the buttons', () => document.querySelector('.example button'));
         assert.ok(RECIPES.length >= 8, `${RECIPES}`);
         for (const [at, recipe] of RECIPES.entries()) {

@@ -9,7 +9,7 @@ import { Browser } from '../driver.mjs';
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.start('chromium');
+  browser = await Browser.start();
 });
 after(() => browser?.close());
 

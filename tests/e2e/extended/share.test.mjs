@@ -13,7 +13,7 @@ describe('the panel', () => {
   let browser;
   before(async () => {
     // The headless shell has no clipboard.
-    browser = await Browser.start('chromium', { draws: false });
+    browser = await Browser.start({ draws: false });
   });
   after(() => browser?.close());
 

@@ -12,7 +12,10 @@ import { motionIsReduced } from './visibility.js';
 const FADE_MS = 400;
 
 const STYLES = /* css */ `
-:host { display: block; position: relative; contain: paint; overflow: hidden; pointer-events: none; }
+/* Not hidden: a focus would scroll to what of the room is out of its box. It may become as small as a box that scrolls. */
+:host {
+  display: block; position: relative; min-inline-size: 0; min-block-size: 0; contain: paint; overflow: clip; pointer-events: none;
+}
 :host([hidden]) { display: none; }
 /* Gives the element a size where its page gives it none: all of a block's width, and 300 px where the content decides. */
 .room { display: grid; grid-template-columns: minmax(80px, 300px); inline-size: 100%; aspect-ratio: 4 / 5; max-block-size: 80vh; }

@@ -35,25 +35,41 @@ fn wasm_test(name: &str, variables: [(&str, PathBuf); 1]) -> Result<()> {
         .run()?)
 }
 
+/// What runs in each browser with `--all`: the files of the quick ring, the life of the element, its sound and the
+/// library.
+const EVERYWHERE: [&str; 4] = ["core", "life", "sound", "sim"];
+
 /// A dozen files of end-to-end tests, in Chromium.
 pub(super) fn core() -> Result<()> {
-    end_to_end("core", vec![])
+    end_to_end(&["core"], &["chromium"], vec![])
 }
 
-/// The other end-to-end tests: in Chromium, and those of the element in Firefox and WebKit too.
+/// The other end-to-end tests in Chromium, and a core of all in Firefox and WebKit.
 pub(super) fn extended() -> Result<()> {
     tools::chinese_font()?;
-    let programs = tools::other_browsers()?
-        .into_iter()
-        .chain(goldens::programs()?);
-    end_to_end("extended", programs.collect())
+    let mut programs = tools::browsers()?;
+    programs.extend(goldens::programs()?);
+    end_to_end(&["extended"], &["chromium"], programs.clone())?;
+    end_to_end(&EVERYWHERE, &tools::wanted_browsers(), programs)
 }
 
-/// The end-to-end tests of a folder.
-fn end_to_end(folder: &str, variables: Vec<(&str, PathBuf)>) -> Result<()> {
+/// `cargo xtask browsers`: every end-to-end test in every browser, and the table of the evaluation from it.
+pub(crate) fn table() -> Result<()> {
+    tools::chinese_font()?;
+    let mut programs = tools::browsers()?;
+    programs.extend(goldens::programs()?);
+    run_script("browsers.mjs", [], programs)
+}
+
+/// The end-to-end tests of these folders and files in these browsers.
+fn end_to_end(names: &[&str], browsers: &[&str], variables: Vec<(&str, PathBuf)>) -> Result<()> {
+    if browsers.is_empty() {
+        return Ok(());
+    }
     let sh = Shell::new()?;
-    let test = script(&sh, "run.mjs", &paths::site())?.arg(folder);
-    Ok(test.envs(variables).run()?)
+    let test = script(&sh, "run.mjs", &paths::site())?.args(names);
+    let test = test.envs(variables);
+    Ok(test.env(tools::BROWSERS, browsers.join(",")).run()?)
 }
 
 /// The smallest end-to-end test, of the site in `folder` or of a page that is served at

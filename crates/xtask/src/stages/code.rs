@@ -41,8 +41,8 @@ pub(super) fn docs() -> Result<()> {
 }
 
 /// The packages of the commands. With the features that other packages need, cargo would compile
-/// their libraries again.
-const COMMANDS: [&str; 3] = ["xtask", "measure", "codegen"];
+/// their libraries, which read and write wasm, again.
+const COMMANDS: [&str; 4] = ["xtask", "measure", "codegen", "wasm-parts"];
 
 pub(super) fn native() -> Result<()> {
     let sh = Shell::new()?;

@@ -14,7 +14,7 @@ const THREADS = { chromium: ['worker', 'main'], firefox: ['worker', 'main'], web
 export async function* losses() {
   for (const kind of BROWSERS) {
     for (const thread of THREADS[kind]) {
-      const browser = await Browser.start(kind);
+      const browser = await Browser.start({ kind });
       try {
         const tab = await browser.open(thread === 'main' ? onPageThread(FIRE) : FIRE);
         for (let loss = 1; loss <= LOSSES; loss += 1) {

@@ -1,6 +1,6 @@
 /**
- * Light that follows the fire and not its resolution: the width and brightness of a candle's flame, the glow of embers, and
- * wax in a lit room.
+ * Light that follows the fire and not its resolution: the width and brightness of a candle's flame, the glow of embers,
+ * wax in a lit room, a wall at low quality, and what is above a ground.
  */
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
@@ -50,6 +50,43 @@ test('embers are dark where no fire burns', async () => {
     brightest.push(Math.max(...luminances(bytes).slice(185 * 200)));
   }
   assert.ok(brightest[0] > 0.1 && brightest[1] < 0.03, `${brightest}`);
+});
+
+test('at low quality a wall has the same light in a large picture, which enlarges it, as in a small one', async () => {
+  const values = { backdrop: 'bricks', heat_haze: 0 };
+  // Means of twelve rows of blocks at either edge of the picture, beside the fire.
+  const [small, large] = await Promise.all(
+    [1, 3].map(async (scale) => {
+      const [width, height] = [240 * scale, 240 * scale];
+      const lights = luminances((await painter.still({ lit: 'default', quality: 'low', values, width, height })).rgba);
+      const side = 20 * scale;
+      return Array.from({ length: 48 }, (_, block) => {
+        const top = Math.floor(block / 4) * side;
+        const left = [0, 1, 10, 11][block % 4] * side;
+        let sum = 0;
+        for (let y = top; y < top + side; y += 1) {
+          for (let x = left; x < left + side; x += 1) sum += lights[y * width + x];
+        }
+        return sum / (side * side);
+      });
+    }),
+  );
+  for (const [block, mean] of small.entries()) {
+    assert.ok(mean > 0.001 && Math.abs(large[block] / mean - 1) < 0.1, `${block}: ${large[block]} for ${mean}`);
+  }
+});
+
+test('a ground leaves the air above its horizon as it is', async () => {
+  const [bare, ground] = await Promise.all(
+    ['none', 'stone'].map((ground) => painter.still({ lit: 'default', values: { ground, smoke_opacity: 0 } })),
+  );
+  const differs = (/** @type {number} */ row) => {
+    const of = ({ width, rgba }) => rgba.subarray(4 * width * row, 4 * width * (row + 1));
+    return Buffer.compare(of(bare), of(ground)) !== 0;
+  };
+  const rows = Array.from({ length: bare.height }, (_, row) => row).filter(differs);
+  assert.ok(rows[0] > 0.75 * bare.height, `the highest row that a ground changes: ${rows[0]}`);
+  assert.ok(rows.length > 0.1 * bare.height, `${rows.length} rows of ground`);
 });
 
 test('wax on a white page in a lit room is ivory', async () => {

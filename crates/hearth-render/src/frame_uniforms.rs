@@ -1,10 +1,10 @@
 //! What the uniforms of all passes of a frame follow from: the fire, the picture and the camera.
 
-use hearth_core::params::{Backdrop, Colour, DisplayMode, Edges, Ground, Layers, Model};
+use hearth_core::params::{Colour, DisplayMode, Edges, Layers, Model};
 use hearth_core::{Parameters, SourcePlace};
 
 use crate::advection::Phase;
-use crate::bounds::ParticleBounds;
+use crate::bounds::Bounds;
 use crate::format::TargetFormat;
 use crate::kernel::Kernel;
 use crate::resolution::Layout;
@@ -19,12 +19,6 @@ const COMBUSTION_GAIN: f32 = 2.64;
 const HALO_TEXELS: f32 = 3.5;
 /// Minimum radius of a kernel in texels. Narrower kernels flicker as they move.
 const MIN_KERNEL_TEXELS: f32 = 1.5;
-/// Height of the wall's foot above that of the fire, in heights of the domain: the wall stands
-/// behind the fire.
-const WALL_OFFSET: f32 = 0.1;
-/// Maximum foot of the fire that stands on the floor, in heights of the domain.
-const MAX_FOOT: f32 = 0.6;
-
 /// Particles that a pass draws.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Batch {
@@ -108,10 +102,10 @@ pub struct FrameUniforms<'a> {
     pub kernel: Kernel,
     /// Size of the used part of the field \[texels\].
     pub used: [u32; 2],
-    /// Bounds of the fire without its glow: left, lower, right, upper edge \[m\].
-    pub reach: [f32; 4],
-    /// Bounds of the slices behind the front one \[m\], if there are any.
-    pub behind: Option<[f32; 4]>,
+    /// Bounds of the fire without its glow.
+    pub reach: Bounds,
+    /// Bounds of the slices behind the front one, if there are any.
+    pub behind: Option<Bounds>,
     /// Whether the picture is an atlas of [sheets](crate::View::sheets).
     pub sheets: bool,
     /// Whether the backdrop is drawn again.
@@ -129,14 +123,14 @@ impl<'a> FrameUniforms<'a> {
     }
 
     /// Fits the kernels, the used part of the field and the reach to the bounds of the gas.
-    pub fn fit(&mut self, bounds: &ParticleBounds) {
+    pub fn fit(&mut self, bounds: &Bounds) {
         let height = self.viewport.metres[1];
         let (count, behind) = (self.particles.count, self.slice.index > 0);
         self.used = self
             .layout
             .used_field(count, self.kernel.radius, height, behind);
         self.kernel.radius = self.resolved(self.kernel.radius, self.used[1]);
-        self.reach = bounds.widened(self.kernel.margin.max(self.kernel.radius));
+        self.reach = Bounds::around(&[*bounds], self.kernel.margin.max(self.kernel.radius));
     }
 
     /// Whether the display mode is `mode`.
@@ -171,40 +165,6 @@ impl<'a> FrameUniforms<'a> {
     /// noise only rises.
     pub fn advects_noise(&self) -> bool {
         self.burns_as(Model::Combustion) && self.format == TargetFormat::Rgba16F
-    }
-
-    /// Whether the fire has a backdrop: a wall, a ground or both.
-    pub fn has_backdrop(&self) -> bool {
-        self.shows(DisplayMode::Fire) && !self.sheets && has_backdrop(self.parameters)
-    }
-
-    /// 1 if there is a wall behind the fire, or 0.
-    pub fn wall(&self) -> f32 {
-        f32::from(self.parameters.backdrop == Backdrop::Bricks)
-    }
-
-    /// Share of the page that is seen through the ground.
-    pub fn page(&self) -> f32 {
-        let [.., cover] = background(self.parameters.background);
-        (1.0 - self.wall()) * (1.0 - cover)
-    }
-
-    /// Light of the surroundings, and of the background, which is a sky where no wall hides it.
-    pub fn sky(&self) -> [f32; 3] {
-        let share = SKY_BRIGHTNESS * (1.0 - self.wall());
-        let [r, g, b, _] = background(self.parameters.background);
-        let ambient = AMBIENT_BRIGHTNESS * self.parameters.ambient_light;
-        [r, g, b].map(|channel| ambient + share * channel * channel)
-    }
-
-    /// Maximum radiance in targets as it lights things: a camera that sees a lit room takes less of the fire's light.
-    pub fn light_on_things(&self) -> f32 {
-        self.format.light_range() / (1.0 + PER_AMBIENT_LIGHT * self.parameters.ambient_light)
-    }
-
-    /// The ground: its number in the table, that of stone under a wall without another.
-    pub fn ground(&self) -> f32 {
-        f32::from((self.parameters.ground as u8).max(Ground::Stone as u8))
     }
 
     /// Whether it shows solids in the light of the fire.
@@ -259,13 +219,12 @@ impl<'a> FrameUniforms<'a> {
         }
     }
 
-    /// Bounds of the fire and its glow \[m\]. The glow ends a few texels of its widest copy away
+    /// Bounds of the fire and its glow. The glow ends a few texels of its widest copy away
     /// from the fire.
-    pub fn halo(&self) -> [f32; 4] {
+    pub fn halo(&self) -> Bounds {
         let lines = self.layout.blurs()[self.widest_blur()][1];
         let halo = HALO_TEXELS * self.viewport.metres[1] / lines as f32;
-        let [left, lower, right, upper] = self.reach;
-        [left - halo, lower - halo, right + halo, upper + halo]
+        Bounds::around(&[self.reach], halo)
     }
 
     /// Brightness of gas of 1500 K.
@@ -301,47 +260,7 @@ impl<'a> FrameUniforms<'a> {
         let quantity = self.parameters.display_mode.quantity();
         f32::from(quantity.is_some_and(|quantity| quantity.signed))
     }
-
-    /// Height of the foot of the backdrop's wall, in heights of the domain. The
-    /// fire stands on the floor in front of the wall.
-    pub fn wall_foot(&self) -> f32 {
-        self.foot_height() + WALL_OFFSET
-    }
-
-    /// Foot of the fire on the floor, 0–1 over the picture.
-    pub fn foot(&self) -> [f32; 2] {
-        let Viewport {
-            floor,
-            metres,
-            zoom,
-            ..
-        } = self.viewport;
-        [
-            floor[0] + self.source.base.x / metres[0],
-            floor[1] + self.foot_height() / zoom,
-        ]
-    }
-
-    /// Its height, in heights of the domain.
-    fn foot_height(&self) -> f32 {
-        let foot = self.source.base.y / self.parameters.domain_height;
-        foot.clamp(0.0, MAX_FOOT)
-    }
 }
-
-/// Whether a fire with these parameters has a wall behind it or a ground.
-pub fn has_backdrop(parameters: &Parameters) -> bool {
-    parameters.backdrop != Backdrop::None || parameters.ground != Ground::None
-}
-
-/// Divides the fire's light on things by 1 + this much of the ambient light.
-const PER_AMBIENT_LIGHT: f32 = 8.0;
-
-/// Brightness of ambient light, in which white things are nearly white.
-const AMBIENT_BRIGHTNESS: f32 = 1.6;
-
-/// Brightness of the ground under a white background.
-const SKY_BRIGHTNESS: f32 = 0.4;
 
 /// Two to the power of `exponent`.
 pub fn exp2(exponent: f32) -> f32 {

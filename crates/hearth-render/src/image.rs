@@ -48,6 +48,8 @@ pub enum Image {
     Glow,
     /// The widest copy.
     WidestBlur,
+    /// The fire before its lit backdrop, which a low quality enlarges. Otherwise the canvas.
+    Plate,
     /// The canvas.
     Picture,
 }
@@ -64,7 +66,9 @@ const IRRADIANCE: usize = 6;
 const BEHIND: usize = 7;
 const OFFSETS_BEHIND: usize = 8;
 const SMOKE_LIGHT: usize = 9;
-const BLUR: usize = 10;
+/// The lit backdrop.
+pub const PLATE: usize = 10;
+const BLUR: usize = 11;
 const GLOW: usize = BLUR + MAX_BLURS;
 /// A target for each slice.
 const FLOW: usize = GLOW + MAX_BLURS - 1;
@@ -84,6 +88,8 @@ pub struct Which {
     pub slice: usize,
     /// The newer target of its advected noise, 0 or 1.
     pub newest: usize,
+    /// Whether the lit backdrop has a target of its own.
+    pub enlarges: bool,
 }
 
 impl Image {
@@ -94,9 +100,12 @@ impl Image {
             widest,
             slice,
             newest,
+            enlarges,
         } = which;
         Some(match self {
             Image::Particles | Image::Noise | Image::Palette | Image::Picture => return None,
+            Image::Plate if !enlarges => return None,
+            Image::Plate => PLATE,
             Image::Field => FIELD,
             Image::Wide => WIDE,
             Image::Flow => FLOW + slice,
@@ -137,6 +146,7 @@ pub fn format_and_size(
         LIGHT | SHOWN => layout.light,
         BEHIND => layout.behind,
         SCENERY => layout.scenery,
+        PLATE => layout.plate,
         IRRADIANCE => layout.irradiance,
         FLOW.. => layout.flow,
         // Smoke scatters light softly.
@@ -145,7 +155,7 @@ pub fn format_and_size(
         _ => layout.blurs()[target - BLUR],
     };
     let format = match target {
-        SHOWN | SCENERY | SMOKE_LIGHT => TargetFormat::Rgba8,
+        SHOWN | SCENERY | SMOKE_LIGHT | PLATE => TargetFormat::Rgba8,
         _ => format,
     };
     (format, size)
@@ -158,7 +168,9 @@ pub fn memory(picture: [u32; 2], limits: ResolutionLimits, max_side: u32) -> u64
     };
     let levels = layout.blurs().len();
     let is_made = |target: &usize| {
-        !(BLUR + levels..GLOW).contains(target) && !(GLOW + levels..FLOW).contains(target)
+        !(BLUR + levels..GLOW).contains(target)
+            && !(GLOW + levels..FLOW).contains(target)
+            && (*target != PLATE || layout.plate != layout.picture)
     };
     let targets = (0..TARGETS).filter(is_made).map(|target| {
         let (format, [width, height]) = format_and_size(target, layout, TargetFormat::Rgba16F);

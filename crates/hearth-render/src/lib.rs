@@ -10,6 +10,7 @@
 //! `passes/` and its shaders.
 
 mod advection;
+mod backdrop;
 mod blackbody;
 mod bounds;
 mod camera;

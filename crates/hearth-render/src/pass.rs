@@ -87,12 +87,16 @@ pub enum Draw {
     Behind,
     /// The bounds of the fire and its glow.
     Halo,
+    /// The wall, or the ground alone.
+    Backdrop,
     /// A quad for each particle.
     Particles,
     /// A quad for each ember.
     Embers,
     /// A quad for each solid.
     Solids,
+    /// The same on the ground.
+    Shadows,
 }
 
 /// How often a pass draws.

@@ -12,6 +12,7 @@ mod colour_map;
 mod composite;
 mod disc;
 mod ember;
+mod enlarge;
 mod flame;
 mod gas;
 mod irradiance;
@@ -32,7 +33,7 @@ mod velocity;
 use crate::pass::Row;
 
 /// Every pass, in the order of a frame.
-pub static PASSES: [Row; 29] = [
+pub static PASSES: [Row; 30] = [
     // Fire of the classic model: particles, field, light.
     Row::of::<splat::Splat>("splat"),
     Row::of::<spread::Spread>("spread"),
@@ -58,13 +59,14 @@ pub static PASSES: [Row; 29] = [
     Row::of::<scenery::Scenery>("scenery"),
     Row::of::<irradiance::Irradiance>("irradiance"),
     Row::of::<backdrop::Backdrop>("backdrop"),
+    Row::of::<shadow::Shadow>("shadow"),
+    Row::of::<enlarge::Enlarge>("enlarge"),
     // Display modes that draw particles or a quantity.
     Row::of::<paper::Paper>("paper"),
     Row::of::<accumulate::Accumulate>("accumulate"),
     Row::of::<colour_map::ColourMap>("colour_map"),
     Row::of::<disc::Disc>("disc"),
-    // Solids and their shadows, in front of everything but the fire.
-    Row::of::<shadow::Shadow>("shadow"),
+    // Solids, in front of everything but the fire.
     Row::of::<solid::Solid>("solid"),
     Row::of::<outline::Outline>("outline"),
 ];

@@ -82,8 +82,8 @@ struct Program<G: Graphics> {
     uniforms: Option<G::Location>,
 }
 
-/// Pairs of shaders that are compiled when a frame first needs them: most fires have no solids.
-const COMPILED_ON_DEMAND: [Shader; 2] = [Shader::Solid, Shader::Outline];
+/// Pairs of shaders that are compiled when a frame first needs them: most fires have no solids and no wall.
+const COMPILED_ON_DEMAND: [Shader; 3] = [Shader::Solid, Shader::Outline, Shader::Enlarge];
 
 /// The programs, in the order of [`SOURCES`].
 pub struct Programs<G: Graphics>(Vec<OnceCell<Program<G>>>);

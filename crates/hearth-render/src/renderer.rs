@@ -11,7 +11,7 @@ use hearth_core::scene::Pose;
 use hearth_core::{Charred, Instance, Scene, SourcePlace};
 
 use crate::advection::Phase;
-use crate::bounds::ParticleBounds;
+use crate::bounds::{Bounds, ParticleBounds};
 use crate::camera::Camera;
 use crate::embers::Paths;
 use crate::error::RenderError;
@@ -269,11 +269,11 @@ impl<G: Graphics> Renderer<G> {
             scale: self.scale,
             kernel: Kernel::of(parameters, &source),
             used: layout.field,
-            reach: [0.0; 4],
+            reach: Bounds::default(),
             behind: None,
             scenery_is_stale: true,
         };
-        frame.fit(&self.bounds);
+        frame.fit(&self.bounds.bounds);
         let mut slices = vec![present];
         // Eight bits store roots, which do not blend. The classic model's gas is a cloud without sheets.
         if frame.advects_noise() {
@@ -282,7 +282,7 @@ impl<G: Graphics> Renderer<G> {
             slices = history.slices(view.time, count, &source);
             self.ring.upload(gl, history)?;
         }
-        frame.behind = (slices.len() > 1).then_some([0.0; 4]);
+        frame.behind = (slices.len() > 1).then(Bounds::default);
         self.fit_targets(gl, &frame, &slices)?;
         let slices = self.slice_frames(&mut frame, history, &slices);
         self.slices = slices.len();

@@ -44,6 +44,8 @@ pub struct ResolutionLimits {
     pub light: u32,
     /// Maximum number of lines of the field.
     pub field: u32,
+    /// Maximum number of lines of a lit wall. That of a larger picture is enlarged.
+    pub wall: u32,
     /// Texels of the field per radius of a kernel. With fewer, texels become visible; more cost
     /// time without effect.
     pub texels: f32,
@@ -67,6 +69,7 @@ impl ResolutionLimits {
     pub const LOW: ResolutionLimits = ResolutionLimits {
         full: 270,
         light: 360,
+        wall: 270,
         field: 180,
         texels: 2.6,
         slices: 3,
@@ -76,6 +79,7 @@ impl ResolutionLimits {
     pub const MEDIUM: ResolutionLimits = ResolutionLimits {
         full: 360,
         light: 720,
+        wall: u32::MAX,
         field: 270,
         texels: 3.2,
         slices: 5,
@@ -85,6 +89,7 @@ impl ResolutionLimits {
     pub const HIGH: ResolutionLimits = ResolutionLimits {
         full: 540,
         light: 1080,
+        wall: u32::MAX,
         field: 405,
         texels: 4.0,
         slices: 5,
@@ -123,6 +128,8 @@ pub struct Layout {
     pub behind: [u32; 2],
     /// The backdrop.
     pub scenery: [u32; 2],
+    /// The lit wall.
+    pub plate: [u32; 2],
     /// Irradiance on the backdrop.
     pub irradiance: [u32; 2],
     /// Blurred copies of the light, sharpest first; unused ones last.
@@ -171,6 +178,7 @@ impl Layout {
             light,
             behind: lines(light[1].min((light[1] / 2).max(MIN_BEHIND_LINES))),
             scenery: backdrop(MAX_SCENERY_LINES, max),
+            plate: lines(limits.wall.min(height)),
             irradiance: backdrop(
                 IRRADIANCE_LINES_AND_COLUMNS[0],
                 IRRADIANCE_LINES_AND_COLUMNS[1],
@@ -248,6 +256,7 @@ mod tests {
                 layout.light,
                 layout.behind,
                 layout.scenery,
+                layout.plate,
                 layout.irradiance,
             ]);
             for [width, height] in sizes {
@@ -292,12 +301,16 @@ mod tests {
             for of in [
                 |layout: &Layout| layout.light[1],
                 |layout: &Layout| layout.field[1],
+                |layout: &Layout| layout.plate[1],
                 |layout: &Layout| layout.blurs()[0][1],
                 |layout: &Layout| layout.used_field(1000, 0.04, 1.5, false)[1],
             ] {
                 assert!(layouts.is_sorted_by_key(of), "{layouts:?}");
             }
             assert!(layouts[2].light[1] <= size[1], "{layouts:?}");
+            // Only low quality enlarges a lit wall.
+            assert_eq!([layouts[1].plate, layouts[2].plate], [size; 2]);
+            assert!(layouts[0].plate[1] <= ResolutionLimits::LOW.wall);
         }
     }
 

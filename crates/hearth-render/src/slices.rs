@@ -3,6 +3,8 @@
 
 use hearth_core::SourcePlace;
 
+use crate::bounds::Bounds;
+
 /// Maximum number of slices of a picture.
 pub const MAX_SLICES: usize = 5;
 
@@ -198,11 +200,17 @@ impl Slice {
         })
     }
 
-    /// The bounds of moved gas: left, lower, right, upper \[m\].
-    pub fn moved(&self, [left, lower, right, upper]: [f32; 4]) -> [f32; 4] {
+    /// The bounds of moved gas.
+    pub fn moved(&self, mut bounds: Bounds) -> Bounds {
         let to = |at: f32, axis: usize| at * self.scale[axis] + self.offset[axis];
-        let (left, right) = (to(left, 0), to(right, 0));
-        [left.min(right), to(lower, 1), left.max(right), to(upper, 1)]
+        bounds.heights = bounds.heights.map(|y| to(y, 1));
+        for row in &mut bounds.rows {
+            *row = row.map(|x| to(x, 0));
+            if self.scale[0] < 0.0 {
+                row.reverse();
+            }
+        }
+        bounds
     }
 }
 
@@ -220,6 +228,7 @@ pub fn share(slices: &mut [Slice]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bounds::tests::{bounds_of, has};
     use hearth_core::Vec2;
 
     const FREE: Arrangement = Arrangement {
@@ -264,7 +273,8 @@ mod tests {
                     let then = [-0.2, 0.3];
                     let slice = Slice::behind(index, 1.0, &fade, 1.0, &source(0.4), then)
                         .expect("a visible slice");
-                    let [x, y, ..] = slice.moved([then[0], then[1], then[0], then[1]]);
+                    let moved = slice.moved(bounds_of([then]));
+                    let ([x, _], [y, _]) = (moved.rows[0], moved.heights);
                     assert!((x - 0.4 - slice.shift).abs() < 1e-6 && (y - 0.1).abs() < 1e-6);
                     assert!(spreads || slice.shift == 0.0);
                 }
@@ -275,8 +285,19 @@ mod tests {
     #[test]
     fn moved_bounds_enclose_moved_gas() {
         let slice = Slice::behind(1, 1.0, &visible(FREE), 1.0, &source(0.0), [0.0, 0.1]);
-        let [left, lower, right, upper] = slice.expect("visible").moved([-0.1, 0.0, 0.5, 1.0]);
-        assert!(left < right && lower < upper && left < -0.4);
+        let (slice, places) = (
+            slice.expect("visible"),
+            [[-0.1, 0.0], [0.5, 0.1], [0.2, 1.0]],
+        );
+        let moved = slice.moved(bounds_of(places));
+        for place in places {
+            let place = [0, 1].map(|axis| place[axis] * slice.scale[axis] + slice.offset[axis]);
+            assert!(
+                has(&Bounds::around(&[moved], 1e-6), place),
+                "{place:?} in {moved:?}"
+            );
+        }
+        assert!(slice.scale[0] < 0.0 && moved.rows[1][0] < -0.4);
     }
 
     #[test]

@@ -2,19 +2,6 @@
 
 use crate::camera::{Camera, Fit};
 
-/// A rectangle in pixels, from the lower left.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Rectangle {
-    /// Left edge.
-    pub x: i32,
-    /// Lower edge.
-    pub y: i32,
-    /// Width; 0 if it is empty.
-    pub width: i32,
-    /// Height.
-    pub height: i32,
-}
-
 /// The position of the world in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewport {
@@ -92,25 +79,20 @@ impl Viewport {
         [lower + 1.0 / self.zoom < 0.999, lower > 1e-3]
     }
 
-    /// The texels of a target that `bounds` (left, lower, right, upper \[m\]) touch.
-    pub fn rectangle(self, bounds: [f32; 4], size: [u32; 2]) -> Rectangle {
-        let [left, lower, right, upper] = bounds;
-        let [width, height] = size.map(|side| side as f32);
-        let column = |x: f32| (x / self.metres[0] + self.floor[0]) * width;
-        let row = |y: f32| (y / self.metres[1] + self.floor[1]) * height;
-        // `as` saturates, so a float out of range or NaN becomes an edge.
-        let clamp = |at: f32, max: f32| at.max(0.0).min(max) as i32;
-        let (x, y) = (
-            clamp(column(left).floor(), width),
-            clamp(row(lower).floor(), height),
-        );
-        Rectangle {
-            x,
-            y,
-            width: (clamp(column(right).ceil(), width) - x).max(0),
-            height: (clamp(row(upper).ceil(), height) - y).max(0),
-        }
+    /// The column of a target of that width at `x` \[m\], within the target.
+    pub fn column(&self, x: f32, width: u32) -> f32 {
+        within((x / self.metres[0] + self.floor[0]) * width as f32, width)
     }
+
+    /// The row of a target of that height at `y` \[m\], within the target.
+    pub fn row(&self, y: f32, height: u32) -> f32 {
+        within((y / self.metres[1] + self.floor[1]) * height as f32, height)
+    }
+}
+
+/// A number from 0 to `size`; what is no number becomes 0.
+fn within(at: f32, size: u32) -> f32 {
+    at.max(0.0).min(size as f32)
 }
 
 #[cfg(test)]
@@ -240,30 +222,24 @@ mod tests {
     }
 
     #[test]
-    fn bounds_around_the_source_are_at_the_lower_middle() {
+    fn places_of_the_world_are_columns_and_rows_within_a_target() {
         let viewport = Viewport::new([1280, 720], [1.2, 1.5], Camera::default());
-        let at = viewport.rectangle([-0.1, 0.0, 0.1, 0.75], [1280, 720]);
-        assert_eq!(at.y, 0);
-        assert_eq!(at.height, 360);
-        assert_eq!(2 * at.x + at.width, 1280);
-        assert!((95..=98).contains(&at.width), "{at:?}");
-    }
-
-    #[test]
-    fn bounds_outside_the_picture_or_infinite_cover_no_texels() {
-        let viewport = Viewport::new([100, 100], [1.0, 1.0], Camera::default());
-        for bounds in [
-            [3.0, 0.0, 4.0, 1.0],
-            [0.0, 2.0, 0.1, 3.0],
-            [
-                f32::INFINITY,
-                f32::INFINITY,
-                f32::NEG_INFINITY,
-                f32::NEG_INFINITY,
-            ],
+        assert_eq!(viewport.column(0.0, 1280), 640.0);
+        assert!((viewport.column(0.1, 1280) - 688.0).abs() < 1e-3);
+        assert_eq!(
+            [0.0, 0.75, 1.5].map(|y| viewport.row(y, 360)),
+            [0.0, 180.0, 360.0]
+        );
+        for (at, edge) in [
+            (9.0, 100.0),
+            (f32::INFINITY, 100.0),
+            (-9.0, 0.0),
+            (f32::NAN, 0.0),
         ] {
-            let at = viewport.rectangle(bounds, [100, 100]);
-            assert!(at.width == 0 || at.height == 0, "{bounds:?}: {at:?}");
+            assert_eq!(
+                (viewport.column(at, 100), viewport.row(at, 100)),
+                (edge, edge)
+            );
         }
     }
 }

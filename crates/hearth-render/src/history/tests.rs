@@ -1,4 +1,5 @@
 use super::*;
+use crate::bounds::Bounds;
 use crate::bounds::tests::particle;
 use hearth_core::params::Input;
 
@@ -120,7 +121,7 @@ fn slices_follow_a_source_and_are_not_mirrored_in_wind() {
     burn(&mut history, &still, 0.0, 3.0);
     burn(&mut history, &moved, 3.01, 3.05);
     for slice in history.slices(3.05, 5.0, &source(&moved)) {
-        let [x, ..] = slice.moved([0.0, 0.0, 0.0, 0.0]);
+        let [x, _] = slice.moved(Bounds::default()).rows[0];
         assert!(
             slice.index == 0 || (x - 0.2 - slice.shift).abs() < 1e-5,
             "{slice:?}"

@@ -20,12 +20,12 @@ fn stain(time: f64) -> f32 {
     MAX_STAIN * (1.0 - libm::expf(-(time / STAIN_SECONDS) as f32))
 }
 
-/// The last pass of a fire with a backdrop, which the fire illuminates and makes shimmer.
+/// A fire with a backdrop, which the fire illuminates and makes shimmer.
 pub struct Backdrop;
 
 impl Pass for Backdrop {
-    const TARGET: Image = Image::Picture;
-    const DRAW: Draw = Draw::All;
+    const TARGET: Image = Image::Plate;
+    const DRAW: Draw = Draw::Backdrop;
     type Uniforms = uniforms::Backdrop;
 
     fn applies(frame: &FrameUniforms) -> bool {

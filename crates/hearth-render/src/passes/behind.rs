@@ -1,5 +1,6 @@
 //! Draws the light of the slices behind the front one.
 
+use crate::bounds::Bounds;
 use crate::frame_uniforms::FrameUniforms;
 use crate::image::Image;
 use crate::pass::{Blend, Draw, Load, Pass, Per};
@@ -37,7 +38,7 @@ impl Pass for Under {
 
     fn applies(frame: &FrameUniforms) -> bool {
         // The front slice knows the bounds of the others; the frame that prepares them all does not.
-        let is_front = |bounds| frame.slice.index == 0 && bounds != [0.0; 4];
+        let is_front = |bounds: Bounds| frame.slice.index == 0 && bounds.heights != [0.0; 2];
         frame.sheets && frame.behind.is_some_and(|bounds| !is_front(bounds))
     }
 

@@ -7,7 +7,7 @@ use crate::image::Image;
 use crate::pass::{Draw, Load, Pass};
 use crate::shaders::uniforms;
 
-/// The last pass of a fire without a backdrop, and of sprites.
+/// A fire without a wall, whose ground is drawn over it, and sprites.
 pub struct Composite;
 
 impl Pass for Composite {
@@ -17,7 +17,7 @@ impl Pass for Composite {
     type Uniforms = uniforms::Composite;
 
     fn applies(frame: &FrameUniforms) -> bool {
-        let fire = frame.shows(DisplayMode::Fire) && !frame.has_backdrop() && !frame.sheets;
+        let fire = frame.shows(DisplayMode::Fire) && !frame.has_wall() && !frame.sheets;
         fire || frame.shows(DisplayMode::Sprites)
     }
 

@@ -15,9 +15,9 @@ const EDGE: f32 = 0.05;
 pub struct Shadow;
 
 impl Pass for Shadow {
-    const TARGET: Image = Image::Picture;
+    const TARGET: Image = Image::Plate;
     const BLEND: Blend = Blend::Over;
-    const DRAW: Draw = Draw::Solids;
+    const DRAW: Draw = Draw::Shadows;
     type Uniforms = uniforms::Shadow;
 
     fn applies(frame: &FrameUniforms) -> bool {
@@ -32,7 +32,7 @@ impl Pass for Shadow {
             clip_offset,
             count: frame.solids as f32,
             margin: 0.0,
-            horizon: frame.wall_foot() * frame.parameters.domain_height,
+            horizon: frame.horizon(),
             picture: [viewport.metres[1], viewport.floor[1]],
             darkness: DARKNESS + (PAGE_DARKNESS - DARKNESS) * page,
             edge: (EDGE * page).max(f32::MIN_POSITIVE),

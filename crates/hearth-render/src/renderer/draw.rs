@@ -2,6 +2,7 @@
 
 use super::Renderer;
 use super::slices::SliceFrame;
+use crate::bounds::Bounds;
 use crate::frame_uniforms::{FrameUniforms, background};
 use crate::gl::Graphics;
 use crate::image::{Image, Which};
@@ -129,14 +130,31 @@ impl<G: Graphics> Renderer<G> {
         }
         match row.draw {
             Draw::All => gl.draw_triangle(),
-            Draw::Reach => draw_part(gl, frame, frame.reach, size),
-            Draw::Behind => draw_part(gl, frame, frame.behind.unwrap_or_default(), size),
-            Draw::Halo => draw_part(gl, frame, frame.halo(), size),
+            Draw::Reach => draw_part(gl, frame, &frame.reach, size),
+            Draw::Behind => draw_part(gl, frame, &frame.behind.unwrap_or_default(), size),
+            Draw::Halo => draw_part(gl, frame, &frame.halo(), size),
             Draw::Particles => {
                 draw_quads(gl, frame.particles.count.div_ceil(frame.particles.stride))
             }
             Draw::Embers => draw_quads(gl, self.embers.count()),
             Draw::Solids => draw_quads(gl, self.solids.texture.count()),
+            Draw::Backdrop | Draw::Shadows => {
+                let is_wall = row.draw == Draw::Backdrop && frame.has_wall();
+                let top = if is_wall {
+                    f32::INFINITY
+                } else {
+                    frame.horizon()
+                };
+                let upper = frame.viewport.row(top, size[1]).ceil();
+                gl.enable(glow::SCISSOR_TEST);
+                scissor(gl, [0.0; 2], [size[0] as f32, upper]);
+                if row.draw == Draw::Backdrop {
+                    gl.draw_triangle();
+                } else {
+                    draw_quads(gl, self.solids.texture.count());
+                }
+                gl.disable(glow::SCISSOR_TEST);
+            }
         }
         if blends.is_some() {
             gl.disable(glow::BLEND);
@@ -150,6 +168,7 @@ impl<G: Graphics> Renderer<G> {
             widest: frame.widest_blur(),
             slice: frame.slice.index,
             newest: frame.advected.newest,
+            enlarges: frame.enlarges(),
         })?;
         self.targets.get(target).map(|(_, target)| target)
     }
@@ -164,7 +183,9 @@ impl<G: Graphics> Renderer<G> {
     ) -> Option<&G::Texture> {
         match image {
             Image::Particles if draw == Draw::Embers => Some(self.embers.texture()),
-            Image::Particles if draw == Draw::Solids => Some(self.solids.texture.texture()),
+            Image::Particles if matches!(draw, Draw::Solids | Draw::Shadows) => {
+                Some(self.solids.texture.texture())
+            }
             Image::Particles if frame.particles.row.is_some() => self.ring.texture(),
             Image::Particles => Some(self.particles.texture()),
             Image::Noise => Some(&self.shared.noise),
@@ -174,14 +195,25 @@ impl<G: Graphics> Renderer<G> {
     }
 }
 
-/// Draws the part of a target that `bounds` \[m\] touch.
-fn draw_part<G: Graphics>(gl: &G, frame: &FrameUniforms, bounds: [f32; 4], size: [u32; 2]) {
-    let part = frame.viewport.rectangle(bounds, size);
-    if part.width == 0 || part.height == 0 {
-        return;
-    }
+/// Draws the part of a target that `bounds` touch. Each texel once: passes blend.
+#[inline(never)]
+fn draw_part<G: Graphics>(gl: &G, frame: &FrameUniforms, bounds: &Bounds, size: [u32; 2]) {
+    let viewport = &frame.viewport;
+    let mut lower = viewport.row(bounds.heights[0], size[1]).floor();
     gl.enable(glow::SCISSOR_TEST);
-    gl.scissor(part.x, part.y, part.width, part.height);
-    gl.draw_triangle();
+    for (row, range) in bounds.rows.iter().enumerate() {
+        let upper = viewport.row(bounds.height(row + 1), size[1]).ceil();
+        let [left, right] = range.map(|x| viewport.column(x, size[0]));
+        scissor(gl, [left.floor(), lower], [right.ceil(), upper]);
+        gl.draw_triangle();
+        lower = upper;
+    }
     gl.disable(glow::SCISSOR_TEST);
+}
+
+/// Limits what is drawn to the texels between two corners.
+fn scissor<G: Graphics>(gl: &G, from: [f32; 2], to: [f32; 2]) {
+    let [x, y] = from.map(|at| at as i32);
+    let [right, upper] = to.map(|at| at as i32);
+    gl.scissor(x, y, (right - x).max(0), (upper - y).max(0));
 }

@@ -2,10 +2,11 @@
 
 use super::Renderer;
 use super::slices::Noise;
+use crate::backdrop::has_backdrop;
 use crate::error::RenderError;
-use crate::frame_uniforms::{FrameUniforms, has_backdrop};
+use crate::frame_uniforms::FrameUniforms;
 use crate::gl::Graphics;
-use crate::image::{Image, SCENERY, Which};
+use crate::image::{Image, PLATE, SCENERY, Which};
 use crate::palette::Tint;
 use crate::passes::PASSES;
 use crate::shaders::SOURCES;
@@ -40,6 +41,9 @@ impl<G: Graphics> Renderer<G> {
         if !has_backdrop(frame.parameters) {
             self.targets.free(gl, SCENERY);
         }
+        if !frame.enlarges() {
+            self.targets.free(gl, PLATE);
+        }
         if frame.advects_noise() {
             for slice in slices {
                 self.fit_noise(gl, frame, slice.index)?;
@@ -57,6 +61,7 @@ impl<G: Graphics> Renderer<G> {
                 let Some(target) = image.target(Which {
                     level,
                     widest,
+                    enlarges: frame.enlarges(),
                     ..Which::default()
                 }) else {
                     continue;

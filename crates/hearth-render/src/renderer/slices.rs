@@ -2,7 +2,7 @@
 
 use super::Renderer;
 use crate::advection::{self, INITIAL_SECONDS, Phase};
-use crate::bounds::ParticleBounds;
+use crate::bounds::Bounds;
 use crate::frame_uniforms::{Advected, Batch, FrameUniforms};
 use crate::gl::Graphics;
 use crate::history::{History, Sample};
@@ -65,21 +65,11 @@ impl<G: Graphics> Renderer<G> {
                 samples,
             });
         }
-        let reach = |frames: &[SliceFrame<'_>]| {
-            let all = frames.iter().map(|slice| slice.frame.reach);
-            all.reduce(|a, b| {
-                [
-                    a[0].min(b[0]),
-                    a[1].min(b[1]),
-                    a[2].max(b[2]),
-                    a[3].max(b[3]),
-                ]
-            })
-        };
-        if let Some((first, behind)) = frames.split_first_mut() {
-            first.frame.behind = reach(behind);
+        let reaches: Vec<_> = frames.iter().map(|slice| slice.frame.reach).collect();
+        frame.reach = Bounds::around(&reaches, 0.0);
+        if let (Some(front), Some((_, behind))) = (frames.first_mut(), reaches.split_first()) {
+            front.frame.behind = (!behind.is_empty()).then(|| Bounds::around(behind, 0.0));
         }
-        frame.reach = reach(&frames).unwrap_or(frame.reach);
         frames
     }
 
@@ -97,8 +87,8 @@ impl<G: Graphics> Renderer<G> {
         let moment = slice.moment;
         frame.particles = batch(before, self.ring.row(before)?, moment, 1.0 - share);
         frame.kernel.radius = parcel_radius(before.length);
-        let bounds = after.map_or(before.bounds, |(after, _)| {
-            ParticleBounds::around(&before.bounds, &after.bounds)
+        let bounds = after.map_or(before.bounds.bounds, |(after, _)| {
+            Bounds::around(&[before.bounds.bounds, after.bounds.bounds], 0.0)
         });
         frame.fit(&bounds);
         frame.reach = slice.moved(frame.reach);

@@ -197,6 +197,8 @@ const XVFB: Program = Program::new(
     &["xvfb", "libgl1", "libegl1", "libgl1-mesa-dri"],
 );
 pub(crate) const VALGRIND: Program = Program::new("", &["valgrind"], &["valgrind", "libc6-dbg"]);
+/// It lets system calls of the command fail.
+const STRACE: Program = Program::new("HEARTH_STRACE", &["strace"], &["strace"]);
 /// The reference compiler of GLSL.
 pub(crate) const GLSLANG: Program =
     Program::new("HEARTH_GLSLANG", &["glslangValidator"], &["glslang-tools"]);
@@ -288,6 +290,11 @@ pub fn other_browsers() -> Result<Vec<(&'static str, PathBuf)>> {
     let browsers = env::var("HEARTH_BROWSERS").unwrap_or_default();
     let needed = needed_by(&browsers).into_iter();
     needed.map(Program::variable).collect()
+}
+
+/// A variable of a test with the program that lets system calls fail.
+pub fn strace() -> Result<(&'static str, PathBuf)> {
+    STRACE.variable()
 }
 
 /// What the browsers in this list need; an empty list names all.

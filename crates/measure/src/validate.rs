@@ -49,7 +49,7 @@ pub(crate) fn soak(soak: &Soak) -> Result<()> {
     Ok(example(&sh, "soak").args(given.flatten()).run()?)
 }
 
-/// Tries every law of the decoders for that long, in Node and natively.
+/// Tries every law of the decoders for that long: in Node, natively, and with inputs that coverage guides.
 pub(crate) fn fuzz(minutes: Option<u32>, seed: Option<u32>) -> Result<()> {
     tools::node()?;
     let sh = Shell::new()?;
@@ -61,7 +61,8 @@ pub(crate) fn fuzz(minutes: Option<u32>, seed: Option<u32>) -> Result<()> {
     let limit = 600_000 + 4 * 60_000 * u64::from(minutes.unwrap_or(0));
     let option = format!("--test-timeout={limit}");
     cmd!(sh, "node --test {option} tests/web/fuzz.test.mjs").run()?;
-    Ok(cmd!(sh, "cargo test --package hearth-tests --test laws fuzz::").run()?)
+    cmd!(sh, "cargo test --package hearth-tests --test laws fuzz::").run()?;
+    xtask::fuzz::run(60 * minutes.unwrap_or(1), seed.unwrap_or(1))
 }
 
 /// A program of the tests' package.

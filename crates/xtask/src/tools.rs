@@ -197,6 +197,8 @@ const XVFB: Program = Program::new(
     &["xvfb", "libgl1", "libegl1", "libgl1-mesa-dri"],
 );
 pub(crate) const VALGRIND: Program = Program::new("", &["valgrind"], &["valgrind", "libc6-dbg"]);
+/// It compiles libFuzzer.
+pub(crate) const COMPILER: Program = Program::new("CXX", &["c++", "g++", "clang++"], &["g++"]);
 /// It lets system calls of the command fail.
 const STRACE: Program = Program::new("HEARTH_STRACE", &["strace"], &["strace"]);
 /// The reference compiler of GLSL.

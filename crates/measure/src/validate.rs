@@ -37,16 +37,23 @@ pub(crate) fn run(names: &[String]) -> Result<()> {
     Ok(passed?)
 }
 
-/// Runs that many corners, and crowds of solids, of each model, and heaps of bodies, for so many hours.
+/// Burns scenes for minutes, and visits corners, crowds of solids and heaps of bodies, for so many hours.
 pub(crate) fn soak(soak: &Soak) -> Result<()> {
-    let sh = Shell::new()?;
     let numbers = [soak.corners, soak.crowds, soak.heaps, soak.seed];
-    let numbers = numbers.map(|number| number.map(|number| number.to_string()));
-    let options = ["--corners", "--crowds", "--heaps", "--seed"].into_iter();
-    let hours = ("--hours", soak.hours.map(|number| number.to_string()));
-    let given = options.zip(numbers).chain([hours]);
-    let given = given.filter_map(|(name, value)| Some([name.to_owned(), value?]));
-    Ok(example(&sh, "soak").args(given.flatten()).run()?)
+    let times = [soak.hours, soak.minutes];
+    let given = numbers
+        .map(|number| number.map(|number| number.to_string()))
+        .into_iter()
+        .chain(times.map(|time| time.map(|time| time.to_string())))
+        .chain([soak.scenes.clone()]);
+    let names = [
+        "corners", "crowds", "heaps", "seed", "hours", "minutes", "scenes",
+    ];
+    let given = names.into_iter().zip(given);
+    let given = given.filter_map(|(name, value)| Some([format!("--{name}"), value?]));
+    Ok(example(&Shell::new()?, "soak")
+        .args(given.flatten())
+        .run()?)
 }
 
 /// Tries every law of the decoders for that long: in Node, natively, and with inputs that coverage guides.

@@ -153,3 +153,14 @@ mod tests {
         assert!(refusal.is_some_and(|text| text.contains("particles")));
     }
 }
+
+/// Makes the steps of a case of [`scenes::IN_WASM`], or no step. Returns over how many particles they went; 0 without such
+/// a case.
+#[wasm_bindgen]
+pub fn counted(case: u32, steps: bool) -> u32 {
+    let name = scenes::IN_WASM.get(case as usize).copied();
+    let case = scenes::counted(name.unwrap_or_default());
+    case.map_or(0, |(mut simulation, count)| {
+        scenes::measured(&mut simulation, if steps { count } else { 0 }) as u32
+    })
+}

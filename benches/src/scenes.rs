@@ -208,6 +208,27 @@ fn at_rest(index: u32, columns: u32, spacing: f32) -> Particle {
     }
 }
 
+/// A case whose instructions are counted, and how many steps of it. What comes before them is short, because what
+/// counts is slow.
+///
+/// # Errors
+/// There is no such case.
+pub fn counted(name: &str) -> Result<(Simulation, u32), String> {
+    match name {
+        "classic block" => Ok((block(5000, NEIGHBOURS)?, 20)),
+        "classic plume" => Ok((classic_after(1.0), 40)),
+        "combustion" => Ok((combustion_after(0.3, 3000, 6.0)?, 10)),
+        "high" => Ok((combustion_after(0.05, 12_000, 6.0)?, 4)),
+        "bodies" => Ok((bodies(20)?, 20)),
+        // The same fire without them, to compare by hand.
+        "no bodies" => Ok((bodies(0)?, 20)),
+        _ => Err(format!("there is no case \"{name}\"")),
+    }
+}
+
+/// The cases whose instructions in wasm are counted, by their numbers.
+pub const IN_WASM: [&str; 3] = ["classic block", "combustion", "high"];
+
 /// Makes the steps that are measured, under a name that callgrind finds. Returns over how many particles they
 /// went.
 #[inline(never)]

@@ -1,30 +1,33 @@
-//! Burns every scene for a minute, drives many fires to random corners of all ranges, and back,
+//! Burns every scene for minutes at low quality, drives many fires to random corners of all ranges, and back,
 //! moves solids through fires at such corners, and burns heaps of free bodies.
 //!
-//! `soak [--corners N] [--crowds N] [--heaps N] [--seed S] [--hours H]`: N corners, and N crowds of solids,
-//! of each model, and of the combustion model in the open, of two simulated seconds, and N heaps of ten.
-//! Without corners, it burns no scene either. With hours, it goes on with other seeds until they have passed.
+//! `soak [--corners N] [--crowds N] [--heaps N] [--seed S] [--hours H] [--minutes M] [--scenes NAME,…]`: N corners, and
+//! N crowds of solids, of each model, and of the combustion model in the open, of two simulated seconds, and N heaps of
+//! ten; M minutes of each scene, or of those named. With hours, it goes on with other seeds until they have passed.
+//! A scene whose sources alone burn has their power, within a hundredth.
 //! Prints how it goes, every corner that fails with all its values, and the corners that lean most on the
 //! guards. `cargo measure soak` calls it.
 
 use std::io::{self, Write as _};
 use std::process::ExitCode;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 use std::thread;
 use std::time::Instant;
 
 use hearth_core::params::Model;
 use hearth_core::preset::Preset;
 use hearth_core::random::Random;
+use hearth_core::resolution::{CountInputs, Level, ParticleCount, SizeLimit};
 use hearth_core::{Scene, Simulation};
-use hearth_tests::fires::with_first_source;
+use hearth_settings::Settings;
 use hearth_tests::sweep::crowd::Crowd;
 use hearth_tests::sweep::heap::Heap;
 use hearth_tests::sweep::{self, Outcome};
 
-/// Simulated time of a scene [s].
+/// Length of a minute \[s\], and how far the power of a scene may be from that of its sources.
 const MINUTE: f64 = 60.0;
+const BALANCE: f64 = 0.01;
 /// Simulated time at a corner, and of a heap [s].
 const SECONDS: f64 = 2.0;
 const HEAPED: f64 = 10.0;
@@ -71,8 +74,8 @@ fn main() -> ExitCode {
         }
     };
     let (start, mut seed, mut failed) = (Instant::now(), options.seed, 0);
-    if options.corners > 0 {
-        failed += scenes();
+    if options.minutes > 0.0 {
+        failed += scenes(MINUTE * options.minutes, &options.scenes);
     }
     loop {
         if options.corners > 0 {
@@ -117,24 +120,59 @@ fn visit_all(name: &str, kinds: &[Visit], each: u32, seed: u32) -> u32 {
     failed
 }
 
-/// Burns every scene for a minute of fire; returns how many failed.
-fn scenes() -> u32 {
-    let mut failed = 0;
-    println!("Scenes: particles at a guard, steps of particles in a second of the clock, its time");
-    for preset in Preset::all() {
-        let scene = with_first_source(preset.scene());
-        let clock = MINUTE / f64::from(scene.world().time_scale);
-        let start = Instant::now();
-        let outcome = sweep::burn(&mut Simulation::new(scene), MINUTE);
-        let (work, time) = (outcome.work / clock, start.elapsed().as_secs_f64() / clock);
-        let (name, clamped) = (preset.name, 100.0 * outcome.clamped);
-        println!("{name:20}{clamped:8.3} %{work:12.0}{time:8.3} s");
-        if let Some(fault) = outcome.fault() {
-            println!("FAILED {name}: {fault}");
-            failed += 1;
+/// Burns every scene, or those of these names, for so long, each on the next free core; returns how many failed.
+fn scenes(seconds: f64, names: &[String]) -> u32 {
+    println!(
+        "Scenes: particles at a guard, steps of particles in a second of the clock, its time; their power"
+    );
+    let wanted = |preset: &&Preset| names.is_empty() || names.iter().any(|it| it == preset.name);
+    let presets: Vec<_> = Preset::all().iter().filter(wanted).collect();
+    let (next, failed) = (AtomicUsize::new(0), AtomicU32::new(0));
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| {
+        for _ in 0..cores {
+            scope.spawn(|| {
+                while let Some(preset) = presets.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let (line, fault) = burnt(preset, seconds);
+                    failed.fetch_add(u32::from(fault.is_some()), Ordering::Relaxed);
+                    let fault = fault.map(|it| format!("FAILED {}: {it}\n", preset.name));
+                    let text = format!("{line}\n{}", fault.unwrap_or_default());
+                    let _ = io::stdout().lock().write_all(text.as_bytes());
+                }
+            });
         }
-    }
-    failed
+    });
+    failed.into_inner()
+}
+
+/// Burns a scene at low quality: what is printed of it, and its fault.
+fn burnt(preset: &'static Preset, seconds: f64) -> (String, Option<String>) {
+    let settings = Settings::starting_from(preset);
+    let count = ParticleCount::of(&CountInputs {
+        settings: settings.resolution(),
+        level: Level::Low,
+        is_level_requested: true,
+        size: SizeLimit::default(),
+        machine: u32::MAX,
+        is_coarse: false,
+    });
+    let scene = settings.at(count.number);
+    let (fed, start) = (f64::from(scene.power()), Instant::now());
+    let clock = seconds / f64::from(scene.world().time_scale);
+    let mut fire = Simulation::new(scene);
+    let outcome = sweep::burn(&mut fire, seconds);
+    let fuels = fire.fuel_total().unwrap_or_default();
+    let alone = fire.power().is_some() && fuels.state.is_empty() && fed > 0.0;
+    let (work, time) = (outcome.work / clock, start.elapsed().as_secs_f64() / clock);
+    let share = match alone {
+        true => format!("{:8.2} %", 100.0 * outcome.power / fed),
+        false => format!("{:6.1} kW/m", outcome.power),
+    };
+    let (name, clamped) = (preset.name, 100.0 * outcome.clamped);
+    let line = format!("{name:20}{clamped:8.3} %{work:12.0}{time:8.3} s{share}");
+    let unbalanced = alone && (outcome.power / fed - 1.0).abs() > BALANCE;
+    let words = || format!("{:.2} kW/m burn where {fed:.2} are fed", outcome.power);
+    (line, outcome.fault().or_else(|| unbalanced.then(words)))
 }
 
 /// The requested run.
@@ -146,6 +184,9 @@ struct Options {
     seed: u32,
     /// Least time of all rounds.
     hours: f64,
+    /// Simulated time of each scene, and their names; none: all.
+    minutes: f64,
+    scenes: Vec<String>,
 }
 
 fn options() -> Result<Options, String> {
@@ -155,6 +196,8 @@ fn options() -> Result<Options, String> {
         heaps: 200,
         seed: 1,
         hours: 0.0,
+        minutes: 1.0,
+        scenes: Vec::new(),
     };
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {
@@ -164,17 +207,22 @@ fn options() -> Result<Options, String> {
                 .parse()
                 .map_err(|_| format!("{argument} needs a whole number, not \"{value}\""))
         };
+        let time = || {
+            let number = value.parse().ok().filter(|it| (0.0..1000.0).contains(it));
+            number.ok_or_else(|| format!("{argument} needs a number below 1000, not \"{value}\""))
+        };
         match argument.as_str() {
             "--corners" => options.corners = whole()?,
             "--crowds" => options.crowds = whole()?,
             "--heaps" => options.heaps = whole()?,
             "--seed" => options.seed = whole()?,
-            "--hours" => {
-                let hours = value.parse().ok();
-                let words = || format!("--hours needs a number of hours, not \"{value}\"");
-                options.hours = hours
-                    .filter(|h| (0.0..1000.0).contains(h))
-                    .ok_or_else(words)?;
+            "--hours" => options.hours = time()?,
+            "--minutes" => options.minutes = time()?,
+            "--scenes" => {
+                options.scenes = value.split(',').map(str::to_owned).collect();
+                for name in &options.scenes {
+                    Preset::find(name).map_err(|unknown| unknown.to_string())?;
+                }
             }
             other => return Err(format!("there is no option {other}")),
         }

@@ -10,6 +10,7 @@ pub mod fires;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod plain;
 pub mod sweep;
+pub mod valid;
 pub mod validation;
 
 use std::num::NonZero;

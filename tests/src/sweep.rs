@@ -156,6 +156,8 @@ pub struct Outcome {
     pub speed_limited: f64,
     /// Work that it took, in steps of particles.
     pub work: f64,
+    /// Mean power of the combustion [kW/m], after the first tenth of the time, in which it is lit.
+    pub power: f64,
     /// The largest share that is no fault.
     pub allowed: f64,
     /// What broke, if anything did.
@@ -205,6 +207,7 @@ fn watched(
     let until = fire.time() + seconds;
     let (mut steps, mut clamped, mut speed_limited, mut moved) = (0_u32, 0.0, 0.0, 0.0);
     let mut work = 0.0;
+    let (lit, mut energy) = (fire.time() + 0.1 * seconds, 0.0);
     let mut broken = None;
     while fire.time() < until && broken.is_none() {
         fire.step();
@@ -215,6 +218,9 @@ fn watched(
         moved += fire.count() as f64;
         // The classic model divides a step.
         work += fire.count() as f64 * f64::from(report.substeps);
+        if fire.time() > lit {
+            energy += f64::from(report.power.unwrap_or_default()) * f64::from(report.length);
+        }
         broken = after_step(fire);
         if steps.is_multiple_of(256) {
             broken = broken.or_else(|| fault(fire));
@@ -228,6 +234,7 @@ fn watched(
         clamped: clamped / moved,
         speed_limited: speed_limited / moved,
         work,
+        power: energy / (0.9 * seconds),
         allowed: MAX_CLAMPED,
         broken: broken.or_else(|| fault(fire)),
     }

@@ -8,14 +8,15 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use std::{env, fs, io, thread};
 
-use hearth_core::params::{AnyValue, Input, PARAMETERS};
+use hearth_core::Simulation;
+use hearth_core::params::PARAMETERS;
 use hearth_core::preset::Preset;
 use hearth_core::random::Random;
-use hearth_core::scene::{KINDS, MAX_OBJECTS};
-use hearth_core::{Scene, Simulation};
+use hearth_core::scene::KINDS;
 use hearth_settings::untrusted::{Check, Form, Untrusted, ValidationError};
 use hearth_settings::{Change, Settings};
 use hearth_tests::sweep;
+use hearth_tests::valid::is_valid;
 use serde_json::Value as Json;
 
 /// Longest message of a refusal in bytes.
@@ -223,48 +224,6 @@ fn untrusted(json: &Json) -> Untrusted {
                     .collect(),
             )
         }
-    }
-}
-
-/// Every value of a scene is one that its own table accepts and reads back, and the scene has a legal size.
-fn is_valid(scene: &Scene) {
-    assert!(scene.sources().count() <= MAX_OBJECTS);
-    assert!(scene.solids().count() <= MAX_OBJECTS);
-    let mut copy = Scene::of_model(scene.model());
-    copy.clear();
-    let used = PARAMETERS
-        .iter()
-        .filter(|param| param.domain(scene.model()).is_some());
-    for param in used {
-        if let Some(value) = scene.world().get(param.id) {
-            let words = value.to_string();
-            assert_eq!(copy.set(param.id, input(value, &words)), Ok(()));
-        }
-    }
-    for object in scene.objects() {
-        let words: Vec<_> = object
-            .properties()
-            .map(|property| (property.0, property.2, property.2.to_string()))
-            .collect();
-        let properties = words
-            .iter()
-            .filter(|(.., words)| !words.is_empty())
-            .map(|(name, value, words)| (*name, input(*value, words)));
-        let identity = [
-            ("kind", Input::Text(object.kind.name)),
-            ("id", Input::Number(object.id.into())),
-        ];
-        let fields: Vec<_> = identity.into_iter().chain(properties).collect();
-        assert_eq!(copy.add(&fields), Ok(object.id));
-    }
-    assert_eq!(&copy, scene);
-}
-
-/// A value as a page sends it, given its text.
-fn input<'a>(value: AnyValue<'_>, words: &'a str) -> Input<'a> {
-    match value {
-        AnyValue::Flag(on) => Input::Flag(on),
-        other => other.as_number().map_or(Input::Text(words), Input::Number),
     }
 }
 

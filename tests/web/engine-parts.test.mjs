@@ -1,6 +1,9 @@
-/** The parts of the wasm that a page gives its engine: only those of the same build, each asked for until it is right. */
+/**
+ * What a page gives its engine: parts of the wasm, only those of the same build, each asked for until it is right; calls, of
+ * which one that cannot be posted ends the engine.
+ */
 import assert from 'node:assert/strict';
-import { after, test } from 'node:test';
+import { afterEach, test } from 'node:test';
 import { connect } from '../../web/engine/engine.js';
 import { VERSION } from '../../web/generated/version.js';
 import { base, part } from './parts.mjs';
@@ -35,6 +38,9 @@ Object.assign(globalThis, {
     return new Response(answer, { headers: { 'content-type': 'application/wasm' } });
   },
 });
+/** Ends the engine, so that the next test gets another one. */
+afterEach(async () => (await connect(base(1), 'worker')).fail('the test is over'));
+
 // The time limit of a download passes at once.
 AbortSignal.timeout = () => AbortSignal.abort(new DOMException('no answer', 'TimeoutError'));
 
@@ -49,8 +55,7 @@ async function asked(name) {
 }
 
 test('a part that does not arrive or is of another build is refused, and the next call gets the right one', async () => {
-  const port = await connect(base(1), 'worker');
-  after(() => port.end());
+  await connect(base(1), 'worker');
   answers.push('silence', part('bodies', 1), part('classic', 2), part('classic', 1));
   assert.match(await asked('classic'), /^no answer within 60 s/);
   assert.equal(await asked('classic'), 'it is not the part "classic"');
@@ -59,4 +64,21 @@ test('a part that does not arrive or is of another build is refused, and the nex
   // It is kept.
   assert.equal(await asked('classic'), 'Module');
   assert.deepEqual(caches, ['default', 'reload', 'reload', 'reload']);
+});
+
+test('a call, a picture or a ping that cannot be posted stops the engine, and every fire hears of it', async () => {
+  const calls = /** @type {const} */ ([[1, 1, 'measure', 0, 0], 1, 0]);
+  for (const sent of calls) {
+    const port = await connect(base(1), 'worker');
+    const heard = new Promise((resolve) => port.open({ onMessage: resolve, onPicture: () => {} }));
+    take = () => {
+      throw new DOMException('Data cannot be cloned, out of memory.', 'DataCloneError');
+    };
+    port.send(/** @type {any} */ (sent));
+    const { kind, message } = /** @type {any} */ (await heard);
+    assert.equal(kind, 'stopped');
+    assert.match(message, /out of memory/);
+    take = () => {};
+    assert.notEqual(await connect(base(1), 'worker'), port, 'the next fire gets another engine');
+  }
 });

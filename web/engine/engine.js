@@ -332,7 +332,14 @@ function inWorker(compiled) {
         return;
       }
       started();
-      port.send = thread.postMessage.bind(thread);
+      port.send = (sent) => {
+        try {
+          thread.postMessage(sent);
+        } catch (error) {
+          // Calls are plain data: what cannot be posted lacks memory. The caller may be within a list of calls.
+          queueMicrotask(() => port.fail(error));
+        }
+      };
       port.end = () => thread.terminate();
       thread.onerror = (event) => {
         event.preventDefault();

@@ -124,7 +124,7 @@ async function add(picture, number, share) {
 
 let before = Promise.resolve();
 addEventListener('message', (/** @type {MessageEvent<Asked>} */ { data }) => {
-  before = before.then(async () => {
+  const answered = before.then(async () => {
     /** @type {Answer} */
     let given;
     try {
@@ -134,5 +134,11 @@ addEventListener('message', (/** @type {MessageEvent<Asked>} */ { data }) => {
     }
     const buffers = new Set(given.pieces?.map(({ bytes }) => bytes.buffer));
     /** @type {any} */ (globalThis).postMessage(given, [...buffers]);
+  });
+  // An answer that cannot be posted ends the film: the page hears of an error alone.
+  before = answered.catch((error) => {
+    setTimeout(() => {
+      throw error;
+    });
   });
 });

@@ -4,26 +4,11 @@
 
 use std::env;
 
-use hearth_benches::scenes::{self, measured};
-use hearth_core::Simulation;
-
-/// The cases, and how many steps of each are counted. What comes before them is
-/// short, for callgrind is slow.
-fn case(name: &str) -> Result<(Simulation, u32), String> {
-    match name {
-        "classic block" => Ok((scenes::block(5000, scenes::NEIGHBOURS)?, 20)),
-        "classic plume" => Ok((scenes::classic_after(1.0), 40)),
-        "combustion" => Ok((scenes::combustion_after(0.3, 3000, 6.0)?, 10)),
-        "bodies" => Ok((scenes::bodies(20)?, 20)),
-        // The same fire without them, to compare by hand.
-        "no bodies" => Ok((scenes::bodies(0)?, 20)),
-        _ => Err(format!("there is no case \"{name}\"")),
-    }
-}
+use hearth_benches::scenes::{counted, measured};
 
 fn main() -> Result<(), String> {
     let name = env::args().nth(1).unwrap_or_default();
-    let (mut simulation, steps) = case(&name)?;
+    let (mut simulation, steps) = counted(&name)?;
     println!("{}", measured(&mut simulation, steps));
     Ok(())
 }

@@ -63,8 +63,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
         }
     };
-    output::end_between_files_on_signals();
-    let done = match arguments.command {
+    let ready = output::end_between_files_on_signals();
+    let done = ready.and_then(|()| match arguments.command {
         Command::Render(render) => render.run(),
         Command::Film(film) => film.run(),
         Command::Sheet(sheet) => sheet.run(),
@@ -72,7 +72,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Scenes(scenes) => scenes.run(),
         Command::Info(info) => info.run(),
         Command::Bench(bench) => bench.run(),
-    };
+    });
     match done {
         Ok(()) | Err(Error::Closed) => ExitCode::SUCCESS,
         Err(error) => {

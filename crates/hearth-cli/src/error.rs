@@ -69,6 +69,11 @@ impl Error {
         Error::Use(format!("{}: {}", shown(place), messages.join("\n  ")))
     }
 
+    /// An error of starting a thread.
+    pub fn of_thread(error: io::Error) -> Error {
+        Error::Failed(format!("a thread could not be started: {error}"))
+    }
+
     /// An error of standard output.
     pub fn of_output(error: io::Error) -> Error {
         match error.kind() {

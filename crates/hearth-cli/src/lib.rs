@@ -32,6 +32,8 @@
 //! ```
 
 mod command;
+#[cfg(fuzzing)]
+pub mod decoders;
 mod egl;
 mod error;
 mod film;

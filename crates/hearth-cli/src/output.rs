@@ -48,16 +48,19 @@ fn writing() -> MutexGuard<'static, ()> {
 
 /// From now on, a signal ends the process between two files, with the shell's code for an interrupt. The limit of a file's
 /// size is an error of writing.
-pub fn end_between_files_on_signals() {
+///
+/// # Errors
+/// There is no memory for the thread that waits for signals.
+pub fn end_between_files_on_signals() -> Result<(), Error> {
     const INTERRUPTED: i32 = 130;
     let ending = [
         SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU,
     ];
     let Ok(mut signals) = Signals::new(ending.iter().chain(&[SIGXFSZ])) else {
         // Without a handler, a signal ends the process at once.
-        return;
+        return Ok(());
     };
-    thread::spawn(move || {
+    let waits = thread::Builder::new().spawn(move || {
         if signals.forever().any(|signal| signal != SIGXFSZ) {
             let _no_file = writing();
             let at_end = *AT_END.lock().unwrap_or_else(PoisonError::into_inner);
@@ -68,6 +71,7 @@ pub fn end_between_files_on_signals() {
             low_level::exit(INTERRUPTED);
         }
     });
+    waits.map(drop).map_err(Error::of_thread)
 }
 
 /// The file that a path names, and whether there is something: a symbolic link is written through.

@@ -1,6 +1,6 @@
 //! Which fire a command draws: a preset, a settings file or a page's link, with values of the command line.
 
-mod link;
+pub(crate) mod link;
 
 use std::ffi::OsStr;
 use std::fs::File;

@@ -1,4 +1,4 @@
-//! `cargo measure faults`: fails each part that a fire needs of its browser, and writes what a visitor
+//! `cargo measure faults`: fails each part that a fire needs of its browser or its system, and writes what a visitor
 //! sees into `docs/evaluation.md`.
 
 use std::{fs, iter};
@@ -9,15 +9,20 @@ use xtask::{browser, tools};
 
 use crate::evaluation;
 
-/// Runs the sections of that name, or all of them. Only a run of all is recorded, passed or failed.
+/// Runs the sections of these names, whose rows are recorded then, passed or failed; or all of them.
 pub(crate) fn run(names: &[String]) -> Result<()> {
-    evaluation::check("faults")?;
-    let table = tools::target()?.join("hearth-faults.md");
-    Shell::new()?.remove_path(&table)?;
+    let before = evaluation::read("faults")?;
+    let (sh, target) = (Shell::new()?, tools::target()?);
+    sh.cargo("build --package hearth-fire-cli").run()?;
+    let table = target.join("hearth-faults.md");
+    sh.write_file(&table, before)?;
+    let mut variables = tools::browsers()?;
+    variables.extend([
+        tools::strace()?,
+        ("HEARTH_COMMAND", target.join("debug/hearth")),
+    ]);
     let arguments = iter::once(table.clone()).chain(names.iter().map(Into::into));
-    let passed = browser::run_script("demand/faults.mjs", arguments, tools::browsers()?);
-    if names.is_empty() && table.exists() {
-        evaluation::write("faults", &fs::read_to_string(table)?)?;
-    }
+    let passed = browser::run_script("demand/faults.mjs", arguments, variables);
+    evaluation::write("faults", &fs::read_to_string(table)?)?;
     passed
 }

@@ -20,9 +20,9 @@ xflags::xflags! {
             /// How the names of the cases begin.
             repeated case: String
         }
-        /// Drives fires to random corners of all ranges and back, moves solids through them, burns heaps.
+        /// Burns scenes for long, drives fires to random corners and back, moves solids through them, burns heaps.
         cmd soak {
-            /// The number of corners of each model; 0 leaves out the scenes too.
+            /// The number of corners of each model.
             optional --corners number: u32
             /// The number of crowds of solids of each model.
             optional --crowds number: u32
@@ -32,6 +32,10 @@ xflags::xflags! {
             optional --seed number: u32
             /// The least time; other seeds follow until it has passed.
             optional --hours number: f64
+            /// Simulated minutes of each scene at low quality: 1 by default.
+            optional --minutes number: f64
+            /// The names of scenes, with commas between them: all by default.
+            optional --scenes names: String
         }
         /// Sends random values, messages, links and bytes to every decoder.
         cmd fuzz {
@@ -76,8 +80,9 @@ mod tests {
             "bench --yardstick=./other → yardstick: Some(\"./other\")",
             "paper → Paper",
             "validate plume puffing → case: [\"plume\", \"puffing\"]",
-            "soak --seed 7 → corners: None, crowds: None, heaps: None, seed: Some(7), hours: None",
+            "soak --seed 7 → corners: None, crowds: None, heaps: None, seed: Some(7), hours: None, minutes: None",
             "soak --hours 0.5 → corners: None, crowds: None, heaps: None, seed: None, hours: Some(0.5)",
+            "soak --minutes 60 --scenes forge → minutes: Some(60.0), scenes: Some(\"forge\")",
             "fuzz --minutes 3 → minutes: Some(3), seed: None",
             "faults network → section: [\"network\"]",
             "look default → scene: [\"default\"]",

@@ -37,19 +37,26 @@ pub(crate) fn run(names: &[String]) -> Result<()> {
     Ok(passed?)
 }
 
-/// Runs that many corners, and crowds of solids, of each model, and heaps of bodies, for so many hours.
+/// Burns scenes for minutes, and visits corners, crowds of solids and heaps of bodies, for so many hours.
 pub(crate) fn soak(soak: &Soak) -> Result<()> {
-    let sh = Shell::new()?;
     let numbers = [soak.corners, soak.crowds, soak.heaps, soak.seed];
-    let numbers = numbers.map(|number| number.map(|number| number.to_string()));
-    let options = ["--corners", "--crowds", "--heaps", "--seed"].into_iter();
-    let hours = ("--hours", soak.hours.map(|number| number.to_string()));
-    let given = options.zip(numbers).chain([hours]);
-    let given = given.filter_map(|(name, value)| Some([name.to_owned(), value?]));
-    Ok(example(&sh, "soak").args(given.flatten()).run()?)
+    let times = [soak.hours, soak.minutes];
+    let given = numbers
+        .map(|number| number.map(|number| number.to_string()))
+        .into_iter()
+        .chain(times.map(|time| time.map(|time| time.to_string())))
+        .chain([soak.scenes.clone()]);
+    let names = [
+        "corners", "crowds", "heaps", "seed", "hours", "minutes", "scenes",
+    ];
+    let given = names.into_iter().zip(given);
+    let given = given.filter_map(|(name, value)| Some([format!("--{name}"), value?]));
+    Ok(example(&Shell::new()?, "soak")
+        .args(given.flatten())
+        .run()?)
 }
 
-/// Tries every law of the decoders for that long, in Node and natively.
+/// Tries every law of the decoders for that long: in Node, natively, and with inputs that coverage guides.
 pub(crate) fn fuzz(minutes: Option<u32>, seed: Option<u32>) -> Result<()> {
     tools::node()?;
     let sh = Shell::new()?;
@@ -61,7 +68,8 @@ pub(crate) fn fuzz(minutes: Option<u32>, seed: Option<u32>) -> Result<()> {
     let limit = 600_000 + 4 * 60_000 * u64::from(minutes.unwrap_or(0));
     let option = format!("--test-timeout={limit}");
     cmd!(sh, "node --test {option} tests/web/fuzz.test.mjs").run()?;
-    Ok(cmd!(sh, "cargo test --package hearth-tests --test laws fuzz::").run()?)
+    cmd!(sh, "cargo test --package hearth-tests --test laws fuzz::").run()?;
+    xtask::fuzz::run(60 * minutes.unwrap_or(1), seed.unwrap_or(1))
 }
 
 /// A program of the tests' package.

@@ -1,4 +1,4 @@
-//! How many instructions a step takes. Unlike its time, the number does not depend on what
+//! How many instructions a step takes, natively and in wasm. Unlike its time, the number does not depend on what
 //! else the machine does, so growth is distinguishable from noise.
 //!
 //! `cargo xtask test cost` compares the counts with recorded ones; `cargo xtask cost` records them.
@@ -11,9 +11,13 @@ use serde::{Deserialize, Serialize};
 use xshell::cmd;
 
 use crate::shell::Shell;
+use crate::site::{self, Module};
 use crate::tools;
 
-/// The cases of `benches/src/bin/counted.rs`.
+/// The scenes as a wasm module, compiled as the page's engine is.
+const SCENES: Module = Module::new("hearth-benches", "engine");
+
+/// Native cases of `scenes::counted` in `benches`. What wasm is counted of, `benches/examples/fuel.rs` prints.
 const CASES: [&str; 4] = ["classic block", "classic plume", "combustion", "bodies"];
 
 /// Growth that fails and decrease that should be recorded: with the recorded compiler, and another.
@@ -105,8 +109,26 @@ fn count(sh: &Shell) -> Result<Counts> {
     let folder = tools::target()?.join(TARGET).join("engine");
     let program = folder.join("counted");
     let notes = folder.join("callgrind.out");
-    let case = |case: &str| Ok((case.to_owned(), count_case(sh, &program, case, &notes)?));
-    CASES.into_iter().map(case).collect()
+    let mut counts = count_in_wasm(sh)?;
+    for case in CASES {
+        counts.insert(case.to_owned(), count_case(sh, &program, case, &notes)?);
+    }
+    Ok(counts)
+}
+
+/// Instructions of an interpreter of wasm, by case.
+fn count_in_wasm(sh: &Shell) -> Result<Counts> {
+    site::compile(&SCENES, &[])?;
+    let wasm = tools::target()?
+        .join(tools::WASM)
+        .join("engine/hearth_benches.wasm");
+    let fuel = "run --quiet --release --package hearth-benches --example fuel";
+    let printed = sh.cargo(fuel).arg(wasm).read()?;
+    let counts = printed.lines().map(|line| {
+        let (case, count) = line.split_once(": ").context("no count")?;
+        Ok((format!("{case}, wasm"), count.parse()?))
+    });
+    counts.collect()
 }
 
 fn count_case(sh: &Shell, program: &Path, case: &str, notes: &Path) -> Result<u64> {
@@ -137,19 +159,19 @@ struct Comparison {
 
 fn compare(before: &Counts, now: &Counts, tolerance: f64) -> Comparison {
     let mut table = format!(
-        "{:<16}{:>14}{:>14}{:>10}\n",
+        "{:<21}{:>14}{:>14}{:>10}\n",
         "instructions", "recorded", "now", "change"
     );
     let (mut grown, mut fallen) = (Vec::new(), false);
     for (case, &count) in now {
         let Some(&before) = before.get(case) else {
-            table += &format!("{case:<16}{:>14}{count:>14}\n", "");
+            table += &format!("{case:<21}{:>14}{count:>14}\n", "");
             grown.push(format!("{case} (not recorded)"));
             continue;
         };
         let change = count as f64 / before as f64 - 1.0;
         let percent = format!("{:+.1} %", 100.0 * change);
-        table += &format!("{case:<16}{before:>14}{count:>14}{percent:>10}\n");
+        table += &format!("{case:<21}{before:>14}{count:>14}{percent:>10}\n");
         if change > tolerance {
             grown.push(format!("{case} {percent}"));
         }

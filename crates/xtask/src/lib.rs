@@ -8,6 +8,7 @@ pub mod arguments;
 pub mod baselines;
 pub mod cost;
 mod flags;
+pub mod fuzz;
 pub mod goldens;
 mod links;
 mod npm;

@@ -14,7 +14,7 @@ use std::thread;
 use anyhow::{Result, ensure};
 
 use crate::report::Report;
-use crate::{baselines, cost, goldens, package, paths, script, site, tools};
+use crate::{baselines, cost, fuzz, goldens, package, paths, script, site, tools};
 
 /// When a stage runs without being named.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -77,6 +77,7 @@ const STAGES: &[Stage] = stages! {
     Quick "shaders": "the reference compiler accepts every shader", code::shaders;
     Quick "web": "scripts that need no browser, in Node", library::scripts_in_node;
     All "burns": "laws of the physics that burn for minutes", code::burns;
+    All "fuzz": "inputs that coverage guides keep the laws of the decoders", fuzz::shortly, in_background;
     All "publish": "the crates could be published", library::publishable, in_background;
     All "baselines": "the benchmarks' baselines compute the same gas", baselines::check, in_background;
     All "cost": "a step takes no more instructions than recorded", cost::check, in_background;

@@ -20,10 +20,10 @@ use crate::shell::{Shell, find};
 
 use debian::apt_install;
 pub(crate) use debian::{
-    BROWSERS, CHROMEDRIVER, CJPEG, GLSLANG, IMG2WEBP, VALGRIND, chinese_font, graphics_driver,
-    wanted_browsers, whole_ring,
+    BROWSERS, CHROMEDRIVER, CJPEG, COMPILER, GLSLANG, IMG2WEBP, VALGRIND, chinese_font,
+    graphics_driver, wanted_browsers, whole_ring,
 };
-pub use debian::{browsers, chromium};
+pub use debian::{browsers, chromium, strace};
 
 /// The version of wasm-bindgen of this workspace, which its command line tools must have
 /// too. A test compares it with `Cargo.lock`.

@@ -3,9 +3,11 @@
  * `cargo measure faults losses gpu` for some sections. After each fault, the fire burns again or its
  * visitor reads why not. The command fails if one fire does neither.
  *
- * The first argument is the file of the table; the others are sections.
+ * The first argument is the file of the table, in which rows of other sections stay; the others are sections.
  */
-import { writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { callsOf, memory } from './faults/calls.mjs';
+import { command } from './faults/command.mjs';
 import { elements } from './faults/elements.mjs';
 import { gpu } from './faults/gpu.mjs';
 import { graphics } from './faults/graphics.mjs';
@@ -24,6 +26,13 @@ const SECTIONS = {
     find: patience,
     what: 'breakpoint, hidden tab, suspended computer, 20 times slower processor (Chromium)',
   },
+  webgl: { find: callsOf('webgl'), what: 'one call of WebGL2 that throws (Chromium)' },
+  fetch: { find: callsOf('fetch'), what: 'one fetch that fails (Chromium)' },
+  message: { find: callsOf('message'), what: 'one message that is not posted (Chromium)' },
+  allocation: { find: callsOf('allocation'), what: 'one array, buffer or blob without memory (Chromium)' },
+  canvas: { find: callsOf('canvas'), what: 'one canvas, context or bitmap that is not made (Chromium)' },
+  memory: { find: memory, what: 'wasm that grows no more (Chromium)' },
+  command: { find: command, what: 'one system call of `hearth film` that fails' },
 };
 
 const [file, ...names] = process.argv.slice(2);
@@ -33,9 +42,13 @@ if (!file || unknown.length > 0) {
     `the arguments are a file and sections (${Object.keys(SECTIONS).join(', ')}), not ${[file, ...unknown].join(', ')}`,
   );
 }
+const before = existsSync(file) ? readFileSync(file, 'utf8').split('\n') : [];
 const rows = ['| fault | number | burns again | reason shown | silent |', '|---|---:|---:|---:|---:|'];
 for (const [section, { find, what }] of Object.entries(SECTIONS)) {
-  if (names.length > 0 && !names.includes(section)) continue;
+  if (names.length > 0 && !names.includes(section)) {
+    rows.push(...before.filter((row) => row.startsWith(`| ${what} |`)));
+    continue;
+  }
   const counts = { burns: 0, reported: 0, silent: 0 };
   for await (const { fault, outcome, detail } of find()) {
     counts[outcome] += 1;

@@ -168,18 +168,21 @@ impl Sheet {
         let done = thread::scope(|scope| {
             let (work, next) = (&work, &next);
             let threads = 0..cores.min(scenes.len()).min(MAX_THREADS);
-            let threads: Vec<_> = threads
-                .map(|thread| {
-                    scope.spawn(move || {
-                        let done = work(thread == 0);
-                        if done.is_err() {
-                            // The others finish their scenes, and take no more.
-                            next.store(scenes.len(), Ordering::Relaxed);
-                        }
-                        done
-                    })
+            let start = |thread| {
+                thread::Builder::new().spawn_scoped(scope, move || {
+                    let done = work(thread == 0);
+                    if done.is_err() {
+                        // The others finish their scenes, and take no more.
+                        next.store(scenes.len(), Ordering::Relaxed);
+                    }
+                    done
                 })
-                .collect();
+            };
+            // Fewer threads draw the same pictures.
+            let threads: Vec<_> = threads.map_while(|thread| start(thread).ok()).collect();
+            if threads.is_empty() {
+                return vec![Ok(work(true))];
+            }
             threads
                 .into_iter()
                 .map(|thread| thread.join())

@@ -42,9 +42,14 @@ pub fn write(film: u64, number: u32, fire: &Fire) -> Vec<u8> {
 /// There is no such file, it is damaged, or it is of another version or another film.
 pub fn read(name: &OsStr, film: u64, fire: &mut Fire) -> Result<u32, Error> {
     let file = fs::read(name).map_err(|error| Error::at(name, error))?;
+    take(&file, name, film, fire)
+}
+
+/// Continues a fire from the bytes of a file of that name.
+pub fn take(file: &[u8], name: &OsStr, film: u64, fire: &mut Fire) -> Result<u32, Error> {
     let wrong = |words: &str| Error::Use(format!("{}: {words}", shown(name)));
     let damaged = || wrong("the checkpoint is damaged");
-    let mut bytes = Bytes(&file);
+    let mut bytes = Bytes(file);
     if bytes.take() != Some(MAGIC) {
         return Err(wrong("is no checkpoint, which --checkpoint writes"));
     }

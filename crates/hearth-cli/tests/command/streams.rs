@@ -62,3 +62,16 @@ fn eight_bits_are_mentioned_only_where_nobody_asked_for_them() {
     assert_eq!(run.code, 0, "{run:?}");
     assert!(run.errors.contains("eight bits"), "{}", run.errors);
 }
+
+#[test]
+fn a_command_without_memory_for_its_threads_says_so() {
+    let folder = Folder::new("streams-threads");
+    let mut command = folder.command(&["film", "candle", "--seconds", "0.1", "--out", "a.webp"]);
+    // No machine has a stack of that size.
+    command.env("RUST_MIN_STACK", (1_u64 << 60).to_string());
+    let run = ended(command.spawn().expect("the command"));
+    assert_eq!(run.code, 1, "{run:?}");
+    assert!(run.errors.contains("a thread could not be started"));
+    assert!(!run.errors.contains("panicked"), "{}", run.errors);
+    assert_eq!(folder.names(), [""; 0]);
+}

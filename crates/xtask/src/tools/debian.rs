@@ -52,6 +52,10 @@ const XVFB: Program = Program::new(
     &["xvfb", "libgl1", "libegl1", "libgl1-mesa-dri"],
 );
 pub(crate) const VALGRIND: Program = Program::new("", &["valgrind"], &["valgrind", "libc6-dbg"]);
+/// It compiles libFuzzer.
+pub(crate) const COMPILER: Program = Program::new("CXX", &["c++", "g++", "clang++"], &["g++"]);
+/// It lets system calls of the command fail.
+const STRACE: Program = Program::new("HEARTH_STRACE", &["strace"], &["strace"]);
 /// The reference compiler of GLSL.
 pub(crate) const GLSLANG: Program =
     Program::new("HEARTH_GLSLANG", &["glslangValidator"], &["glslang-tools"]);
@@ -153,7 +157,7 @@ fn missing(all: bool, browser: bool, there: impl Fn(&Program) -> bool) -> Vec<&'
         needed.extend([&CHROMIUM, &CHROMEDRIVER]);
     }
     if all {
-        needed.push(&VALGRIND);
+        needed.extend([&VALGRIND, &COMPILER]);
     }
     if all && browser {
         needed.extend(needed_by(&wanted_browsers()));
@@ -209,6 +213,11 @@ pub fn browsers() -> Result<Vec<(&'static str, PathBuf)>> {
     let names = [&["chromium"], &*wanted].concat().join(",");
     variables.push((BROWSERS, names.into()));
     Ok(variables)
+}
+
+/// A variable of a test with the program that lets system calls fail.
+pub fn strace() -> Result<(&'static str, PathBuf)> {
+    STRACE.variable()
 }
 
 /// The browsers beside Chromium that `HEARTH_BROWSERS` does not leave out.
@@ -291,7 +300,7 @@ mod tests {
     #[test]
     fn a_bare_machine_is_told_of_every_package_at_once() {
         let every = missing(true, true, |_| false);
-        for program in [&CHROMIUM, &CHROMEDRIVER, &GLSLANG, &VALGRIND] {
+        for program in [&CHROMIUM, &CHROMEDRIVER, &GLSLANG, &VALGRIND, &COMPILER] {
             assert!(
                 program
                     .packages

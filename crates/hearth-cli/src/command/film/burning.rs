@@ -48,9 +48,13 @@ impl Film {
         let begun = self.begin(settings, part)?;
         let state = thread::scope(|scope| {
             let (burnt, shots) = sync_channel(MOST_WAITING);
-            let burning = scope.spawn(move || self.burn(begun, part, progress, Some(burnt)));
+            let burn = move || self.burn(begun, part, progress, Some(burnt));
+            let burning = thread::Builder::new().spawn_scoped(scope, burn);
+            let burning = burning.map_err(Error::of_thread)?;
             let (drawn, pictures) = sync_channel(MOST_WAITING);
-            let drawing = scope.spawn(move || self.draw(shots, drawn));
+            let draw = move || self.draw(shots, drawn);
+            let drawing = thread::Builder::new().spawn_scoped(scope, draw);
+            let drawing = drawing.map_err(Error::of_thread)?;
             for picture in pictures {
                 encoder.add(&picture)?;
             }

@@ -16,11 +16,11 @@ pub struct NotReached {
 pub const NOT_REACHED: &[NotReached] = &[
     NotReached {
         row: "entrainment",
-        reason: "Ten runs give 0.146 ± 0.002; nine gave 0.143 ± 0.002, the limit, with a search in each part of a step.",
+        reason: "Nine runs with a search in each part of a step give 0.143 ± 0.002, the limit.",
     },
     NotReached {
         row: "entrainment-spread",
-        reason: "Ten runs give 0.146 ± 0.004; nine gave 0.140 ± 0.004 with a search in each part of a step.",
+        reason: "Nine runs with a search in each part of a step give 0.140 ± 0.004.",
     },
     NotReached {
         row: "soot-enters-tall",

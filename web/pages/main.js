@@ -148,7 +148,7 @@ function updateUrl(options) {
   return plan;
 }
 
-/** Opens what a button names: a dialog, the strip of scenes, or the form of a word. Code is loaded with the first one. */
+/** Opens what a button names: a dialog, the strip of scenes, the form of a word, or a second fire. Code is loaded with the first one. */
 function openParts() {
   const part = (/** @type {string} */ id) => /** @type {any} */ (document.getElementById(id));
   const openWord = async (/** @type {File | undefined} */ file = undefined) =>
@@ -161,11 +161,12 @@ function openParts() {
       notify('This part could not be opened. Reload the page and try again.');
     }
   };
-  for (const button of document.querySelectorAll('[data-opens]')) {
-    const id = /** @type {HTMLElement} */ (button).dataset.opens ?? '';
+  for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[data-opens]'))) {
+    const id = button.dataset.opens ?? '';
     button.addEventListener('click', () =>
       attempt(async () => {
         if (id === 'word') await openWord();
+        else if (id === 'beside') await (await import('./beside.js')).toggleBeside(fire, button);
         else if (id === 'scenes') part(id).querySelector('[tabindex="0"]')?.focus({ focusVisible: true });
         else await (await import('./dialogs.js')).openDialog(id, fire);
       }),

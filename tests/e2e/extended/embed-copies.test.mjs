@@ -1,6 +1,6 @@
 /**
  * What *Embed* copies looks as what it shows: the page of the copied HTML and the preview, on the same ground and on average
- * over the same moments of the fire. `HEARTH_SCENES=all` compares every scene on each ground.
+ * over the same moments of the fire. `HEARTH_SCENES=candle,torch` compares these scenes on each ground, and `all` every one.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -11,16 +11,20 @@ const { PRESETS } = await table();
 
 const GROUNDS = ['white', 'black', 'brick', 'picture'];
 
+const { HEARTH_SCENES: named } = process.env;
+const SCENES = PRESETS.map(({ name }) => name);
+const wanted = named === 'all' ? SCENES : named?.split(',');
+for (const name of wanted ?? []) assert.ok(SCENES.includes(name), `HEARTH_SCENES: there is no scene "${name}"`);
+
 /** The scenes and their grounds. @type {[string, string][]} */
-const CASES =
-  process.env.HEARTH_SCENES === 'all'
-    ? PRESETS.flatMap(({ name }) => GROUNDS.map((ground) => /** @type {[string, string]} */ ([name, ground])))
-    : [
-        ['fireside', 'white'],
-        ['candle', 'picture'],
-        ['torch', 'black'],
-        ['wooden-word', 'brick'],
-      ];
+const CASES = wanted
+  ? wanted.flatMap((name) => GROUNDS.map((ground) => /** @type {[string, string]} */ ([name, ground])))
+  : [
+      ['fireside', 'white'],
+      ['candle', 'picture'],
+      ['torch', 'black'],
+      ['wooden-word', 'brick'],
+    ];
 
 /** The element, which the preview shows in its own size, and the moments at which they are compared, and their period [s]. */
 const SIZE = { width: 200, height: 240 };

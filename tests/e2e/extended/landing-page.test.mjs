@@ -168,7 +168,16 @@ test('buttons enlarge the picture and reduce it to its own size; fingers do so t
   const phone = await browser.open('index.html?paused', PHONE);
   await phone.ready();
   await strip(phone);
-  assert.equal(await phone.page.$eval('#zoom', (buttons) => getComputedStyle(buttons).display), 'none');
+  assert.deepEqual(
+    await phone.evaluate(() =>
+      [...document.querySelectorAll('#zoom > *')].map((button) => [button.checkVisibility(), button.textContent]),
+    ),
+    [
+      [false, '+'],
+      [false, '−'],
+      [true, 'A B'],
+    ],
+  );
 });
 
 test('where the system has a share sheet, a button gives it the link and nothing else', async () => {
@@ -238,6 +247,15 @@ test('the fire is grabbed anywhere below the middle of its flame, by a hand that
   assert.notEqual(await cursor(), 'grab', 'above the flame');
 });
 
+/** The link to the gallery is in sight and can be pressed. @param {import('../driver.mjs').Tab} tab @param {number} width @param {string} size */
+async function assertGallery(tab, width, size) {
+  const { x, y, right, isOver } = await tab.page.$eval('#head a[href="./gallery.html"]', (link) => {
+    const { x, y, width, height, right } = link.getBoundingClientRect();
+    return { x, y, right, isOver: document.elementFromPoint(x + width / 2, y + height / 2) === link };
+  });
+  assert.ok(x >= 0 && y >= 0 && right <= width && isOver, `${size}: ${JSON.stringify({ x, y, right, isOver })}`);
+}
+
 for (const [about, sizes] of /** @type {[string, number[][]][]} */ ([
   [
     'phones',
@@ -271,6 +289,7 @@ for (const [about, sizes] of /** @type {[string, number[][]][]} */ ([
       await tab.page.setViewport({ width, height, isMobile: touch, hasTouch: touch });
       await tab.frames(4);
       await assertApart(tab, width, `${width} × ${height}`);
+      await assertGallery(tab, width, `${width} × ${height}`);
     }
     await assertReadable(tab);
   });

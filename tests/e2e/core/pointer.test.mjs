@@ -146,8 +146,8 @@ test('a drag on the lower flame moves its source', async () => {
   const changes = await events(tab, 'params-change');
   assert.ok(changes.length > 2);
   assert.deepEqual([...new Set(changes.map(({ id, source: by }) => `${id} ${by}`))], ['source_x pointer']);
-  // Beyond the domain it stays inside.
-  await tab.drag(to, { x: to.x + 600, y: to.y });
+  // Beyond the domain it stays inside. No driver but Chromium's leaves the window.
+  await tab.drag(to, { x: 470, y: to.y });
   const { set, width } = await tab.fire((fire) => ({ set: fire.params.source_x, width: fire.params.domain_width }));
   assert.ok(set > 0.2 && set < width / 2, `${set} m`);
   assert.equal(await cursor(), 'auto');
@@ -156,7 +156,9 @@ test('a drag on the lower flame moves its source', async () => {
   assert.deepEqual(tab.problems, []);
 });
 
-test('a fire takes drags and has its panel after its document is gone', async () => {
+const GONE = except({ webkit: 'a drag of the driver moves nothing after the document of the fire is gone' });
+
+test('a fire takes drags and has its panel after its document is gone', GONE, async () => {
   const tab = await browser.show(`<iframe srcdoc="<!doctype html><body>" style="width: 90px; height: 60px"></iframe>
     <hearth-fire ${CALM} controls style="width: 300px; height: 300px"></hearth-fire>`);
   await listens(tab);

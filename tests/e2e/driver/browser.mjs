@@ -145,7 +145,10 @@ export class Browser {
     const { reducedMotion = false, scheme = 'light', forcedColors = false } = options;
     const ofSite = !page.includes('<');
     const { pixels = ofSite ? FEW_PIXELS : Infinity } = options;
-    await this.tab?.page.close();
+    const { tab: last } = this;
+    // A page that cannot be opened leaves none.
+    this.tab = undefined;
+    await last?.page.close();
     this.server.replace(without === undefined ? files : { ...files, [without]: { drop: true } });
     const { origin } = this.server;
     const before = [`(${rememberContexts})();`, `(${followWorkers})(${JSON.stringify(origin)});`];

@@ -10,11 +10,14 @@ import { powerOf } from '../../web/mask/burning.js';
 let frames = [];
 /** Calls of observers of attributes. @type {(() => void)[]} */
 let observers = [];
+let isPhone = false;
 /** The elements that are observed. @type {Set<any>} */
 const observed = new Set();
 
 /** An element of the fake page. */
 class FakeElement {
+  /** @type {string[]} */
+  static observedAttributes = [];
   localName = '';
   id = '';
   fire;
@@ -60,6 +63,7 @@ Object.assign(globalThis, {
   document: { readyState: 'complete', hidden: false },
   requestAnimationFrame: (act) => frames.push(act),
   cancelAnimationFrame: () => {},
+  matchMedia: () => ({ matches: isPhone }),
   MutationObserver: class {
     targets = [];
     constructor(act) {
@@ -74,6 +78,7 @@ Object.assign(globalThis, {
     }
   },
 });
+Object.defineProperty(globalThis, 'navigator', { value: { hardwareConcurrency: 8 }, configurable: true });
 const { Children } = await import('../../web/element/children/children.js');
 
 /** A fire of a fake page, whose engine keeps what it gets. */
@@ -86,7 +91,7 @@ class Page {
   answers = [];
   live = true;
   state = { started: true, objects: [], settings: {}, params: {} };
-  fire = { querySelectorAll: () => this.elements };
+  fire = Object.assign(new FakeElement(), { querySelectorAll: () => this.elements });
   warnings = [];
   reports = {
     refused: (errors) => this.warnings.push(...errors.map(({ message }) => message)),
@@ -287,8 +292,7 @@ test('a child that leaves the fire is observed no longer', () => {
 });
 
 /** A page with a solid that burns, and what the engine gets of it. */
-async function burning(attributes) {
-  const page = new Page();
+async function burning(attributes, page = new Page()) {
   const solid = page.append('hearth-solid', { burning: '', shape: 'box', width: '1', height: '0.291', ...attributes });
   page.children.update();
   assert.deepEqual(page.frame(), [], 'its code is not loaded');
@@ -329,10 +333,80 @@ test('a flame that an engine has not answered is stated anew, and a refusal of i
   assert.deepEqual(page.frame()[1].changed, all[1].changed);
 });
 
+/** The scene Burning word. */
+const burningWord = () => JSON.parse(readFileSync(new URL('../../scenes/burning-word.json', import.meta.url), 'utf8'));
+
 test('the power by the outline is that of the scene for its word, and less by the root of its height', () => {
-  const { objects } = JSON.parse(readFileSync(new URL('../../scenes/burning-word.json', import.meta.url), 'utf8'));
+  const { objects } = burningWord();
   const [{ power }, word] = objects;
   assert.ok(Math.abs(powerOf(word) / power - 1) < 0.01, `${powerOf(word)} kW/m`);
   const small = { ...word, width: word.width / 4, height: word.height / 4 };
   assert.ok(Math.abs(powerOf(small) / (powerOf(word) / 4 / 2) - 1) < 1e-9);
+});
+
+/**
+ * The numbers of particles that the engine gets of a solid that burns in a domain of 2 × 1 m, and of the changes that follow.
+ * @param {string} height of the solid [m]
+ * @param {{attributes?: {[name: string]: string}, params?: object, later?: ((page: Page, solid: any) => void)[]}} [about]
+ */
+async function particlesOf(height, { attributes = {}, params = {}, later = [] } = {}) {
+  const page = new Page();
+  for (const [name, value] of Object.entries(attributes)) page.fire.setAttribute(name, value);
+  page.state.params = { domain_width: 2, domain_height: 1, particles: 3000, ...params };
+  const stated = [];
+  const call = page.call.bind(page);
+  page.call = (...given) => {
+    if (given[0] !== 'set') return call(...given);
+    const { particles } = given[1];
+    stated.push(particles);
+    page.state.params.particles = particles;
+    page.state.settings = { values: { particles } };
+    return Promise.resolve();
+  };
+  const { solid } = await burning({ width: '0.3', height }, page);
+  for (const act of later) {
+    // The last call is answered.
+    await null;
+    act(page, solid);
+    page.frame();
+  }
+  return stated;
+}
+
+test('the gas is as fine as an eighteenth of what burns, by as many particles as the level above a requested one has', async () => {
+  const needed = (/** @type {number} */ height) => Math.round(2 * (18 / height) ** 2);
+  assert.deepEqual(await particlesOf('0.35'), [needed(0.35)]);
+  const scene = burningWord();
+  assert.ok(scene.objects[1].height / 18 < scene.values.spacing, 'finer than in the scene');
+  // No coarser than without it, and no finer than the level high.
+  assert.deepEqual(await particlesOf('0.8'), [3000]);
+  assert.deepEqual(await particlesOf('0.1'), [6700]);
+  assert.deepEqual(await particlesOf('0.1', { attributes: { quality: 'low' } }), [3000]);
+  isPhone = true;
+  assert.deepEqual(await particlesOf('0.1'), [3000]);
+  assert.deepEqual(await particlesOf('0.1', { attributes: { quality: 'medium' } }), [6700]);
+  isPhone = false;
+  assert.deepEqual(await particlesOf('0.8', { attributes: { quality: 'high' } }), [6700]);
+  assert.deepEqual(await particlesOf('0.8', { params: { particles: 9000 } }), [9000], 'those of a scene');
+});
+
+test('a page that states its particles keeps them, and a target that changes little changes no gas', async () => {
+  for (const name of ['particles', 'spacing'])
+    assert.deepEqual(await particlesOf('0.1', { attributes: { [name]: '900' } }), []);
+  const height = (/** @type {string} */ text) => (/** @type {Page} */ _, /** @type {any} */ solid) =>
+    solid.setAttribute('height', text);
+  assert.deepEqual(await particlesOf('0.35', { later: [height('0.34'), height('0.36')] }), [5290]);
+  assert.deepEqual(await particlesOf('0.35', { later: [height('0.3'), height('0.35')] }), [5290, 6700]);
+  const sets = (/** @type {object} */ values) => (/** @type {Page} */ page) => page.report([], { values });
+  assert.deepEqual(await particlesOf('0.35', { later: [sets({ particles: 500 }), height('0.1')] }), [5290]);
+  assert.deepEqual(await particlesOf('0.35', { later: [sets({ spacing: 0.05 }), height('0.1')] }), [5290]);
+  // Another scene states none.
+  assert.deepEqual(await particlesOf('0.35', { later: [sets({})] }), [5290, 5290]);
+  // A source of the page on a thin solid is no recipe's.
+  const thin = (/** @type {Page} */ page) => {
+    page.append('hearth-solid', { id: 'rod', height: '0.01' });
+    page.append('hearth-source', { shape: 'solid', solid: '#rod', power: '50' });
+    page.children.update();
+  };
+  assert.deepEqual(await particlesOf('0.35', { later: [thin] }), [5290]);
 });

@@ -31,7 +31,7 @@ for (const [script, [word, width]] of Object.entries(WORDS)) {
   });
 }
 
-/** Logos of different build: strokes, a full shape with a hole, and small parts side by side. */
+/** Logos of different build, at a level of quality that does not depend on the machine: strokes, a full shape with a hole, and small parts side by side. */
 const LOGOS = {
   'of strokes': '<path d="M50 12 88 84H12Z" fill="none" stroke="#fff" stroke-width="10"/>',
   'that is full': '<path d="M50 5a45 45 0 1 0 .1 0zM50 35a15 15 0 1 1-.1 0z" fill="#fff" fill-rule="evenodd"/>',
@@ -46,7 +46,7 @@ for (const [build, paths] of Object.entries(LOGOS)) {
       `<style>body { margin: 0; background: black } svg { position: absolute; left: 272px; bottom: 60px; width: 96px }
         hearth-fire { position: absolute; inset: 0; width: auto; height: auto }</style>
       <svg id="logo" viewBox="0 0 100 100">${[paths].flat().join('')}</svg>
-      <hearth-fire domain-width="2" domain-height="1" particles="7000" ember-rate="0">
+      <hearth-fire domain-width="2" domain-height="1" ember-rate="0" quality="medium">
         <hearth-solid of="#logo" burning></hearth-solid>
       </hearth-fire>`,
       { width: 640, height: 320 },

@@ -35,6 +35,8 @@ export class Children {
   #loading;
   /** @type {typeof import('./child-burning.js') | undefined} */
   #recipe;
+  /** The last list. @type {import('./child-burning.js').Sent[]} */
+  #list = [];
 
   /** @param {import('../session/session.js').FireSession} session */
   constructor(session) {
@@ -119,8 +121,10 @@ export class Children {
       for (const { changed } of fields) sent.push([child, changed]);
       return fields;
     });
+    this.#list = list;
     const answer = this.session.call('children', list);
     this.sent.set(answer, sent);
+    this.#recipe?.refine(this.session, list);
     answer
       .catch((/** @type {{errors?: Refusal[]}} */ { errors }) => {
         // The engine has stopped before an answer. The next one gets the list.
@@ -155,6 +159,7 @@ export class Children {
     if (type === 'ready' && (this.#isDirty || this.#children.some(({ waits }) => waits))) this.change();
     if (this.#children.filter((child) => child.updateReference()).length > 0) this.change();
     this.#follow(type === 'ready');
+    this.#recipe?.refine(this.session, this.#list);
   }
 
   /** Follows the targets from now on, in each frame while the fire is in sight. */

@@ -90,7 +90,7 @@ async function pictureOf(tab, selector) {
   return { ...pictures[0], rgb: pictures[0].rgb.map(mean) };
 }
 
-/** @type {import('../picture.mjs').Picture | undefined} */
+/** The last scene: a wall hides the ground, so that it looks alike on each. @type {{scene: string, preview: import('../picture.mjs').Picture} | undefined} */
 let last;
 for (const [scene, ground] of CASES) {
   test(`the copied HTML of ${scene} on a page that is ${ground} looks as the preview`, async (context) => {
@@ -138,8 +138,9 @@ for (const [scene, ground] of CASES) {
     const found = difference(preview, copied);
     context.diagnostic(`ΔE ${found.toFixed(2)}`);
     assert.ok(found <= LIKE, `ΔE ${found.toFixed(2)}`);
-    if (last) assert.ok(difference(preview, last) > LIKE, 'the test distinguishes scenes');
-    last = preview;
+    if (last && last.scene !== scene)
+      assert.ok(difference(preview, last.preview) > LIKE, 'the test distinguishes scenes');
+    last = { scene, preview };
     assert.deepEqual(page.problems, []);
   });
 }

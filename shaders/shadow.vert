@@ -33,7 +33,9 @@ void main() {
     stance = vec4(solid.velocity, solid.place.y - foot, top);
     vec2 middle = (vec2(solid.place.x, foot) * clip_scale + clip_offset) * 0.5 + 0.5;
     lean = decode_lean(textureLod(irradiance, middle, 0.0).a);
-    local = solid.corner * (REACH * thick + vec2(extent.x + (PENUMBRA + abs(lean)) * top, DEPTH * top));
+    // It leans away from the light.
+    local = solid.corner * (REACH * thick + vec2(extent.x + (PENUMBRA + 0.5 * abs(lean)) * top, DEPTH * top));
+    local.x -= 0.5 * lean * top;
     gl_Position = clip(solid, vec2(solid.place.x + local.x, foot + BEHIND * thick + FLAT * local.y));
     node = gl_Position.xy * 0.5 + 0.5;
 }

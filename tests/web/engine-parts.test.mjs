@@ -82,3 +82,13 @@ test('a call, a picture or a ping that cannot be posted stops the engine, and ev
     assert.notEqual(await connect(base(1), 'worker'), port, 'the next fire gets another engine');
   }
 });
+
+test('an engine whose first ping cannot be posted is followed by another', async () => {
+  take = () => {
+    throw new Error('no memory for a message');
+  };
+  const port = await connect(base(1), 'worker');
+  take = () => {};
+  await new Promise((resolve) => setTimeout(resolve));
+  assert.notEqual(await connect(base(1), 'worker'), port);
+});

@@ -336,8 +336,9 @@ function inWorker(compiled) {
         try {
           thread.postMessage(sent);
         } catch (error) {
-          // Calls are plain data: what cannot be posted lacks memory. The caller may be within a list of calls.
-          queueMicrotask(() => port.fail(error));
+          // Calls are plain data: what cannot be posted lacks memory. The caller may be within a list of calls, and the
+          // first ping goes out before anyone has this port.
+          setTimeout(() => port.fail(error));
         }
       };
       port.end = () => thread.terminate();

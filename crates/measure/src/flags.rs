@@ -20,7 +20,7 @@ xflags::xflags! {
             /// How the names of the cases begin.
             repeated case: String
         }
-        /// Burns scenes for long, drives fires to random corners and back, moves solids through them, burns heaps.
+        /// Burns scenes and a page for long, drives fires to random corners and back, moves solids through them, burns heaps.
         cmd soak {
             /// The number of corners of each model.
             optional --corners number: u32
@@ -36,6 +36,8 @@ xflags::xflags! {
             optional --minutes number: f64
             /// The names of scenes, with commas between them: all by default.
             optional --scenes names: String
+            /// Minutes of a page that does everything at random: then nothing else is done.
+            optional --page number: f64
         }
         /// Sends random values, messages, links and bytes to every decoder.
         cmd fuzz {

@@ -6,7 +6,7 @@
 use anyhow::Result;
 use xshell::{Cmd, cmd};
 use xtask::shell::Shell;
-use xtask::{paths, tools};
+use xtask::{browser, paths, tools};
 
 use crate::evaluation;
 use crate::flags::Soak;
@@ -37,8 +37,12 @@ pub(crate) fn run(names: &[String]) -> Result<()> {
     Ok(passed?)
 }
 
-/// Burns scenes for minutes, and visits corners, crowds of solids and heaps of bodies, for so many hours.
+/// Burns scenes for minutes, and visits corners, crowds of solids and heaps of bodies, for so many hours; or lets a page do
+/// everything at random.
 pub(crate) fn soak(soak: &Soak) -> Result<()> {
+    if let Some(minutes) = soak.page {
+        return browser::run_script("demand/soak.mjs", [minutes.to_string().into()], vec![]);
+    }
     let numbers = [soak.corners, soak.crowds, soak.heaps, soak.seed];
     let times = [soak.hours, soak.minutes];
     let given = numbers

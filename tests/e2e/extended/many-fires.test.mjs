@@ -5,6 +5,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser, eventually } from '../driver.mjs';
+import { held } from '../held.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -25,26 +26,6 @@ function comeAndGo(tab, count) {
       for (const fire of fires) fire.remove();
     }
   }, count);
-}
-
-/** Memory that the page and its workers hold after a garbage collection. */
-async function held(tab) {
-  const session = await tab.page.createCDPSession();
-  const heaps = [session, ...tab.page.workers().map((worker) => worker.client)];
-  let bytes = 0;
-  for (const heap of heaps) {
-    await heap.send('HeapProfiler.enable');
-    // Observers and finalisers release objects a few frames later.
-    for (let round = 0; round < 4; round += 1) {
-      await heap.send('HeapProfiler.collectGarbage');
-      await tab.frames(8);
-    }
-    const { usedSize, backingStorageSize } = await heap.send('Runtime.getHeapUsage');
-    bytes += usedSize + backingStorageSize;
-  }
-  const { nodes, jsEventListeners } = await session.send('Memory.getDOMCounters');
-  await session.detach();
-  return { bytes, nodes, jsEventListeners, ...(await tab.living()) };
 }
 
 for (const engine of ['worker', 'main']) {

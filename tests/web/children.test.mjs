@@ -90,7 +90,15 @@ class Page {
   /** @type {{resolve: Function, reject: Function}[]} */
   answers = [];
   live = true;
-  state = { started: true, objects: [], settings: {}, params: {} };
+  state = {
+    started: true,
+    objects: [],
+    settings: {},
+    params: {},
+    get guess() {
+      return isPhone ? 'low' : 'medium';
+    },
+  };
   fire = Object.assign(new FakeElement(), { querySelectorAll: () => this.elements });
   warnings = [];
   reports = {

@@ -56,19 +56,25 @@ beforeEach(() => {
 });
 const { KEPT, applyFragment, hasFragment, keep, keepLast } = await import('../../web/pages/fragment.js');
 
-/** What a page with that address shows; `act` is called when it does. */
-async function open(/** @type {string} */ href, act = () => {}) {
+/** What a page with that address shows; `act` is called when it does, and has one outcome more. @param {() => void} [act] */
+async function open(/** @type {string} */ href, act) {
   tab.location.href = href;
   /** @type {{shown: any[], refused: string[]}} */
   const seen = { shown: [], refused: [] };
   const importConfig = async (/** @type {any} */ config) => seen.shown.push(config);
   applyFragment(/** @type {any} */ ({ importConfig, set: importConfig }), (message) => seen.refused.push(message));
-  await settled();
-  act();
-  await settled();
+  /** An address with a fire has an outcome; others have none but what microtasks lead to. @param {number} before */
+  const settled = async (before) => {
+    do await new Promise(setImmediate);
+    while (hasFragment() && seen.shown.length + seen.refused.length === before);
+  };
+  await settled(0);
+  if (act) {
+    act();
+    await settled(1);
+  }
   return seen;
 }
-const settled = () => new Promise((resolve) => setTimeout(resolve, 20));
 
 test('a page with a long address shows its fire, also when the address changes', async () => {
   const [first, second] = await Promise.all(

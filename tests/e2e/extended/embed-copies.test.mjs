@@ -28,7 +28,7 @@ const CASES = wanted
 
 /** The element, which the preview shows in its own size, and the moments at which they are compared, and their period [s]. */
 const SIZE = { width: 200, height: 240 };
-const MOMENTS = 8;
+const MOMENTS = 20;
 const PERIOD = 0.2;
 
 /** The largest difference of two pictures (CIE76, on average over their pixels). */
@@ -80,10 +80,11 @@ async function pictureOf(tab, selector) {
     await fire.reset();
   });
   const pictures = [];
-  for (let moment = 0; moment < MOMENTS; moment += 1) {
+  // Before the first one, the page may still show the picture of other settings.
+  for (let moment = -1; moment < MOMENTS; moment += 1) {
     await tab.page.$eval(selector, (fire, seconds) => /** @type {any} */ (fire).advance(seconds), PERIOD);
     await tab.frames(3);
-    pictures.push(await tab.picture(await tab.rectangle(selector)));
+    if (moment >= 0) pictures.push(await tab.picture(await tab.rectangle(selector)));
   }
   const mean = (/** @type {number} */ _, /** @type {number} */ at) =>
     pictures.reduce((sum, { rgb }) => sum + rgb[at], 0) / MOMENTS;

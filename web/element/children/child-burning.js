@@ -8,7 +8,6 @@
 
 import { maskOfText } from '../../mask.js';
 import { SOURCE, WORD, powerOf } from '../../mask/burning.js';
-import { guess } from '../view/visibility.js';
 
 /** The font of a word without one. */
 const FONT = '800 1em system-ui, sans-serif';
@@ -86,7 +85,7 @@ export function refine(session, list) {
   const { domain_width, domain_height, particles } = state.params;
   const needed = domain_width * domain_height * (SPACINGS / Math.min(...heights)) ** 2;
   const requested = fire.getAttribute('quality') ?? 'auto';
-  const level = requested === 'auto' ? guess() : requested;
+  const level = requested === 'auto' ? state.guess : requested;
   const [least, most] = [level === 'high' ? HIGH : particles, level === 'low' ? MEDIUM : HIGH];
   const number = Math.round(Math.max(Math.min(needed, most), least));
   if (!(needed > 0) || number < FINER * (stated ?? 0)) return;

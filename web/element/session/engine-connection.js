@@ -13,7 +13,7 @@
 
 import { connect } from '../../engine/engine.js';
 import { resolved } from '../attributes/values.js';
-import { due, guess, observe } from '../view/visibility.js';
+import { due, observe } from '../view/visibility.js';
 
 /** The request number of a removal: the largest; the others start at 1. */
 const REMOVAL = 2 ** 32 - 1;
@@ -165,7 +165,7 @@ export class EngineConnection {
     this.#fire = fire;
     if (port.warning) this.#on.message({ type: 'error', kind: 'load', message: port.warning, burns: true });
     const { view, ...started } = start(prepared);
-    this.send('add', { side: this.#size[2], guess: guess(), ...started });
+    this.send('add', { side: this.#size[2], ...started });
     this.send('view', view.fit, view.x, view.y);
     this.send('zoom', view.zoom, view.panX, view.panY);
     this.send('resize', ...this.#size);

@@ -29,6 +29,7 @@
  */
 
 import { DEFAULTS, LACKING } from '../attributes/attributes.js';
+import { guess } from '../view/visibility.js';
 
 /** @type {(fields: Fields) => Fields} */
 const withoutNulls = (fields) => Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== null));
@@ -59,6 +60,11 @@ export class FireState {
   quality = 'auto';
   /** @type {HearthStats | null} */
   stats = null;
+
+  /** The quality that a fire starts with, before its speed is measured. */
+  get guess() {
+    return guess();
+  }
 
   /** Takes over the values of a message. @param {Message} message */
   take({ type, values, objects, settings, redo, children }) {
@@ -100,14 +106,15 @@ export class FireState {
    * @param {unknown} config the settings in the file
    */
   start(fire, paused, config) {
-    const { quality } = this;
-    if (this.started) return { config: this.settings, quality, paused };
+    const { quality, guess } = this;
+    if (this.started) return { config: this.settings, quality, guess, paused };
     const model = fire.getAttribute('model');
     return {
       preset: fire.getAttribute('preset') ?? undefined,
       config,
       values: model === null ? {} : { model },
       quality,
+      guess,
       paused,
     };
   }

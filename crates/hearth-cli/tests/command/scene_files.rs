@@ -180,7 +180,7 @@ fn a_link_of_a_page_is_a_scene() {
     };
     let wanted = render(
         "torch",
-        &["--set", "fuel_power=150", "--background", "#102030"],
+        &["--set", "fuel_power=150", "--set", "background=#102030"],
     )
     .out;
     // `pageLink` writes both.

@@ -31,9 +31,9 @@ pub(crate) fn programs() -> Result<[(&'static str, PathBuf); 2]> {
         ("HEARTH_PAINTER", "hearth-painter"),
         ("HEARTH_COMMAND", "hearth"),
     ];
-    tools::graphics_driver()?;
     code::build(programs.map(|(_, name)| name))?;
     let folder = tools::target()?.join("debug");
+    tools::graphics_driver(&folder.join("hearth"))?;
     Ok(programs.map(|(variable, name)| (variable, folder.join(name))))
 }
 

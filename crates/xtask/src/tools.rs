@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::env;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
+use std::sync::{Arc, Mutex, PoisonError, Weak};
 
 use anyhow::{Context, Result, bail, ensure};
 use xshell::cmd;
@@ -21,7 +21,7 @@ use crate::shell::{Shell, find};
 use debian::apt_install;
 pub(crate) use debian::{
     BROWSERS, CHROMEDRIVER, CJPEG, COMPILER, GLSLANG, IMG2WEBP, VALGRIND, chinese_font,
-    graphics_driver, wanted_browsers, whole_ring,
+    graphics_driver, installing, wanted_browsers, whole_ring,
 };
 pub use debian::{browsers, chromium, strace};
 
@@ -54,12 +54,6 @@ pub(crate) fn fingerprints() -> Result<(&'static str, PathBuf)> {
         *burnt = true;
     }
     Ok(("HEARTH_FINGERPRINTS", file))
-}
-
-/// While this lives, no other thread installs.
-pub(crate) fn installing() -> MutexGuard<'static, ()> {
-    static ONE: Mutex<()> = Mutex::new(());
-    ONE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// While this lives, no other process writes into `dist`: it waits.

@@ -48,7 +48,8 @@ pub(super) fn native() -> Result<()> {
     let sh = Shell::new()?;
     let commands = COMMANDS.iter().flat_map(|name| ["--package", name]);
     sh.cargo("test").args(commands).run()?;
-    tools::graphics_driver()?;
+    build(["hearth"])?;
+    tools::graphics_driver(&tools::target()?.join("debug/hearth"))?;
     Ok(test_others(&sh).envs([tools::fingerprints()?]).run()?)
 }
 

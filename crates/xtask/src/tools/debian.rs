@@ -4,14 +4,19 @@
 use std::collections::BTreeSet;
 use std::env;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use anyhow::{Context, Result, anyhow, ensure};
 use xshell::cmd;
 
-use super::{installing, target};
 use crate::shell::{Shell, find};
-use crate::stages::code;
+
+/// While this lives, no other thread installs.
+pub(crate) fn installing() -> MutexGuard<'static, ()> {
+    static ONE: Mutex<()> = Mutex::new(());
+    ONE.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// A program that Debian has.
 pub(crate) struct Program {
@@ -179,10 +184,8 @@ fn has_library(name: &str) -> bool {
 }
 
 /// Installs EGL and a driver of OpenGL ES if the command `hearth` finds none.
-pub(crate) fn graphics_driver() -> Result<()> {
+pub(crate) fn graphics_driver(command: &Path) -> Result<()> {
     let (_only, sh) = (installing(), Shell::new()?);
-    code::build(["hearth"])?;
-    let command = target()?.join("debug/hearth");
     let finds_one = || cmd!(sh, "{command} info").quiet().ignore_stdout().run();
     if finds_one().is_ok() {
         return Ok(());

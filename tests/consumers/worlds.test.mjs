@@ -1,7 +1,6 @@
 /**
  * Fires in scenes of three.js by both of its renderers, of PixiJS and of Phaser, with the packages of the examples: what
- * hides a fire and what it hides, its colours beside the element's, its light, its motion, and what it leaves. The examples
- * burn.
+ * hides a fire and what it hides, its colours beside the element's, its light, its motion, and what it leaves.
  */
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
@@ -142,24 +141,3 @@ test('a strict compiler accepts the types beside those of the engines', async ()
   const given = [program, ...words, '--moduleResolution', 'bundler', '--lib', 'es2023,dom', 'types.ts'];
   await promisify(execFile)(process.execPath, given, { cwd: root }).catch(({ stdout }) => assert.fail(stdout));
 });
-
-for (const [page, name] of [
-  ['campsite.html', 'camp'],
-  ['brazier.html', 'game'],
-  ['torch.html', 'game'],
-]) {
-  test(`the example ${page} burns`, async () => {
-    const tab = await open(`${site.origin}/${page}`, { width: 400, height: 300 });
-    await tab.until(
-      'its fire burns',
-      (of) => {
-        const made = /** @type {any} */ (globalThis)[of];
-        const fire = made?.fire ?? made?.scene?.scenes[0]?.fire;
-        return fire?.fire.stats.time > 0 && fire.light.intensity > 0;
-      },
-      name,
-    );
-    assert((await tab.picture()).glowing() > 0.002);
-    assert.deepEqual(tab.problems, []);
-  });
-}

@@ -10,8 +10,6 @@ in vec2 uv;
 
 uniform sampler2D noise_offsets; // offsets of two advected noise patterns, in sizes of the picture
 uniform vec4 field_range;       // range of weight, weight × kK, × soot, × burning in the field
-uniform float source_width;     // [m]
-uniform float on_solid;         // 1 for a source on a solid, whose flame begins at every height of it; or 0
 uniform float per_domain_width; // [1/m]
 uniform float closed;           // 1: the domain ends at its edges; 0: open air
 uniform float picture_height;   // before it is enlarged, in heights of the domain
@@ -27,8 +25,9 @@ uniform float depth;            // optical depth of the slice, that of a single 
 uniform float smoke;            // optical depth of cold gas with a soot of 1
 uniform float gain; // brightness of gas of 1500 K
 uniform float fire_share;       // 1: fire is visible; 0: only its smoke
+uniform float lowest;           // height of the lowest source [m]
 uniform float roundness;        // 0: a plane flame; 1: a flame that is round about its axis
-uniform float kernel_variance;  // of the squared soot of a single particle, in squared source widths
+uniform float kernel_variance;  // of the squared soot of a single particle [m²]
 uniform float premixed;         // burn time of gas that was mixed with air [s]; 0: gas that forms soot
 uniform float soot_per_fuel;    // soot that a share of fuel leaves
 uniform float per_soft_floor;   // 1 / height over which gas fades above a visible floor, in heights of the domain
@@ -67,7 +66,7 @@ const float BURNING = 1.5;
 // Smoke forms where gas cools from the second to the first temperature [kK],
 const float COLD = 0.5;
 const float COOLING = 1.1;
-// between these heights above the source, in source widths: lower down, cool soot would draw a
+// between these heights above the lowest source, in widths of the first: lower down, cool soot would draw a
 // grey rim around the flame.
 const float ALOFT = 0.2;
 const float HIGH = 1.4;
@@ -93,10 +92,11 @@ const float SHEET_CONTRAST = 1.8; // exponent of the soot in sheets
 const float SHEET_COOLING = 0.14; // [kK]
 
 // The gas whose moments are the axis and radius of a round flame: samples, half their width, and their height,
-// which averages the noise of single particles, in source widths.
+// which averages the noise of single particles, in source widths; and the distance within which axes are one.
 const int SAMPLES = 40;
 const float HALF_WIDTH = 1.6;
 const float AVERAGED = 1.0;
+const float SAME = 0.1;
 const float EDGE = 1.15;         // temperature at its edge [kK]
 const float SOFT_EDGE = 0.25;    // softness of that edge, in squared radii
 // Kernels spread the heat as they spread the soot: the loss in the middle of its excess over the edge for each share of their
@@ -150,6 +150,9 @@ void main() {
     vec2 level = 0.5 * log2(max(across.xz, across.yw)) + (NOISE_LEVELS + LEVEL_BIAS);
     vec4 broad = pattern(places, level, 1.0);
     vec4 fine = pattern(places, level, 2.0);
+    vec4 source = source_at(place);
+    float source_width = source.z;
+    float on_solid = source.w;
     float above = (place.y - source.y) / source_width;
 
     float growth = smoothstep(0.0, GROWN, above);
@@ -185,11 +188,19 @@ void main() {
         blue = SWAN * cone + MANTLE * min(burns, CONE) * half_chord(log(burns / OXIDES));
         left = 0.0;
     } else if (roundness > 0.0) {
+        float of_kernels = kernel_variance / (source_width * source_width);
+        // The gas as far as half the way to the next flame.
+        float half_width = HALF_WIDTH;
+        for (int i = 0; i < MAX_SOURCES; i++) {
+            if (float(i) >= source_count) break;
+            float apart = abs(sources[i].x - source.x) / source_width;
+            if (apart > SAME) half_width = min(half_width, 0.5 * apart);
+        }
         vec3 moments = vec3(0.0);
         vec4 sums = vec4(0.0);
         vec2 burning = vec2(0.0);
         for (int i = 0; i < SAMPLES; i++) {
-            float across = HALF_WIDTH * ((float(i) + 0.5) * (2.0 / float(SAMPLES)) - 1.0);
+            float across = half_width * ((float(i) + 0.5) * (2.0 / float(SAMPLES)) - 1.0);
             float higher = AVERAGED * (fract(float(i) * 0.618) - 0.5);
             vec2 there = vec2(source.x + across * source_width, place.y + higher * source_width);
             vec4 gas_there = field_at(there / picture_size + floor_middle) * field_range;
@@ -200,7 +211,7 @@ void main() {
         }
         float axis = moments.y / max(moments.x, 1e-6);
         // Without that of the kernels: a flame is as wide with few particles as with many.
-        float variance = max(moments.z / max(moments.x, 1e-6) - axis * axis - kernel_variance, 1e-4);
+        float variance = max(moments.z / max(moments.x, 1e-6) - axis * axis - of_kernels, 1e-4);
         float hottest = sums.x / max(sums.y, 1e-4);
         float soot_inside = sums.z / max(sums.w, 1e-6);
         float burns = burning.y / max(burning.x, 1e-6) * soot_inside;
@@ -216,14 +227,14 @@ void main() {
         float begun = max(smoothstep(-0.5 * ROOT, 0.5 * ROOT, above - CUP * squared), on_solid) * step(EDGE, hottest);
         float chord = (half_chord(1.0 - squared) - core * half_chord(CORE * CORE - squared)) * begun;
         left = mix(left, THIN * soot_inside * chord * formed, roundness);
-        kilokelvin = mix(kilokelvin, EDGE + (hottest - EDGE) * (1.0 + SPREAD * kernel_variance / max(variance, TIP)), roundness);
+        kilokelvin = mix(kilokelvin, EDGE + (hottest - EDGE) * (1.0 + SPREAD * of_kernels / max(variance, TIP)), roundness);
         blue = BLUE * (roundness * burns * chord * (1.0 - formed));
     }
 
     float glowing = smoothstep(DARK, GLOWING, kilokelvin) * fire_share;
     float covered = 1.0 - exp(-OPTICAL_DEPTH * depth * left);
     vec3 emitted = radiance(mix(kilokelvin, max(kilokelvin, SHEETS), mix(SHEET_SHARE, ROUND_SHARE, roundness)), GAS_ROW) * (gain * covered * glowing) + blue * (gain * fire_share);
-    float aloft = smoke * smoothstep(ALOFT, HIGH, above / (1.0 + ROUND_HIGH * roundness));
+    float aloft = smoke * smoothstep(ALOFT, HIGH, (place.y - lowest) / sources[0].z / (1.0 + ROUND_HIGH * roundness));
     float hidden = 0.0;
     if (aloft > 0.0) {
         // Smoke is softer than flame.

@@ -11,8 +11,6 @@ in vec2 uv;
 uniform sampler2D wide;         // the blurred field
 uniform vec4 field_range;       // range of weight, weight × kK, × glow, × smoke in the field
 uniform float per_flame_height; // [1/m]
-uniform float on_solid;         // 1 for a source on a solid, whose flame begins at every height of it; or 0
-uniform float per_half_source;  // 1 / half the source's width [1/m]
 uniform float tiles;            // noise tiles per metre
 uniform float risen;            // rise of the gas in tiles
 uniform float warp;             // displacement of the gas by fine structure [m]
@@ -83,6 +81,7 @@ void main() {
         return;
     }
     vec2 place = to_metres(uv);
+    vec4 source = source_at(place);
     float above = max(place.y - source.y, 0.0) * per_flame_height;
     vec2 tile = place * tiles;
 
@@ -102,9 +101,10 @@ void main() {
                - THIN_LOSS * base * max(THIN - depth, 0.0);
     left = max(left, 0.0) * (1.0 - DIMMED * min(eroded, 1.0));
 
+    float per_half_source = 2.0 / source.z;
     float rim = min(abs(place.x - source.x) * per_half_source, MAX_RIM);
     float over = abs(place.y - source.y) * per_half_source - BOWL * rim * rim + RAGGED_BASE * grain * min(detail, 1.0);
-    left *= max(smoothstep(-BASE_FROM, BASE_TO, over), on_solid);
+    left *= max(smoothstep(-BASE_FROM, BASE_TO, over), source.w);
 
     // Dense flame is bright; air mixes into thin flame and cools it.
     float hot = around.y / around.x;

@@ -311,7 +311,8 @@ void main() {
         // What has fuel is paper: thin, white and crumpled.
         colour = grid.y > 0.0 ? PAPER_COLOUR : WAX_COLOUR;
         bump = vec3(grid.y > 0.0 ? CRUMPLED * worn.yz : vec2(0.0), 0.0);
-        if (grid.y == 0.0) fire_light *= WAX_DARK + WAX_LIT * exp((local.y - body.y - body.z) / WAX_DEPTH) * (1.0 - WAX_ASIDE * place.x * place.x);
+        float aside = local.x / (body.x + body.z);
+        if (grid.y == 0.0) fire_light *= WAX_DARK + WAX_LIT * exp((local.y - body.y - body.z) / WAX_DEPTH) * (1.0 - WAX_ASIDE * aside * aside);
         soft = WAX_SOFT;
         shine = WAX_SHINE;
     } else if (material == CLOTH) {

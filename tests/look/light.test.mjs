@@ -1,9 +1,11 @@
 /**
  * Light that follows the fire and not its resolution: the width and brightness of a candle's flame, the glow of embers,
- * wax in a lit room, a wall at low quality, and what is above a ground.
+ * wax in a lit room, a wall at low quality, what is above a ground, and several sources.
  */
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { after, test } from 'node:test';
+import { Picture } from '../e2e/picture.mjs';
 import { relativeLuminance } from './figures/colour.mjs';
 import { Painter } from './painter.mjs';
 
@@ -101,4 +103,46 @@ test('wax on a white page in a lit room is ivory', async () => {
   }
   const [r, g, b] = mean;
   assert.ok(r > 225 && r >= g && g >= b && b > 0.83 * r, `${mean}`);
+});
+
+test('a flame below the first source is as bright as the first', () => {
+  const side = 160;
+  const source = { kind: 'source', width: 0.2, power: 120 };
+  const [high, low] = [
+    { ...source, x: -0.5, y: 0.8 },
+    { ...source, x: 0.5, y: 0.1 },
+  ];
+  const values = { domain_width: 2, domain_height: 2, particles: 3000, ember_rate: 0, bloom: 0 };
+  const options = ['render', '-', '--at', '3', '--size', `${side}x${side}`, '--quality', 'medium', '--out', '-'];
+  // Light below the higher source, on the side of the lower one.
+  const [second, first] = [
+    [high, low],
+    [low, high],
+  ].map((objects) => {
+    const input = JSON.stringify({ hearth: 3, values, objects });
+    const { rgb } = Picture.decode(execFileSync(process.env.HEARTH_COMMAND ?? '', options, { input }));
+    let sum = 0;
+    for (let at = 0; at < side * side; at += 1) {
+      const below = at >= 0.6 * side * side && at % side > 0.5 * side;
+      if (below) sum += relativeLuminance(rgb[3 * at], rgb[3 * at + 1], rgb[3 * at + 2]);
+    }
+    return sum;
+  });
+  assert.ok(first > 10 && second > 0.5 * first, `${second} of ${first}`);
+});
+
+test('each candle on a cake has its flame, and the wide wax under them is lit without a jump', async () => {
+  const [width, height] = [340, 250];
+  const lights = luminances((await painter.still({ lit: 'community/birthday-cake', burnt: 3, width, height })).rgba);
+  const row = (/** @type {number} */ metres) =>
+    lights.subarray(...[0, 1].map((k) => width * (Math.round((0.5 - metres) * 500) + k)));
+  const flames = row(0.29);
+  for (const x of [-0.2, 0, 0.2]) {
+    const middle = Math.round((x + 0.34) * 500);
+    assert.ok(Math.max(...flames.subarray(middle - 30, middle + 30)) > 0.3, `the flame at ${x} m`);
+  }
+  const wax = row(0.1).subarray(45, width - 45);
+  for (const [at, light] of wax.subarray(1).entries()) {
+    assert.ok(light > 0.01 && light < 0.9 && Math.abs(light - wax[at]) < 0.02, `${light} after ${wax[at]} at ${at}`);
+  }
 });

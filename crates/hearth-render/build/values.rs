@@ -1,8 +1,8 @@
 //! Constants of `src/constants.rs` for shaders.
 
 use crate::constants::{
-    COLOUR_ENTRIES, COOLEST_KELVIN, FUEL_OFFSET, HOTTEST_KELVIN, MATERIAL_FACTOR, NOISE_LEVELS,
-    PARTICLES_PER_ROW, PLANE_FACTOR, QUADS_PER_INSTANCE, TEXELS_PER_PARTICLE,
+    COLOUR_ENTRIES, COOLEST_KELVIN, FUEL_OFFSET, HOTTEST_KELVIN, MATERIAL_FACTOR, MAX_SOURCES,
+    NOISE_LEVELS, PARTICLES_PER_ROW, PLANE_FACTOR, QUADS_PER_INSTANCE, TEXELS_PER_PARTICLE,
 };
 
 /// The numbers of the materials that the shader draws, in the order of `Material`; 0 is stone.
@@ -20,6 +20,7 @@ pub fn shared() -> Vec<(&'static str, String)> {
         ("QUADS_PER_INSTANCE", whole(QUADS_PER_INSTANCE)),
         ("PARTICLES_PER_ROW", whole(PARTICLES_PER_ROW)),
         ("TEXELS_PER_PARTICLE", whole(TEXELS_PER_PARTICLE)),
+        ("MAX_SOURCES", whole(MAX_SOURCES)),
         ("NOISE_LEVELS", real(NOISE_LEVELS as f32)),
         ("MATERIAL_FACTOR", real(MATERIAL_FACTOR)),
         ("PLANE_FACTOR", real(PLANE_FACTOR)),

@@ -92,7 +92,14 @@ fn block(program: &Program, text: &mut String) -> std::fmt::Result {
         if *size == 1 {
             writeln!(text, "        to[{at}] = self.{name};")?;
         }
-        for component in (0..*size).filter(|_| *size > 1) {
+        if *size > 4 {
+            writeln!(
+                text,
+                "        to[{at}..{}].copy_from_slice(&self.{name});",
+                at + size
+            )?;
+        }
+        for component in (0..*size).filter(|_| (2..=4).contains(size)) {
             writeln!(
                 text,
                 "        to[{}] = self.{name}[{component}];",

@@ -15,6 +15,9 @@ pub const PLANE_FACTOR: f32 = 16.0;
 /// of the temperature.
 pub const FUEL_OFFSET: f32 = 64.0;
 
+/// Sources whose flames begin at their own places; those of others begin at the nearest of these.
+pub const MAX_SOURCES: usize = 16;
+
 /// Mipmap levels of the noise tile below its finest one.
 pub const NOISE_LEVELS: u32 = 7;
 

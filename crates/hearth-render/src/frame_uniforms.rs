@@ -5,6 +5,7 @@ use hearth_core::{Parameters, SourcePlace};
 
 use crate::advection::Phase;
 use crate::bounds::Bounds;
+use crate::constants::MAX_SOURCES;
 use crate::format::TargetFormat;
 use crate::kernel::Kernel;
 use crate::resolution::Layout;
@@ -68,8 +69,10 @@ pub struct FrameUniforms<'a> {
     pub parameters: &'a Parameters,
     /// Temperature at which particles of the classic model are born \[K\].
     pub birth_temperature: f32,
-    /// Position of the fire.
+    /// Position of the fire: of its first source.
     pub source: SourcePlace,
+    /// Middle of the lower edge and width of each source \[m\], and 1 if its flame begins at every height of it.
+    pub sources: &'a [[f32; 4]],
     /// Sizes of the targets.
     pub layout: Layout,
     /// Format of the targets.
@@ -120,6 +123,16 @@ impl<'a> FrameUniforms<'a> {
             particles,
             ..self.clone()
         }
+    }
+
+    /// Number and places of the sources for the shaders, in the slice.
+    pub fn source_places(&self) -> (f32, [f32; 4 * MAX_SOURCES]) {
+        let mut places = [0.0; 4 * MAX_SOURCES];
+        for (to, place) in places.chunks_exact_mut(4).zip(self.sources) {
+            to.copy_from_slice(place);
+            to[0] += self.slice.shift;
+        }
+        (self.sources.len().min(MAX_SOURCES) as f32, places)
     }
 
     /// Fits the kernels, the used part of the field and the reach to the bounds of the gas.

@@ -73,8 +73,8 @@ pub struct Renderer<G: Graphics = glow::Context> {
     /// Number of slices that scene and quality want, as they fade.
     count: Count,
     scale: Scale,
-    /// The source on a solid of the uploaded scene.
-    source: Option<SourcePlace>,
+    /// The sources of the uploaded scene, those on solids alone.
+    on_solids: Vec<Option<SourcePlace>>,
     /// The drawn backdrop: its wall, ground and foot, and the picture's floor and size.
     scenery: Option<([f32; 3], [[f32; 2]; 2])>,
     /// Range of the measured quantity.
@@ -120,7 +120,7 @@ impl<G: Graphics> Renderer<G> {
             slices: 0,
             count: Count::default(),
             scale: Scale::default(),
-            source: None,
+            on_solids: Vec::new(),
             scenery: None,
             measured: None,
         })
@@ -188,8 +188,11 @@ impl<G: Graphics> Renderer<G> {
         temperatures: &[(u32, f32)],
         charred: &Charred,
     ) {
-        let first = scene.first_source();
-        self.source = first.and_then(|source| SourcePlace::on_solid(&source, poses));
+        let places = scene
+            .sources()
+            .map(|source| SourcePlace::on_solid(&source, poses));
+        self.on_solids.clear();
+        self.on_solids.extend(places);
         self.solids.upload(gl, scene, poses, temperatures, charred);
     }
 
@@ -240,14 +243,28 @@ impl<G: Graphics> Renderer<G> {
         let (mode, model) = (parameters.display_mode, parameters.model());
         self.fit_colours(gl, Tint::of(parameters))?;
         self.scale.add(mode, model, self.measured);
-        let source = self
-            .source
-            .unwrap_or_else(|| SourcePlace::first(scene, &[]));
+        let on_solids = self.on_solids.iter().chain(std::iter::repeat(&None));
+        let places = scene.sources().zip(on_solids);
+        // The gas of turned sources streams to all sides, also under the others.
+        let turned = scene.sources().any(|source| source.angle != 0.0);
+        let places: Vec<_> = places
+            .map(|(source, on_solid)| on_solid.unwrap_or_else(|| SourcePlace::of(&source)))
+            .collect();
+        let first = places.first().copied();
+        let source = first.unwrap_or_else(|| SourcePlace::first(scene, &[]));
+        let sources: Vec<_> = places
+            .iter()
+            .map(|place| {
+                let at_every_height = f32::from(place.on_solid || turned);
+                [place.base.x, place.base.y, place.width, at_every_height]
+            })
+            .collect();
         let present = Slice::present(view.time);
         let mut frame = FrameUniforms {
             parameters,
             birth_temperature: scene.read_first_source(|source| source.birth_temperature),
             source,
+            sources: &sources,
             layout,
             format: self.shared.format,
             viewport,

@@ -1,4 +1,4 @@
-//! Packs uniforms into an array of `vec4`.
+//! Packs uniforms into one array of `vec4`.
 
 use super::items::{Item, Kind};
 use super::tokens::Token;
@@ -7,7 +7,7 @@ use super::tokens::Token;
 pub const ARRAY: &str = "U";
 const COMPONENTS: [&str; 3] = ["xyzw", "rgba", "stpq"];
 
-/// A number or a vector.
+/// A number, a vector or an array of `vec4`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Uniform {
     /// Name.
@@ -35,6 +35,7 @@ pub fn uniforms<'a>(items: impl Iterator<Item = &'a Item>) -> Result<Vec<Uniform
             "float" => 1,
             "vec2" => 2,
             "vec3" => 3,
+            "vec4" if item.tokens.get(3).is_some_and(|token| token.is("[")) => 4 * length(item)?,
             "vec4" => 4,
             other => return Err(format!("{}: a uniform cannot be a {other}", item.file)),
         };
@@ -52,6 +53,10 @@ pub fn uniforms<'a>(items: impl Iterator<Item = &'a Item>) -> Result<Vec<Uniform
         }
     }
     let mut free = Vec::new();
+    for uniform in uniforms.iter_mut().filter(|uniform| uniform.size > 4) {
+        uniform.at = 4 * free.len();
+        free.resize(free.len() + uniform.size / 4, 0);
+    }
     for size in [4, 3, 2, 1] {
         for uniform in uniforms.iter_mut().filter(|uniform| uniform.size == size) {
             let vector = free.iter().position(|free| *free >= size);
@@ -66,7 +71,17 @@ pub fn uniforms<'a>(items: impl Iterator<Item = &'a Item>) -> Result<Vec<Uniform
     Ok(uniforms)
 }
 
-/// Length of the array.
+/// Length of a uniform that is an array.
+fn length(item: &Item) -> Result<usize, String> {
+    match item.tokens.get(4) {
+        Some(Token::Number(number)) => number
+            .parse()
+            .map_err(|_| format!("{}: {number} is no length", item.file)),
+        _ => Err(format!("{}: {} has no length", item.file, item.name)),
+    }
+}
+
+/// Length of the array of all.
 pub fn vectors(uniforms: &[Uniform]) -> usize {
     let ends = uniforms.iter().map(|uniform| uniform.at + uniform.size);
     ends.max().unwrap_or(0).div_ceil(4)
@@ -115,6 +130,19 @@ fn applied(tokens: &[Token], uniforms: &[Uniform]) -> Result<Vec<Token>, String>
         };
         let name = &uniform.name;
         at += 1;
+        if uniform.size > 4 {
+            if !tokens.get(at).is_some_and(|token| token.is("[")) {
+                return Err(format!("{name} is an array without an index"));
+            }
+            at += 1;
+            packed.extend([
+                Token::Word(ARRAY.to_owned()),
+                Token::Mark("["),
+                Token::Number((uniform.at / 4).to_string()),
+                Token::Mark("+"),
+            ]);
+            continue;
+        }
         let mut components: Vec<usize> = (0..uniform.size).collect();
         if let [point, Token::Word(swizzle), ..] = &tokens[at..]
             && point.is(".")

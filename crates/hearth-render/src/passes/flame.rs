@@ -36,7 +36,8 @@ impl Pass for Flame {
     }
 
     fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Flame {
-        let (source, kernel, slice) = (frame.source, frame.kernel, &frame.slice);
+        let (kernel, slice) = (frame.kernel, &frame.slice);
+        let (source_count, sources) = frame.source_places();
         let parameters = frame.parameters;
         let is_premixed = parameters.palette == Palette::Gas && parameters.roundness > 0.0;
         let tiles = TILES_OF_TONGUES.map(|share| share / (noise::CELLS as f32 * kernel.noise_tile));
@@ -45,19 +46,21 @@ impl Pass for Flame {
         } else {
             wrapped(frame.risen * f64::from(tiles[1]))
         };
-        // At a visible floor, gas below the source fades.
+        // At a visible floor, gas below the lowest source fades.
         let [_, below] = frame.viewport.shows_beyond();
-        let soft = (source.base.y / frame.parameters.domain_height).clamp(1e-3, FLOOR_FADE_HEIGHT);
+        let heights = frame.sources.iter().map(|place| place[1]);
+        let lowest = heights.fold(f32::MAX, f32::min);
+        let soft = (lowest / frame.parameters.domain_height).clamp(1e-3, FLOOR_FADE_HEIGHT);
         uniforms::Flame {
             field_used: frame.field_used(),
             field_edge: frame.field_edge(),
             field_range: frame.field_range(),
             picture_size: frame.viewport.metres,
             floor_middle: frame.viewport.floor,
-            source: source.base.to_array(),
-            on_solid: f32::from(source.on_solid),
+            sources,
+            lowest,
+            source_count,
             zoom: frame.viewport.zoom,
-            source_width: source.width,
             per_domain_width: 1.0 / frame.parameters.domain_width,
             closed: f32::from(frame.is_closed()),
             picture_height: frame.viewport.whole[0],
@@ -76,7 +79,7 @@ impl Pass for Flame {
             light_scale: frame.format.light_scale(),
             fire_share: frame.fire_share(),
             roundness: frame.parameters.roundness,
-            kernel_variance: KERNEL_VARIANCE * (frame.kernel.radius / source.width).powi(2),
+            kernel_variance: KERNEL_VARIANCE * frame.kernel.radius.powi(2),
             premixed: if is_premixed {
                 parameters.burn_time
             } else {

@@ -25,7 +25,8 @@ impl Pass for Shade {
     }
 
     fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Shade {
-        let (source, kernel) = (frame.source, frame.kernel);
+        let kernel = frame.kernel;
+        let (source_count, sources) = frame.source_places();
         let flame = frame.flame_height.max(2.0 * kernel.noise_tile);
         let tiles = 1.0 / (noise::CELLS as f32 * kernel.noise_tile);
         // Gas leaves the domain at its top and fades there if the top is visible.
@@ -36,11 +37,10 @@ impl Pass for Shade {
             field_range: frame.field_range(),
             picture_size: frame.viewport.metres,
             floor_middle: frame.viewport.floor,
-            source: source.base.to_array(),
-            on_solid: f32::from(source.on_solid),
+            sources,
+            source_count,
             zoom: frame.viewport.zoom,
             per_flame_height: 1.0 / flame,
-            per_half_source: 2.0 / source.width,
             tiles,
             risen: wrapped(frame.risen * f64::from(tiles)),
             warp: kernel.warp,

@@ -62,7 +62,10 @@ fn declared(code: &str, qualifier: &str) -> BTreeMap<String, String> {
             .strip_prefix(qualifier)?
             .strip_prefix(' ')?
             .split_once(' ')?;
-        Some((name.to_owned(), format!("{flat}{kind}")))
+        // An array is of four numbers for each element.
+        let (name, array) = name.split_once('[').unwrap_or((name, ""));
+        let length = if array.is_empty() { "" } else { "[]" };
+        Some((name.to_owned(), format!("{flat}{kind}{length}")))
     });
     lines.collect()
 }
@@ -193,10 +196,13 @@ fn structs() -> BTreeMap<String, BTreeMap<String, String>> {
                 let (name, kind) = line.trim().strip_prefix("pub ")?.split_once(": ")?;
                 let kind = match kind.trim_end_matches(',') {
                     "f32" => "float".to_owned(),
-                    array => format!(
-                        "vec{}",
-                        array.trim_matches(['[', ']', 'f']).split_once("; ")?.1
-                    ),
+                    vector => {
+                        let length = vector.trim_matches(['[', ']', 'f']).split_once("; ")?.1;
+                        match length.len() {
+                            1 => format!("vec{length}"),
+                            _ => "vec4[]".to_owned(),
+                        }
+                    }
                 };
                 Some((name.to_owned(), kind))
             });

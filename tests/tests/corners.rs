@@ -53,11 +53,13 @@ fn the_classic_fire_is_stable_at_random_corners_and_recovers() {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn the_combustion_fire_is_stable_at_random_corners_and_recovers() {
     random_corners(Model::Combustion, 8, 2026);
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn the_open_fire_is_stable_at_random_corners_and_recovers() {
     let mut random = Random::new(2027);
     for _ in 0..12 {

@@ -124,6 +124,7 @@ fn moves(heading: &str) -> Option<()> {
 
 /// The unit of the light in the plots of the page.
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn the_scene_candle_shines_as_one_candle() {
     let script = include_str!("../../web/plots/units.js");
     let (_, rest) = script.split_once("CANDLE = ").unwrap();
@@ -144,6 +145,7 @@ macro_rules! tests {
     ($($name:ident: $heading:literal,)*) => {
         $(
             #[test]
+            #[ignore = "burns for minutes: `cargo xtask test burns`"]
             fn $name() {
                 assert_eq!(moves($heading), Some(()));
             }

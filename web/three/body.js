@@ -35,6 +35,7 @@ export const BLENDED = {
   transparent: true,
   depthWrite: false,
   side: DoubleSide,
+  forceSinglePass: true,
   blending: CustomBlending,
   blendSrc: OneFactor,
   blendDst: OneMinusSrcAlphaFactor,
@@ -154,7 +155,7 @@ export class FireBody extends Object3D {
     this.removeFromParent();
     for (const { geometry, material } of [this.#sheets, this.#embers]) {
       geometry.dispose();
-      material.dispose();
+      for (const one of [material].flat()) one.dispose();
     }
     this.#texture.dispose();
     this.#texture.image?.close?.();
@@ -281,6 +282,8 @@ function sheetGeometry() {
     const first = sheets.length;
     corners.push(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0);
     sheets.push(sheet, sheet, sheet, sheet);
+    // Each material of several draws a sheet before the one in front of it.
+    for (const material of [0, 1]) geometry.addGroup(index.length, 6, material);
     index.push(...[0, 1, 2, 2, 1, 3].map((corner) => first + corner));
   }
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(corners), 3));

@@ -1,8 +1,10 @@
 /**
  * The shaders of `sheets.js` as nodes, for `WebGPURenderer` with WebGPU and with WebGL2. That renderer blends light and
- * maps it afterwards, so a material gives light; where nobody maps it, light that shows the colours of the element.
+ * maps it afterwards, so a material gives light; where nobody maps it, light that shows the colours of the element over
+ * black and over white.
  */
 
+import { OneFactor, OneMinusSrcAlphaFactor, SrcColorFactor, ZeroFactor } from 'three';
 import {
   attribute,
   cameraFar,
@@ -43,11 +45,16 @@ import { BLENDED } from './body.js';
 
 /** @typedef {any} Node */
 
+/** How a filter goes into a picture: it multiplies the colours, and covers. */
+const FILTERED = {
+  blendSrc: ZeroFactor,
+  blendDst: SrcColorFactor,
+  blendSrcAlpha: OneFactor,
+  blendDstAlpha: OneMinusSrcAlphaFactor,
+};
+
 /** Depth of the scene before the fires, which share it. */
 const DEPTH = viewportDepthTexture();
-
-/** Luminance of linear sRGB. */
-const LUMINANCE = vec3(0.2126, 0.7152, 0.0722);
 
 const brightest = (/** @type {Node} */ light) => max(light.r, max(light.g, light.b));
 
@@ -92,11 +99,11 @@ function toneMapped(light, coverage, lit, pale) {
   return vec4(last.add(lit.mul(dark.mul(dark).div(max(alpha, 1e-4)))), alpha);
 }
 
-/** Light that shows premultiplied colours over black, and on average over white. @param {Node} shown */
+/** Light that shows premultiplied colours over black, and what they let through of white. @param {Node} shown */
 function lightFor(shown) {
   const black = toLinear(clamp(shown.rgb, 0, 1));
   const white = toLinear(clamp(shown.rgb.add(shown.a.oneMinus()), 0, 1));
-  return vec4(black, clamp(dot(white.sub(black), LUMINANCE).oneMinus(), 0, 1));
+  return { light: black, clear: white.sub(black) };
 }
 
 /**
@@ -129,12 +136,15 @@ export function nodeMaterials({ atlas, ...values }) {
     const place = corner.add(clamp(at, half, half.oneMinus()).mul(side)).div(vec2(5, 2));
     return uniforms.atlas.sample(vec2(place.x, place.y.oneMinus())).level(0);
   };
-  /** Premultiplied light: emission, and the coverage of what is behind. @param {Node} light @param {Node} glow @param {Node} lit */
+  /** Emission, and what is let through of the light behind. @param {Node} light @param {Node} glow @param {Node} lit */
   const shownOf = (light, glow, lit) => {
     const sum = light.rgb.add(glow);
     const dark = max(light.a.sub(exp(brightest(sum).negate()).oneMinus()), 0);
-    const bare = vec4(sum.add(toLinear(lit).mul(dark)), light.a);
-    return mix(bare, lightFor(toneMapped(sum, light.a, lit, pale)), mapped);
+    const shown = lightFor(toneMapped(sum, light.a, lit, pale));
+    return {
+      light: mix(sum.add(toLinear(lit).mul(dark)), shown.light, mapped),
+      clear: mix(vec3(light.a.oneMinus()), shown.clear, mapped),
+    };
   };
 
   const sheet = attribute('sheet', 'float');
@@ -155,8 +165,8 @@ export function nodeMaterials({ atlas, ...values }) {
   const glow = lightOf(cell(float(5), at)).rgb.mul(step(slice, 0.5));
   const all = shownOf(over(lightOf(here), next), glow, lit);
   const behind = shownOf(next, vec3(0), lit);
-  const through = clamp(all.a.oneMinus().div(max(behind.a.oneMinus(), 1e-4)), 0, 1);
-  const own = vec4(max(all.rgb.sub(behind.rgb.mul(through)), 0), through.oneMinus());
+  const through = clamp(all.clear.div(max(behind.clear, 1e-4)), 0, 1);
+  const own = max(all.light.sub(behind.light.mul(through)), 0);
 
   const rim = smoothstep(vec2(0), vec2(0.1), min(at, at.oneMinus()));
   const near = smoothstep(0, 1, away.sub(cameraNear).div(close));
@@ -201,12 +211,15 @@ export function nodeMaterials({ atlas, ...values }) {
   const inside = max(dot(corner, corner).oneMinus(), 0);
   const light = spark.mul(pow(inside, 3));
 
+  const vertexNode = mix(vec4(2, 2, 2, 1), cameraProjectionMatrix.mul(view), isVisible);
+  const passing = mix(vec3(1), through, share);
   return {
     uniforms,
-    sheets: material({
-      vertexNode: mix(vec4(2, 2, 2, 1), cameraProjectionMatrix.mul(view), isVisible),
-      fragmentNode: own.mul(share),
-    }),
+    // A channel of the light behind passes by a share of its own: one material multiplies by them, the next one adds.
+    sheets: [
+      Object.assign(material({ vertexNode, fragmentNode: vec4(passing, passing.g.oneMinus()) }), FILTERED),
+      material({ vertexNode, fragmentNode: vec4(own.mul(share), 0) }),
+    ],
     embers: material({
       vertexNode: vec4(middle.xy.add(offset), middle.zw),
       fragmentNode: vec4(mix(light, exp(light.negate()).oneMinus(), mapped), 0),

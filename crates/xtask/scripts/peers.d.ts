@@ -29,6 +29,8 @@ declare module 'three' {
   export const NoToneMapping: number;
   export const OneFactor: number;
   export const OneMinusSrcAlphaFactor: number;
+  export const SrcColorFactor: number;
+  export const ZeroFactor: number;
 }
 
 declare module 'three/webgpu' {

@@ -7,7 +7,7 @@
  */
 
 import { GameObjects } from 'phaser';
-import { FlatFire } from './worlds/flat.js';
+import { FlatFire } from './flat.js';
 
 /** Number of the last texture, whose names differ. */
 let last = 0;
@@ -27,7 +27,12 @@ export class FireImage extends GameObjects.Image {
     super(scene, 0, 0, key);
     this.#canvas = canvas;
     this.setOrigin(0, 0);
-    this.#flat = new FlatFire(this, options, (picture) => this.#show(picture));
+    this.#flat = new FlatFire(options, {
+      picture: (picture) => this.#show(picture),
+      error: (error) => this.emit('error', error),
+    });
+    this.fire = this.#flat.fire;
+    this.light = this.#flat.light;
     scene.events.on('prerender', this.#follow, this);
     this.once('destroy', this.#free, this);
   }
@@ -48,7 +53,7 @@ export class FireImage extends GameObjects.Image {
 
   #free() {
     this.scene?.events.off('prerender', this.#follow, this);
-    this.#flat.source.dispose();
+    this.#flat.dispose();
     this.#canvas.destroy();
   }
 }

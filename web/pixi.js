@@ -9,7 +9,7 @@
  */
 
 import { ImageSource, Sprite, Texture } from 'pixi.js';
-import { FlatFire } from './worlds/flat.js';
+import { FlatFire } from './flat.js';
 
 /** A fire. */
 export class FireSprite extends Sprite {
@@ -31,7 +31,12 @@ export class FireSprite extends Sprite {
     });
     super(new Texture({ source: image }));
     this.#image = image;
-    this.#flat = new FlatFire(this, options, (picture) => this.#show(picture));
+    this.#flat = new FlatFire(options, {
+      picture: (picture) => this.#show(picture),
+      error: (error) => this.emit('error', error),
+    });
+    this.fire = this.#flat.fire;
+    this.light = this.#flat.light;
     this.onRender = () => {
       const { x, y } = this.#flat.follow(this.target, this.height);
       this.position.set(x, y);
@@ -51,7 +56,7 @@ export class FireSprite extends Sprite {
   /** Frees the fire and its texture. @param {any} [options] */
   destroy(options) {
     this.onRender = /** @type {any} */ (null);
-    this.#flat.source.dispose();
+    this.#flat.dispose();
     super.destroy(options);
     const { resource } = this.#image;
     this.#image.destroy();

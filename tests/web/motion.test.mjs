@@ -35,3 +35,14 @@ test('what is put elsewhere does not move through the gas', () => {
   motion.move(1.5, 0, AREA);
   assert.equal(values.source_x, 0);
 });
+
+test('a fire that does not burn yet is carried as a whole', () => {
+  const values = /** @type {{[id: string]: number}} */ ({});
+  const fire = { values, set: (/** @type {any} */ given) => Object.assign(values, given), call: async () => {} };
+  const motion = new Motion(/** @type {any} */ (fire));
+  motion.move(0.3, 0.1, AREA);
+  assert.deepEqual([values, motion.x, motion.y], [{}, 0, 0]);
+  Object.assign(values, moved().values);
+  motion.move(0.1, 0, AREA);
+  assert.deepEqual([values.source_x, values.source_height], [0.1, 0.2]);
+});

@@ -40,9 +40,11 @@ export class Motion {
   move(right, up, [left, lower, far, upper]) {
     const { values } = this.#fire;
     if (!this.#known) {
+      // A fire that does not burn yet begins where its source is then.
+      if (values.source_x === undefined) return;
       this.x = this.restX = values.source_x;
       this.y = this.restY = values.source_height;
-      this.#known = values.source_x !== undefined;
+      this.#known = true;
     }
     const now = performance.now();
     const seconds = Math.max(now - this.#then, 1) / 1000;

@@ -59,7 +59,7 @@ export interface FireListener {
 
 /** The light of a fire in a flat world. */
 export interface FlatLight {
-  /** Its place [pixels of the world]. */
+  /** Its place in the world. */
   readonly x: number;
   readonly y: number;
   /** Luminosity [m²]. */

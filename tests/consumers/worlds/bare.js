@@ -4,8 +4,8 @@
  */
 import { FireObject } from 'hearth-fire/three';
 import * as THREE from 'three';
+import { SIDE, difference, elementAt, read } from './beside.js';
 
-export const SIDE = 160;
 const START = { width: SIDE, height: SIDE, quality: 'low', paused: true };
 const SECONDS = 1.5;
 
@@ -39,46 +39,9 @@ function pixels({ scene, camera }, background) {
   return read(renderer.domElement, background);
 }
 
-function read(picture, background) {
-  const canvas = new OffscreenCanvas(SIDE, SIDE);
-  const context = canvas.getContext('2d');
-  context.fillStyle = background;
-  context.fillRect(0, 0, SIDE, SIDE);
-  context.drawImage(picture, 0, 0, SIDE, SIDE);
-  return context.getImageData(0, 0, SIDE, SIDE).data;
-}
-
 /** Sums of red and green of all pixels. */
 const sums = (data) =>
   [0, 1].map((channel) => data.reduce((sum, value, i) => sum + (i % 4 === channel ? value : 0), 0));
-
-/** CIE L*a*b* of a colour of eight bits (D65). */
-function lab(data, at) {
-  const [r, g, b] = [0, 1, 2].map((channel) => {
-    const value = data[at + channel] / 255;
-    return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
-  });
-  const [x, y, z] = [
-    (0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505,
-    0.2126 * r + 0.7152 * g + 0.0722 * b,
-    (0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089,
-  ].map((value) => (value > 0.008856 ? Math.cbrt(value) : 7.787 * value + 16 / 116));
-  return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
-}
-
-/** Mean ΔE of two pictures where the second one is not the background, and away from the rim, where a world has no edge. */
-function difference(a, b, background) {
-  let [sum, count] = [0, 0];
-  for (let at = 0; at < a.length; at += 4) {
-    const [x, y] = [(at / 4) % SIDE, Math.floor(at / 4 / SIDE)];
-    const isRim = x < 0.1 * SIDE || x > 0.9 * SIDE || y < 0.1 * SIDE;
-    if (isRim || [0, 1, 2].every((channel) => Math.abs(b[at + channel] - background) < 6)) continue;
-    const [one, other] = [lab(a, at), lab(b, at)];
-    sum += Math.hypot(...one.map((value, i) => value - other[i]));
-    count += 1;
-  }
-  return { mean: sum / count, count };
-}
 
 /** Frees a fire and the things in its scene. */
 function free({ fire, scene }) {
@@ -203,39 +166,14 @@ Object.assign(globalThis, {
     },
     /** Differences from the element over black and white. */
     async differences() {
-      const { HearthFire: _ } = await import('hearth-fire');
-      const element = document.createElement('hearth-fire');
-      element.style.cssText = `display: block; width: ${SIDE}px; height: ${SIDE}px`;
-      const state = {
-        quality: 'low',
-        autoplay: 'false',
-        seed: '7',
-        'ember-rate': '0',
-        fit: 'height',
-        loading: 'eager',
-      };
-      for (const [name, value] of Object.entries(state)) element.setAttribute(name, value);
-      document.body.append(element);
-      await element.pause();
-      await element.ready;
+      const { element, picture } = await elementAt(SECONDS);
       const made = await burning();
-      const late = SECONDS - (element.stats?.time ?? 0);
-      await element.advance(late);
-      const picture = await createImageBitmap(await element.toBlob());
       const of = (background, value) => difference(pixels(made, background), read(picture, background), value);
       const all = {
         black: of('#000000', 0),
         white: of('#ffffff', 255),
-        late,
         times: [element.stats.time, made.fire.fire.stats.time],
       };
-      all.pictures = [renderer.domElement, picture].map((it) => {
-        const canvas = document.createElement('canvas');
-        canvas.width = canvas.height = SIDE;
-        if (it === renderer.domElement) pixels(made, '#000000');
-        canvas.getContext('2d').drawImage(it, 0, 0, SIDE, SIDE);
-        return canvas.toDataURL();
-      });
       made.fire.dispose();
       element.remove();
       return all;

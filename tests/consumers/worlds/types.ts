@@ -1,4 +1,5 @@
 /** Programs as users write them, which a strict compiler accepts. */
+import { FlatFire } from 'hearth-fire/flat';
 import { FireObject } from 'hearth-fire/three';
 import { FireSprite } from 'hearth-fire/pixi';
 import { FireImage } from 'hearth-fire/phaser';
@@ -31,3 +32,10 @@ class Cave extends Phaser.Scene {
   }
 }
 console.log(Cave);
+
+const flat = new FlatFire({ preset: 'candle' }, { picture: (picture) => picture.close() });
+const { x: left, y: top } = flat.follow({ x: 1, y: 2 }, 3, 1);
+console.log(left + top + flat.light.intensity);
+// @ts-expect-error The picture has a listener.
+new FlatFire({}, {});
+

@@ -1,6 +1,6 @@
 /**
- * The examples in three.js, PixiJS and Phaser burn in the built site, under its policy, on a desktop and a phone. What a
- * fire does in those engines is tested with the package, in `tests/consumers`.
+ * The examples in three.js, PixiJS, Phaser, Babylon.js and PlayCanvas burn in the built site, under its policy, on a desktop
+ * and a phone. What a fire does in those engines is tested with the package, in `tests/consumers`.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -17,6 +17,8 @@ for (const [page, name] of [
   ['campsite', 'camp'],
   ['brazier', 'game'],
   ['torch', 'game'],
+  ['pillars', 'game'],
+  ['wisp', 'game'],
 ]) {
   for (const screen of [
     { width: 480, height: 320 },

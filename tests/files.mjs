@@ -7,8 +7,8 @@ import path from 'node:path';
 import { run } from 'node:test';
 import { spec as Spec } from 'node:test/reporters';
 
-/** The longest that a file may take [ms], several times what the longest takes. */
-const FILE_TIMEOUT = 20 * 60_000;
+/** The longest that a file may take [min], several times what the longest takes. */
+const FILE_MINUTES = 10;
 
 /**
  * How a test ended.
@@ -17,6 +17,7 @@ const FILE_TIMEOUT = 20 * 60_000;
  * @property {string} name
  * @property {'passed' | 'failed' | 'left out'} end
  * @property {string} reason  Why it is left out.
+ * @property {number} seconds
  */
 
 /**
@@ -34,7 +35,7 @@ export async function runTests(folders, concurrency = 2) {
     .filter((file) => file.endsWith('.test.mjs') && (words.length === 0 || chosen(file)));
   // Without files, Node would run every test that it finds.
   if (files.length === 0) throw new Error(`no test file begins with ${words.join(' or ')}`);
-  const events = run({ files, concurrency, timeout: FILE_TIMEOUT });
+  const events = run({ files, concurrency, timeout: FILE_MINUTES * 60_000 });
   /** @type {Outcome[]} */
   const outcomes = [];
   /** @type {any} */
@@ -43,9 +44,23 @@ export async function runTests(folders, concurrency = 2) {
   await new Promise((resolve) => {
     events.on('end', resolve);
   });
+  console.log(`Seconds of tests: ${durations(outcomes)}.`);
   if (outcomes.some(({ end }) => end === 'failed')) process.exitCode = 1;
   return outcomes;
 }
+
+/** How long the tests of each file took, the longest first. @param {Outcome[]} outcomes */
+function durations(outcomes) {
+  /** @type {Map<string, number>} */
+  const files = new Map();
+  for (const { file, seconds } of outcomes) files.set(file, (files.get(file) ?? 0) + seconds);
+  const sorted = [...files].sort(([, one], [, other]) => other - one);
+  return sorted.map(([file, seconds]) => `${file} ${Math.round(seconds)}`).join(', ');
+}
+
+/** Why a file failed as a whole. @param {string | undefined} type  Of the failure, in Node's words. */
+const failureOf = (type) =>
+  type === 'testTimeoutFailure' ? `does not end within ${FILE_MINUTES} minutes` : 'ends before its tests';
 
 /**
  * Reads the outcomes, and hands on the events: a test that throws `left out: …` becomes one that is skipped, with the
@@ -58,9 +73,10 @@ async function* judged(source, outcomes) {
       yield { type, data };
       continue;
     }
-    const { name, details } = data;
-    const file = path.basename(data.file ?? name, '.test.mjs');
+    const { details } = data;
     const { failureType, cause } = details.error ?? {};
+    const file = path.basename(data.file ?? data.name, '.test.mjs');
+    const name = data.name.endsWith('.test.mjs') ? failureOf(failureType) : data.name;
     const [, leftOut] = String(cause?.message ?? cause).match(/^left out: (.*)/) ?? [];
     const isGroup = details.type === 'suite' || failureType === 'subtestsFailed';
     const failed = isGroup
@@ -68,7 +84,8 @@ async function* judged(source, outcomes) {
       : leftOut === undefined;
     const reason = leftOut ?? data.skip;
     const end = type === 'test:fail' && failed ? 'failed' : reason ? 'left out' : 'passed';
-    if (!isGroup) outcomes.push({ file, name, end, reason: String(reason ?? '') });
+    const seconds = details.duration_ms / 1000;
+    if (!isGroup) outcomes.push({ file, name, end, reason: String(reason ?? ''), seconds });
     yield end === 'failed'
       ? { type, data }
       : { type: 'test:pass', data: { ...data, skip: reason, details: { ...details, error: undefined } } };

@@ -192,8 +192,12 @@ export async function installActors() {
     return made;
   };
   const child = () => pick(fire.children) ?? fire.appendChild(newChild());
-  /** The engine stops, and another one goes on. Three stops within a minute would end the fire. */
+  /**
+   * The engine stops, and another one goes on. Three stops within a minute would end the fire. On the page's thread none
+   * can stop.
+   */
   const restart = async () => {
+    if (scope.driver.workers() === 0) return reinsert();
     log.push('the engine stops');
     scope.clock.cost = 61_000;
     performance.now();

@@ -7,21 +7,21 @@ import { fileURLToPath } from 'node:url';
 import { runTests } from '../files.mjs';
 import { BROWSERS } from './driver.mjs';
 
-/** @typedef {import('../files.mjs').Outcome & {browser: string}} Outcome */
+/** @typedef {import('../files.mjs').Outcome} Outcome */
+/** @typedef {import('./driver/programs.mjs').Kind} Kind */
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 
-/** How each test ended in each browser. @returns {Promise<Outcome[]>} */
-export async function runInBrowsers() {
-  /** @type {Outcome[]} */
-  const all = [];
+/**
+ * Runs the files in one browser after another.
+ * @param {(browser: Kind, outcomes: Outcome[]) => void} [done]  Is called after each browser.
+ */
+export async function runInBrowsers(done = () => {}) {
   for (const browser of BROWSERS) {
     process.env.HEARTH_BROWSERS = browser;
     console.log(`In ${browser}:`);
-    const outcomes = await runTests([path.join(here, 'core'), path.join(here, 'extended')]);
-    all.push(...outcomes.map((outcome) => ({ ...outcome, browser })));
+    done(browser, await runTests([path.join(here, 'core'), path.join(here, 'extended')]));
   }
-  return all;
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) await runInBrowsers();

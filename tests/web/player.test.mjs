@@ -59,7 +59,6 @@ Object.assign(globalThis, {
   document: page,
   AudioContext: FakeContext,
   GainNode: FakeNode,
-  DynamicsCompressorNode: FakeNode,
   WaveShaperNode: FakeNode,
   addEventListener() {},
   removeEventListener() {},
@@ -67,6 +66,7 @@ Object.assign(globalThis, {
 Object.defineProperty(globalThis, 'navigator', { value: { userActivation: { hasBeenActive: false } } });
 
 const { Player } = await import('../../web/sound/player.js');
+const { limited } = await import('../../web/sound/mixer.js');
 
 /** A visitor's click. */
 async function click() {
@@ -136,4 +136,15 @@ test('a fire whose context is closed sounds again with the next gesture, in anot
     ['sound', undefined, 1, 0.5, 1],
     ['sound', 8000, 1, 0.5, 1],
   ]);
+});
+
+test('the limiter keeps what is within 0.7 of full scale, and bends all else below it, the louder the nearer', () => {
+  for (const sample of [0, 0.1, -0.5, 0.7]) assert.equal(limited(sample), sample);
+  let last = 0.7;
+  for (let sample = 0.71; sample < 4; sample += 0.01) {
+    const now = limited(sample);
+    assert.ok(now >= last && now < 1 && now <= sample, `${sample} becomes ${now}`);
+    assert.equal(limited(-sample), -now);
+    last = now;
+  }
 });

@@ -16,7 +16,7 @@ import { STYLES } from './style.js';
 /** What the fire is saved as. */
 const KINDS = { film: 'Film', loop: 'Loop', gif: 'GIF', sheet: 'Sheet', still: 'Image' };
 
-/** The formats of a film, by name, and of a loop. @type {{[format: string]: string}} */
+/** The formats of a film, by name, WebP first, and of a loop. @type {{[format: string]: string}} */
 const FILMS = {
   webp: 'WebP: transparent, plays in every browser',
   apng: 'APNG: transparent, exact colours',
@@ -46,6 +46,12 @@ const REST_MS = 500;
  */
 export function openRecorder(fire, saved = () => {}) {
   if (!fire.ownerDocument.querySelector('.hearth-recorder')) new Recorder(fire, saved).open();
+}
+
+/** Whether this browser encodes WebP; Safari does not. */
+function encodesWebP() {
+  const canvas = element('canvas', { width: '1', height: '1' });
+  return canvas.toDataURL('image/webp').startsWith('data:image/webp');
 }
 
 /** A labelled list of choices. @type {(name: string, label: string, choices: [value: string, text: string][]) => {row: HTMLLabelElement, select: HTMLSelectElement}} */
@@ -98,6 +104,7 @@ class Recorder {
   constructor(fire, saved) {
     this.#fire = fire;
     this.#saved = saved;
+    if (!encodesWebP()) this.#formats.select.options[0].remove();
     const kept = /** @type {any} */ (remembered().film ?? {});
     for (const [value, text] of Object.entries(KINDS)) {
       const radio = element('input', { type: 'radio', name: 'kind', value });
@@ -157,7 +164,7 @@ class Recorder {
       this.#sized ||= target === this.#size.select;
       this.#change();
     });
-    this.#cancel.addEventListener('click', () => (this.#film ? this.#film.abort() : this.#dialog.close()));
+    this.#cancel.addEventListener('click', () => (this.#film ? this.#film.abort() : this.#close()));
     // The fire's shortcuts do not work in a dialog.
     this.#dialog.addEventListener('keydown', (event) => event.stopPropagation());
     this.#dialog.addEventListener('close', () => this.#end());
@@ -229,7 +236,8 @@ class Recorder {
     if (!this.#sized) this.#size.select.value = still ? SIZES[SIZES.length - 1] : SIZES[0];
     for (const option of this.#formats.select.options)
       option.hidden = option.disabled = kind === 'loop' && !LOOPS.includes(option.value);
-    if (this.#formats.select.selectedOptions[0]?.disabled) this.#formats.select.value = LOOPS[0];
+    if (this.#formats.select.selectedOptions[0]?.disabled)
+      this.#formats.select.value = [...this.#formats.select.options].find(({ disabled }) => !disabled)?.value ?? '';
     const format = this.#format;
     const isSound = format === 'wav';
     this.#formats.row.hidden = kind !== 'film' && kind !== 'loop';
@@ -367,7 +375,7 @@ class Recorder {
       const { width, height } = options;
       this.#about.textContent = `Saved ${name}, ${kind === 'still' ? `${width} pixels wide` : `${width} × ${height} pixels, ${megabytes(file.size)}`}.`;
       this.#saved(this.#about.textContent);
-      if (kind === 'still') this.#dialog.close();
+      if (kind === 'still') this.#close();
     } catch (error) {
       if (this.#film?.signal.aborted) this.#about.textContent = 'Cancelled. Nothing is saved.';
       else this.#alert.textContent = messageOf(error);
@@ -407,6 +415,12 @@ class Recorder {
     const fields = /** @type {NodeListOf<HTMLInputElement>} */ (this.#dialog.querySelectorAll('select, input'));
     for (const field of fields) field.disabled = busy;
     if (busy) this.#cancel.focus();
+  }
+
+  /** Closes the dialog. A hidden one would take the next key: it keeps the focus until the browser draws a frame. */
+  #close() {
+    this.#dialog.close();
+    this.#end();
   }
 
   #end() {

@@ -50,7 +50,10 @@ xflags::xflags! {
             repeated stage: String
         }
         /// Runs every end-to-end test in Chromium, Firefox and WebKitGTK, and writes the table of browsers.
-        cmd browsers {}
+        cmd browsers {
+            /// How the names of files begin that run again; without one, all run.
+            repeated name: String
+        }
         /// Counts the instructions of a step and records them; `test cost` compares with the record.
         cmd cost {}
         /// Draws the golden pictures again.
@@ -117,7 +120,7 @@ mod tests {
             "publish → Publish { url: None, repository: None }",
             "publish --url https://a.example → url: Some(Base(\"https://a.example/\"))",
             "reproduce → Reproduce",
-            "browsers → Browsers",
+            "browsers keys sound → Browsers { name: [\"keys\", \"sound\"] }",
             "poster → Poster",
             "showcase → Showcase",
             "cost → Cost",

@@ -77,7 +77,7 @@ fn run(command: Xtask) -> Result<ExitCode> {
                 return Ok(ExitCode::FAILURE);
             }
         }
-        XtaskCmd::Browsers(_) => browser::table()?,
+        XtaskCmd::Browsers(browsers) => browser::table(browsers.name)?,
         XtaskCmd::Cost(_) => cost::record()?,
         XtaskCmd::Goldens(goldens) => goldens::write(&goldens.name)?,
         XtaskCmd::Poster(_) => pictures::poster()?,

@@ -35,7 +35,7 @@ describe('a fire in an iframe', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  const warns = except({ webkit: 'the driver hears no warning of an iframe' });
+  const warns = except({ webkit: 'a warning of an iframe of another origin reaches neither driver nor page' });
   test('rejects a bad value with a warning and burns with the others', warns, async () => {
     const tab = await fixture.burning({ viscosty: '1', exposure: '99', seed: '7', src: '/secret', wings: '2' });
     const { value: params } = await call(tab, 'params');

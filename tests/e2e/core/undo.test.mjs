@@ -1,7 +1,7 @@
 /** Undo and redo by keys, accessible controls and buttons; `extended/history.test.mjs` has every kind of change. */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser, except } from '../driver.mjs';
+import { Browser } from '../driver.mjs';
 import { Panel, actionOf, along, controlOf } from '../panel.mjs';
 import { chord, drag } from '../tools.mjs';
 
@@ -79,7 +79,7 @@ async function sceneOf(tab, preset) {
 
 for (const [where, width] of Object.entries({ 'with the panel': 900, 'before the panel is loaded': 500 })) {
   const name = `a drag of the base and a scene of the strip are a step each, by keys on its thumbnail, ${where}`;
-  test(name, except({ webkit: 'a key of the driver on a thumbnail chooses no scene' }), async () => {
+  test(name, async () => {
     const tab = await browser.open('index.html', { width, height: 640 });
     await tab.ready();
     if (width > 700) await new Panel(tab).mounted();

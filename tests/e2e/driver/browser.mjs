@@ -22,6 +22,10 @@ import { chromium, firefox } from './puppeteer.mjs';
  * @property {string[]} beforeWorker  Scripts that run in each worker before its own.
  */
 /**
+ * What Firefox or WebKit takes from the system when it starts.
+ * @typedef {Pick<Opening, 'preferences' | 'ratio' | 'touch'>} Desktop
+ */
+/**
  * What a visitor prefers.
  * @typedef {object} Preferences
  * @property {boolean} reducedMotion
@@ -45,8 +49,12 @@ const START = {
   webkit: async (options, server) => (await import('./webkit.mjs')).webkit(options, server),
 };
 
-/** @type {Preferences} */
-const NONE = { reducedMotion: false, scheme: 'light', forcedColors: false };
+/** @type {Desktop} */
+const DESKTOP = {
+  preferences: { reducedMotion: false, scheme: 'light', forcedColors: false },
+  ratio: 1,
+  touch: false,
+};
 
 /** Pixels of a fire whose sharpness no test asserts. */
 const FEW_PIXELS = 30_000;
@@ -57,13 +65,15 @@ export class Browser {
    * @param {Engine} engine
    * @param {import('../server.mjs').Server} server
    * @param {boolean} draws
-   * @param {(preferences: Preferences, ratio: number) => Promise<Engine>} restart
+   * @param {(desktop: Desktop) => Promise<Engine>} restart
    */
   constructor(engine, server, draws, restart) {
     this.engine = engine;
     this.draws = draws;
     this.server = server;
     this.restart = restart;
+    /** How many pages it has opened. */
+    this.opened = 0;
     /** @type {any} */
     this.tab = undefined;
   }
@@ -103,9 +113,9 @@ export class Browser {
     const { kind = BROWSER, folders = [], draws = true } = options;
     const server = await serve(...(folders.length > 0 ? folders : [SITE]));
     /** @type {Browser['restart']} */
-    const start = (preferences, ratio) => START[kind]({ ...options, preferences, ratio }, server);
+    const start = ({ preferences, ratio, touch }) => START[kind]({ ...options, preferences, ratio, touch }, server);
     try {
-      return new Browser(await start(NONE, 1), server, draws, start);
+      return new Browser(await start(DESKTOP), server, draws, start);
     } catch (error) {
       await server.close();
       throw error;
@@ -123,7 +133,8 @@ export class Browser {
    * @param {number} [options.height]
    * @param {number} [options.ratio]  Device pixels per CSS pixel; a whole number in WebKit.
    * @param {boolean} [options.touch]  A phone's touch and, in Chromium, viewport; not in WebKit.
-   * @param {boolean} [options.reducedMotion]  Firefox and WebKit start again for pages with another preference.
+   * @param {boolean} [options.reducedMotion]  Firefox and WebKit start again for pages with another preference, and
+   *   Firefox for those with touch.
    * @param {'light' | 'dark'} [options.scheme]
    * @param {boolean} [options.forcedColors]  Not in WebKit.
    * @param {boolean} [options.draws]  Whether WebGL2 draws.
@@ -152,7 +163,8 @@ export class Browser {
     this.server.replace(without === undefined ? files : { ...files, [without]: { drop: true } });
     const { origin } = this.server;
     const before = [`(${rememberContexts})();`, `(${followWorkers})(${JSON.stringify(origin)});`];
-    if (!remember) before.push(`(${forgetOnce})();`);
+    this.opened += 1;
+    before.push(`(${forgetOnce})(${this.opened}, ${remember});`);
     if (pixels < Infinity) before.push(`(${limitPixels})(${pixels});`);
     if (options.before) before.push(`(${options.before})();`);
     const beforeWorker = options.beforeWorker ? [`(${options.beforeWorker})();`] : [];
@@ -162,7 +174,7 @@ export class Browser {
     const opening = { width, height, ratio, touch, preferences, before, beforeWorker };
     if (!this.engine.fits(opening)) {
       const { engine } = this;
-      this.engine = await this.restart(preferences, ratio);
+      this.engine = await this.restart(opening);
       await engine.close();
     }
     const tab = await this.engine.open(opening);
@@ -205,12 +217,18 @@ export class Browser {
   }
 }
 
-/** Runs in the page: clears the storage of previous tests. */
-function forgetOnce() {
+/**
+ * Runs in the page: clears the storage of previous pages. All pages of WebKit are in one tab.
+ * @param {number} opened  Which page of the browser it is.
+ * @param {boolean} remember  Whether the next visit finds what this browser keeps.
+ */
+function forgetOnce(opened, remember) {
   try {
     // A reloaded page keeps its own storage.
-    if (!sessionStorage.getItem('forgotten')) localStorage.clear();
-    sessionStorage.setItem('forgotten', 'yes');
+    if (sessionStorage.getItem('opened') === String(opened)) return;
+    sessionStorage.clear();
+    sessionStorage.setItem('opened', String(opened));
+    if (!remember) localStorage.clear();
   } catch {
     // Without access to storage nothing is kept.
   }

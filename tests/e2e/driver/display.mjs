@@ -8,12 +8,16 @@ import { program } from './programs.mjs';
 
 /** @typedef {{name: string, close: () => void}} Display */
 
+/** Its size [px of a page]. */
+export const SCREEN = { width: 1600, height: 1200 };
+
 /** @param {number} [ratio]  Its pixels for each of a page's. @returns {Promise<Display>} */
 export async function display(ratio = 1) {
+  const screen = `${SCREEN.width * ratio}x${SCREEN.height * ratio}x24`;
   // The server picks a free display number and writes it to its fourth file.
   const server = spawn(
     program('HEARTH_XVFB', ['Xvfb'], 'xvfb'),
-    ['-displayfd', '3', '-screen', '0', `${1600 * ratio}x${1200 * ratio}x24`, '-nolisten', 'tcp', '-noreset'],
+    ['-displayfd', '3', '-screen', '0', screen, '-nolisten', 'tcp', '-noreset'],
     { stdio: ['ignore', 'ignore', 'ignore', 'pipe'] },
   );
   const close = killAtExit(server);

@@ -75,11 +75,15 @@ export async function prefer(tab, { reducedMotion, scheme, forcedColors }) {
   });
 }
 
+/** What a finger can point at, and a mouse: bits of Firefox's preference for the media queries of pointers. */
+const POINTS = { finger: 1, mouse: 6 };
+
 /**
- * @param {{preferences: import('./browser.mjs').Preferences}} options  Of all its pages.
+ * @param {import('./browser.mjs').Desktop} options  Of all its pages.
  * @returns {Promise<import('./browser.mjs').Engine>}
  */
-export async function firefox({ preferences }) {
+export async function firefox({ preferences, touch }) {
+  const points = touch ? POINTS.finger : POINTS.mouse;
   const executablePath = program('HEARTH_FIREFOX', ['firefox-esr', 'firefox'], 'firefox-esr');
   const screen = await display();
   const browser = await puppeteer
@@ -92,6 +96,8 @@ export async function firefox({ preferences }) {
         'ui.prefersReducedMotion': preferences.reducedMotion ? 1 : 0,
         'layout.css.prefers-color-scheme.content-override': preferences.scheme === 'dark' ? 0 : 1,
         'browser.display.document_color_use': preferences.forcedColors ? 2 : 1,
+        'ui.primaryPointerCapabilities': points,
+        'ui.allPointerCapabilities': points,
       },
       protocolTimeout,
     })
@@ -102,9 +108,11 @@ export async function firefox({ preferences }) {
   return {
     browser,
     version: () => versionOf(browser),
-    fits: (opening) => isDeepStrictEqual(opening.preferences, preferences),
+    fits: (opening) => isDeepStrictEqual([opening.preferences, opening.touch], [preferences, touch]),
     async open(opening) {
       const tab = await opened(browser, opening);
+      // Keys would go to the line of the address.
+      await tab.page.bringToFront();
       Object.assign(tab.page, CHROMIUM_ALONE);
       return tab;
     },
@@ -135,7 +143,9 @@ async function opened(browser, { width, height, ratio, touch, before }) {
     }
   });
   page.on('pageerror', (error) => {
-    problems.push(`uncaught: ${error instanceof Error ? error.message : error}`);
+    const message = error instanceof Error ? error.message : String(error);
+    // What a page's policy blocks is an error of Firefox without an exception of the page.
+    problems.push(message.startsWith('Content-Security-Policy:') ? message : `uncaught: ${message}`);
   });
   // An open dialog stops the page, so that the next evaluation would wait for ever.
   page.on('dialog', (dialog) => {

@@ -169,7 +169,7 @@ export class Tab {
     // The landing page has fading text over its fire.
     await this.evaluate(() => {
       for (const over of document.querySelectorAll('body > header, #hint, #scenes')) {
-        /** @type {HTMLElement} */ (over).style.visibility = 'hidden';
+        Object.assign(/** @type {HTMLElement} */ (over).style, { visibility: 'hidden', transition: 'none' });
       }
     });
     return this.picture(await this.rectangle('hearth-fire'));

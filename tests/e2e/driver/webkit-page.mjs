@@ -4,11 +4,18 @@
  */
 import { setTimeout as sleep } from 'node:timers/promises';
 import { Key } from 'selenium-webdriver';
+import { SCREEN } from './display.mjs';
 import { CHROMIUM_ALONE, LeftOut } from './programs.mjs';
 import { WAIT_MS } from './tab.mjs';
 
 /** The least width of its window, whose toolbar needs it [px]. */
-const NARROWEST = 450;
+const NARROWEST = 290;
+
+/**
+ * Where its window stands on the display [px]: no window manager gives it the focus, so that it has the focus while the
+ * display's pointer, in the middle of the screen, is over its toolbar.
+ */
+const PLACE = { x: SCREEN.width / 2 - NARROWEST / 2, y: SCREEN.height / 2 - 8 };
 
 /** Runs in the page: the elements of a selector. @param {string} selector */
 function found(selector) {
@@ -19,14 +26,20 @@ function found(selector) {
   return all;
 }
 
-/** Runs in the page: shows an element, and where its middle is. @param {Element} element */
-function middle(element) {
-  const box = () => element.getBoundingClientRect();
-  const { left, right, top, bottom } = box();
-  if (left < 0 || top < 0 || right > innerWidth || bottom > innerHeight) {
-    element.scrollIntoView({ block: 'center', inline: 'center', behavior: 'instant' });
-  }
-  const { x, y, width, height } = box();
+/**
+ * Runs in the page: shows an element that its window or a list that scrolls cuts off, and where its middle is.
+ * @param {Element} element
+ */
+async function middle(element) {
+  const share = await new Promise((resolve) => {
+    const observer = new IntersectionObserver(([{ intersectionRatio }]) => {
+      observer.disconnect();
+      resolve(intersectionRatio);
+    });
+    observer.observe(element);
+  });
+  if (share < 1) element.scrollIntoView({ block: 'center', inline: 'center', behavior: 'instant' });
+  const { x, y, width, height } = element.getBoundingClientRect();
   return { x: x + width / 2, y: y + height / 2 };
 }
 
@@ -39,6 +52,9 @@ function selectOptions(element, ...values) {
 
 /** `ArrowLeft` is `Key.ARROW_LEFT`. @param {string} key */
 const named = (key) => Key[key.replace(/(?<=[a-z])(?=[A-Z])/g, '_').toUpperCase()] ?? key;
+
+/** How far the wheel of each browser has been turned. @type {WeakMap<any, {x: number, y: number}>} */
+const turns = new WeakMap();
 
 /** A page. */
 export class WebKitPage {
@@ -69,8 +85,13 @@ export class WebKitPage {
         await this.mouse.down();
         await this.mouse.up();
       },
-      wheel: ({ deltaX = 0, deltaY = 0 }) =>
-        act().scroll(this.#at.x, this.#at.y, Math.round(deltaX), Math.round(deltaY)).perform(),
+      wheel: ({ deltaX = 0, deltaY = 0 }) => {
+        // The driver takes the way since the last turn of the wheel for the turn.
+        const { x, y } = turns.get(browser) ?? { x: 0, y: 0 };
+        const turned = { x: x + Math.round(deltaX), y: y + Math.round(deltaY) };
+        turns.set(browser, turned);
+        return act().scroll(this.#at.x, this.#at.y, turned.x, turned.y).perform();
+      },
     };
     this.keyboard = {
       press: (key) => act().sendKeys(named(key)).perform(),
@@ -113,7 +134,7 @@ export class WebKitPage {
     let [across, down] = [0, 0];
     const end = Date.now() + WAIT_MS;
     while (Date.now() < end) {
-      await window.setRect({ width: width + across, height: height + down });
+      await window.setRect({ ...PLACE, width: width + across, height: height + down });
       await sleep(50);
       const [w, h] = await inner();
       if (w === width && h === height) return;

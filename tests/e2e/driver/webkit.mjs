@@ -18,8 +18,11 @@ import { LeftOut, program } from './programs.mjs';
 import { WAIT_MS, Tab } from './tab.mjs';
 import { WebKitPage } from './webkit-page.mjs';
 
+/** The least toolbar, so that a window may be as narrow as a phone. */
+const NARROW = '* { min-width: 0; min-height: 0; margin: 0; padding: 0; border: 0; font-size: 1px }';
+
 /**
- * @param {{preferences: import('./browser.mjs').Preferences, ratio: number}} options  The desktop's, for all its pages.
+ * @param {import('./browser.mjs').Desktop} options  The desktop's, for all its pages.
  * @param {import('../server.mjs').Server} server
  * @returns {Promise<import('./browser.mjs').Engine>}
  */
@@ -30,6 +33,7 @@ export async function webkit({ preferences, ratio }, server) {
   const driver = program('HEARTH_WEBKIT_DRIVER', ['WebKitWebDriver'], 'webkit2gtk-driver');
   const home = mkdtempSync(path.join(os.tmpdir(), 'hearth-webkit-'));
   mkdirSync(path.join(home, 'gtk-3.0'));
+  writeFileSync(path.join(home, 'gtk-3.0', 'gtk.css'), NARROW);
   writeFileSync(
     path.join(home, 'gtk-3.0', 'settings.ini'),
     `[Settings]

@@ -7,7 +7,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { STAGE, installActors, stopAtSparks } from '../actors.mjs';
 import { simulateClock } from '../clock.mjs';
-import { Browser } from '../driver.mjs';
+import { BROWSER, Browser, except } from '../driver.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -16,7 +16,8 @@ before(async () => {
 });
 after(() => browser?.close());
 
-const SEQUENCES = 200;
+/** The rules are of Rust and of scripts: of another browser fewer sequences show that its parts are connected. */
+const SEQUENCES = BROWSER === 'chromium' ? 200 : 40;
 
 /** How many sequences with a failure are reported. */
 const REPORTED = 3;
@@ -202,7 +203,9 @@ function stopAtUndo() {
   });
 }
 
-test('an undo and a redo that an engine does not survive can be repeated', async () => {
+const STOPPED = except({ webkit: 'its engine runs on the page’s thread, which no test can stop' });
+
+test('an undo and a redo that an engine does not survive can be repeated', STOPPED, async () => {
   const tab = await browser.open('<hearth-fire paused></hearth-fire>', { beforeWorker: stopAtUndo });
   await tab.ready();
   const seen = await tab.fire(async (fire) => {

@@ -23,11 +23,22 @@ async function openPage(before) {
 
 const paused = (tab) => tab.fire((fire) => fire.paused);
 
-/** Runs in the page: what is saved counts in `window.saved`. */
+/**
+ * Runs in the page: what is saved counts in `window.saved`; `window.focused` is what has the focus once a dialog has
+ * closed, before the next frame.
+ */
 function countSaved() {
-  /** @type {any} */ (window).saved = 0;
+  const page = /** @type {any} */ (window);
+  page.saved = 0;
+  const { close } = HTMLDialogElement.prototype;
+  HTMLDialogElement.prototype.close = function closed() {
+    close.call(this);
+    queueMicrotask(() => {
+      page.focused = document.activeElement?.tagName;
+    });
+  };
   HTMLAnchorElement.prototype.click = () => {
-    /** @type {any} */ (window).saved += 1;
+    page.saved += 1;
   };
 }
 
@@ -101,6 +112,7 @@ test('S asks how to save a picture and Enter saves it, F enters and leaves full 
   await tab.until('the question', isAsked);
   await tab.key('Enter');
   await tab.until('a picture', () => /** @type {any} */ (window).saved === 1);
+  assert.equal(await tab.evaluate(() => /** @type {any} */ (window).focused), 'BODY', 'the next key is for the page');
   await tab.key('f');
   await tab.until('all of the screen', () => document.fullscreenElement === document.documentElement);
   await tab.key('f');

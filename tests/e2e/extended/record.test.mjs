@@ -4,7 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser } from '../driver.mjs';
+import { BROWSER, Browser, except } from '../driver.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -43,7 +43,7 @@ test('a film that is described has scene and seed as a settings file, and a shee
   const texts = await tab.fire(async (fire) => {
     const film = { seconds: 0.1, width: 32, height: 40 };
     const texts = [];
-    for (const format of /** @type {const} */ (['webp', 'sheet'])) {
+    for (const format of /** @type {const} */ (['apng', 'sheet'])) {
       const file = /** @type {Blob} */ (await fire.record({ ...film, format, describe: true }));
       texts.push(await file.text());
     }
@@ -81,7 +81,9 @@ test('the fire goes on where it was, as one does that was never recorded', async
   assert.ok(recorded.time >= 1.5 && recorded.picture.length > 500);
 });
 
-test('each format of pictures has the size, the count and the rate that were asked for, and alpha', async () => {
+const WEBP = except({ webkit: 'WebKitGTK encodes no WebP' });
+
+test('each format of pictures has the size, the count and the rate that were asked for, and alpha', WEBP, async () => {
   const tab = await paused();
   for (const [format, fps, seconds] of /** @type {const} */ ([
     ['webp', 30, 0.5],
@@ -133,66 +135,75 @@ test('each format of pictures has the size, the count and the rate that were ask
   }
 });
 
-test('films for players have the size and the length that were asked for, WebM alpha within 3 of 255', async () => {
-  const tab = await paused();
-  const films = await tab.fire(async (fire) => {
-    const common = { seconds: 1, fps: 24, width: 96, height: 128 };
-    const context = () =>
-      /** @type {OffscreenCanvasRenderingContext2D} */ (
-        new OffscreenCanvas(96, 128).getContext('2d', { willReadFrequently: true })
-      );
-    const shown = async (/** @type {any} */ options) => {
-      const file = /** @type {Blob} */ (await fire.record({ ...common, ...options }));
-      const video = document.createElement('video');
-      video.muted = true;
-      video.src = URL.createObjectURL(file);
-      await new Promise((resolve, reject) =>
-        Object.assign(video, { oncanplaythrough: resolve, onerror: () => reject(video.error) }),
-      );
-      const seek = new Promise((resolve) => (video.onseeked = resolve));
-      video.currentTime = 0.49;
-      await seek;
+const WEBM = except({ webkit: 'the process of a page ends where its films are played' });
+
+/** How exact the alpha of a WebM is; Firefox encodes it more coarsely. */
+const ALPHA = BROWSER === 'firefox' ? 16 : 3;
+
+test(
+  `films for players have the size and the length that were asked for, WebM alpha within ${ALPHA} of 255`,
+  WEBM,
+  async () => {
+    const tab = await paused();
+    const films = await tab.fire(async (fire) => {
+      const common = { seconds: 1, fps: 24, width: 96, height: 128 };
+      const context = () =>
+        /** @type {OffscreenCanvasRenderingContext2D} */ (
+          new OffscreenCanvas(96, 128).getContext('2d', { willReadFrequently: true })
+        );
+      const shown = async (/** @type {any} */ options) => {
+        const file = /** @type {Blob} */ (await fire.record({ ...common, ...options }));
+        const video = document.createElement('video');
+        video.muted = true;
+        video.src = URL.createObjectURL(file);
+        await new Promise((resolve, reject) =>
+          Object.assign(video, { oncanplaythrough: resolve, onerror: () => reject(video.error) }),
+        );
+        const seek = new Promise((resolve) => (video.onseeked = resolve));
+        video.currentTime = 0.49;
+        await seek;
+        const canvas = context();
+        canvas.drawImage(video, 0, 0);
+        return { video, data: canvas.getImageData(0, 0, 96, 128).data };
+      };
+      const about = (/** @type {HTMLVideoElement} */ { videoWidth, videoHeight, duration }) => [
+        videoWidth,
+        videoHeight,
+        Math.round(duration * 100),
+      ];
+      const webm = await shown({ format: 'webm' });
+      const zip = /** @type {Blob} */ (await fire.record({ ...common, format: 'zip' }));
+      // The picture of that moment in the archive.
+      const bytes = new Uint8Array(await zip.arrayBuffer());
+      const text = new TextDecoder('latin1').decode(bytes);
+      const [start, end] = ['00011.png', '00012.png'].map((name) => text.indexOf(name));
+      const exact = await createImageBitmap(new Blob([bytes.slice(start + 9, end - 30)]));
       const canvas = context();
-      canvas.drawImage(video, 0, 0);
-      return { video, data: canvas.getImageData(0, 0, 96, 128).data };
-    };
-    const about = (/** @type {HTMLVideoElement} */ { videoWidth, videoHeight, duration }) => [
-      videoWidth,
-      videoHeight,
-      Math.round(duration * 100),
-    ];
-    const webm = await shown({ format: 'webm' });
-    const zip = /** @type {Blob} */ (await fire.record({ ...common, format: 'zip' }));
-    // The picture of that moment in the archive.
-    const bytes = new Uint8Array(await zip.arrayBuffer());
-    const text = new TextDecoder('latin1').decode(bytes);
-    const [start, end] = ['00011.png', '00012.png'].map((name) => text.indexOf(name));
-    const exact = await createImageBitmap(new Blob([bytes.slice(start + 9, end - 30)]));
-    const canvas = context();
-    canvas.drawImage(exact, 0, 0);
-    const { data } = canvas.getImageData(0, 0, 96, 128);
-    const off = data.reduce(
-      (most, value, at) => (at % 4 === 3 ? Math.max(most, Math.abs(value - webm.data[at])) : most),
-      0,
-    );
-    const mp4 = await shown({ format: 'mp4', background: '#204060' }).catch((error) => error.message);
-    return {
-      webm: about(webm.video),
-      off,
-      mp4: mp4.video ? about(mp4.video) : mp4,
-      sky: mp4.data && [...mp4.data.slice(0, 4)],
-    };
-  });
-  assert.deepEqual(films.webm, [96, 128, 100]);
-  assert.ok(films.off <= 3, `alpha is off by ${films.off}`);
-  // Some builds of Chromium encode no H.264.
-  if (typeof films.mp4 === 'string') assert.match(films.mp4, /cannot encode H\.264/);
-  else {
-    assert.deepEqual(films.mp4, [96, 128, 100]);
-    const far = [0x20, 0x40, 0x60, 255].map((value, at) => Math.abs(value - films.sky[at]));
-    assert.ok(Math.max(...far) < 8, `${films.sky}`);
-  }
-});
+      canvas.drawImage(exact, 0, 0);
+      const { data } = canvas.getImageData(0, 0, 96, 128);
+      const off = data.reduce(
+        (most, value, at) => (at % 4 === 3 ? Math.max(most, Math.abs(value - webm.data[at])) : most),
+        0,
+      );
+      const mp4 = await shown({ format: 'mp4', background: '#204060' }).catch((error) => error.message);
+      return {
+        webm: about(webm.video),
+        off,
+        mp4: mp4.video ? about(mp4.video) : mp4,
+        sky: mp4.data && [...mp4.data.slice(0, 4)],
+      };
+    });
+    assert.deepEqual(films.webm, [96, 128, 100]);
+    assert.ok(films.off <= ALPHA, `alpha is off by ${films.off}`);
+    // Some builds of Chromium encode no H.264.
+    if (typeof films.mp4 === 'string') assert.match(films.mp4, /cannot encode H\.264/);
+    else {
+      assert.deepEqual(films.mp4, [96, 128, 100]);
+      const far = [0x20, 0x40, 0x60, 255].map((value, at) => Math.abs(value - films.sky[at]));
+      assert.ok(Math.max(...far) < 8, `${films.sky}`);
+    }
+  },
+);
 
 test('a film with sound and a WAV have the same length of sound, which is the same twice', async () => {
   const tab = await paused();
@@ -415,11 +426,20 @@ test('the dialog of the page shows a sample, and size and time, before it record
     );
     assert.ok(fits, 'it fits the page');
     await tab.page.click(`${inside}[name="save"]`);
-    await says(/^Saved hearth\.webp, 256 × 256 pixels/);
-    assert.equal(await tab.evaluate(() => /** @type {any} */ (window).saved), 'hearth.webp');
+    await says(/^Saved hearth\.\w+, 256 × 256 pixels/);
+    // Without an encoder of WebP, the dialog offers APNG first.
+    const name = BROWSER === 'webkit' ? 'hearth.png' : 'hearth.webp';
+    assert.equal(await tab.evaluate(() => /** @type {any} */ (window).saved), name);
+    await tab.page.$eval(`${inside}.about`, (about) => {
+      const cancel = /** @type {ShadowRoot} */ (about.getRootNode()).querySelector('[name="cancel"]');
+      const watch = new MutationObserver(() => {
+        if (!/^Picture /.test(about.textContent)) return;
+        watch.disconnect();
+        /** @type {HTMLElement} */ (cancel).click();
+      });
+      watch.observe(about, { childList: true });
+    });
     await tab.page.click(`${inside}[name="save"]`);
-    await says(/^Picture /);
-    await tab.page.click(`${inside}[name="cancel"]`);
     await says(/^Cancelled\. Nothing is saved\.$/);
     await tab.page.click(`${inside}[value="sheet"]`);
     await lasts('1');

@@ -323,6 +323,7 @@ test('a fire of a main thread whose engine throws is continued, and no listener 
   assert.match((await events(tab, 'error'))[0].message, /engine has stopped: .*a defect/);
   const stacks = await tab.evaluate(() => /** @type {any} */ (window).stacks);
   assert.equal(stacks.length, 2);
-  for (const stack of stacks) assert.doesNotMatch(stack, /wasm-function/);
+  // Firefox names the callers of an earlier task, too, after a star.
+  for (const stack of stacks) assert.doesNotMatch(stack.split('*')[0], /wasm-function/);
   await assertBurns(tab);
 });

@@ -1,5 +1,6 @@
 //! Stages that run wasm, in Node and in browsers.
 
+use std::env;
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
@@ -53,12 +54,20 @@ pub(super) fn extended() -> Result<()> {
     end_to_end(&EVERYWHERE, &tools::wanted_browsers(), programs)
 }
 
-/// `cargo xtask browsers`: every end-to-end test in every browser, and the table of the evaluation from it.
-pub(crate) fn table() -> Result<()> {
+/// `cargo xtask browsers`: every end-to-end test in every browser, or the files of these names in the browsers of
+/// `HEARTH_BROWSERS`, and the table of the evaluation from it.
+pub(crate) fn table(names: Vec<String>) -> Result<()> {
     tools::chinese_font()?;
     let mut programs = tools::browsers()?;
     programs.extend(goldens::programs()?);
-    run_script("browsers.mjs", [], programs)
+    if let Some(chosen) = env::var_os(tools::BROWSERS) {
+        programs.push((tools::BROWSERS, chosen.into()));
+    }
+    run_script(
+        "browsers.mjs",
+        names.into_iter().map(PathBuf::from),
+        programs,
+    )
 }
 
 /// The end-to-end tests of these folders and files in these browsers.

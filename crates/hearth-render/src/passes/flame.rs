@@ -1,6 +1,6 @@
 //! Shades the field of the combustion model.
 
-use hearth_core::params::{Model, Palette};
+use hearth_core::params::Model;
 
 use crate::frame_uniforms::{FrameUniforms, wrapped};
 use crate::image::Image;
@@ -38,7 +38,6 @@ impl Pass for Flame {
     fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Flame {
         let (source, kernel, slice) = (frame.source, frame.kernel, &frame.slice);
         let parameters = frame.parameters;
-        let is_premixed = parameters.palette == Palette::Gas && parameters.roundness > 0.0;
         let tiles = TILES_OF_TONGUES.map(|share| share / (noise::CELLS as f32 * kernel.noise_tile));
         let risen = if frame.advects_noise() {
             0.0
@@ -77,7 +76,7 @@ impl Pass for Flame {
             fire_share: frame.fire_share(),
             roundness: frame.parameters.roundness,
             kernel_variance: KERNEL_VARIANCE * (frame.kernel.radius / source.width).powi(2),
-            premixed: if is_premixed {
+            premixed: if frame.is_premixed() {
                 parameters.burn_time
             } else {
                 0.0

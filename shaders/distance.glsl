@@ -1,19 +1,12 @@
-// The distance of this pixel from the surface of a solid. PARTICLES_PER_ROW and TEXELS_PER_PARTICLE come from build/values.rs.
+// The distance of this pixel from the surface of a solid.
+#include "listed.glsl"
 
 in vec2 local;
 in vec2 node;
 flat in vec4 body;
 flat in vec4 field;
 
-uniform sampler2D particles; // the solids
 uniform float pixel_size;    // [m]
-
-// A number of a list of rows: its first texel and the length of a row come first.
-float listed(vec2 first, ivec2 at) {
-    int number = at.y * int(first.y) + at.x;
-    int texel = int(first.x) + number / 4;
-    return texelFetch(particles, ivec2(texel % (PARTICLES_PER_ROW * TEXELS_PER_PARTICLE), texel / (PARTICLES_PER_ROW * TEXELS_PER_PARTICLE)), 0)[number % 4];
-}
 
 float sampled(ivec2 at) {
     return listed(field.xy, at);

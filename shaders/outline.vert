@@ -2,5 +2,5 @@
 #include "solid.glsl"
 
 void main() {
-    this_solid();
+    this_solid(true);
 }

@@ -14,14 +14,15 @@ flat out float lean;  // of the light
 const float FLAT = 0.3;    // height in the picture of what is as deep as wide
 const float BEHIND = 0.15; // and of the middle, in half thicknesses: a solid hides what is before it
 const float REACH = 3.0;   // of the shadow beyond the solid, in half thicknesses
-const float PENUMBRA = 0.5; // and for each way up: across, besides its lean,
+const float PENUMBRA = 0.5; // and for each way up: across, besides its lean, where the cone is not narrower,
+const float SPREAD = 0.4;   // growth of the cone
 const float DEPTH = 0.3;    // and away from the viewer
 // Shares of the ground's height between which a solid no longer stands but is over the front of the ground.
 const float STANDS = 0.25;
 const float RAISED = 0.5;
 
 void main() {
-    Particle solid = this_solid();
+    Particle solid = this_solid(false);
     vec2 size = solid.state.xy + max(solid.state.z, 0.0);
     vec2 axis = abs(solid.velocity);
     vec2 extent = vec2(dot(axis, size), dot(axis.yx, size));
@@ -34,7 +35,8 @@ void main() {
     vec2 middle = (vec2(solid.place.x, foot) * clip_scale + clip_offset) * 0.5 + 0.5;
     lean = decode_lean(textureLod(irradiance, middle, 0.0).a);
     // It leans away from the light.
-    local = solid.corner * (REACH * thick + vec2(extent.x + (PENUMBRA + 0.5 * abs(lean)) * top, DEPTH * top));
+    float aside = min(REACH * thick + PENUMBRA * top, thick + SPREAD * length(vec2(1.0, lean)) * top);
+    local = solid.corner * vec2(extent.x + aside + 0.5 * abs(lean) * top, REACH * thick + DEPTH * top);
     local.x -= 0.5 * lean * top;
     gl_Position = clip(solid, vec2(solid.place.x + local.x, foot + BEHIND * thick + FLAT * local.y));
     node = gl_Position.xy * 0.5 + 0.5;

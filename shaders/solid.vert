@@ -19,8 +19,8 @@ const int MAX_OTHERS = 64;
 const float UNLIKE = 0.37; // tiles of noise between the pictures of consecutive solids
 
 void main() {
-    Particle solid = this_solid();
-    int own_number = gl_InstanceID * QUADS_PER_INSTANCE + gl_VertexID / 6;
+    Particle solid = this_solid(true);
+    int own_number = gl_InstanceID + int(first_solid);
     turn = vec3(solid.velocity, float(own_number) * UNLIKE);
     uv = gl_Position.xy * 0.5 + 0.5;
     world = (gl_Position.xy - clip_offset) / clip_scale;
@@ -28,7 +28,9 @@ void main() {
     box_a = box_b = vec3(0.0);
     vec3 own = solid.state.xyz;
     vec2 nearest = vec2(0.0);
-    for (int other = own_number + 1; other < min(int(count), own_number + MAX_OTHERS); other++) {
+    // A sampled solid has none, and other quads than the first of a box are not drawn.
+    int others = solid.real && own.z >= 0.0 ? MAX_OTHERS : 0;
+    for (int other = own_number + 1; other < min(int(count), own_number + others); other++) {
         vec4 frame = texelFetch(particles, ivec2(other * TEXELS_PER_PARTICLE, 0), 0);
         vec3 box = texelFetch(particles, ivec2(other * TEXELS_PER_PARTICLE + 1, 0), 0).xyz;
         float apart = distance(frame.xy, solid.place);
@@ -36,7 +38,7 @@ void main() {
         float length_of_both = max(own.x, own.y) + max(box.x, box.y);
         float thickness_of_both = min(own.x, own.y) + own.z + min(box.x, box.y) + box.z;
         // A negative radius is a place of samples.
-        if (min(own.z, box.z) < 0.0 || length_of_both > thickness_of_both && apart > LINK * length_of_both) close = 0.0;
+        if (box.z < 0.0 || length_of_both > thickness_of_both && apart > LINK * length_of_both) close = 0.0;
         if (close > nearest.x) {
             nearest = vec2(close, nearest.x);
             frame_b = frame_a;

@@ -66,9 +66,9 @@ impl FrameUniforms<'_> {
         self.wall_foot() * self.parameters.domain_height
     }
 
-    /// Whether the lit wall has fewer lines than the picture.
+    /// Whether the lit wall or ground has fewer lines than the picture.
     pub fn enlarges(&self) -> bool {
-        self.has_backdrop() && self.has_wall() && self.layout.plate != self.layout.picture
+        self.has_backdrop() && self.layout.plate != self.layout.picture
     }
 
     /// Height of the foot of the backdrop's wall, in heights of the domain. The

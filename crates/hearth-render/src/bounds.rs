@@ -1,12 +1,17 @@
 //! Bounds of the gas, which limit the drawn part, and its mean motion, with which the fine structure rises.
 
 use hearth_core::Instance;
+use hearth_core::instance::GasParticle;
 use hearth_core::params::Model;
 
 use crate::instance::{position, remaining_life, temperature, upward_speed};
 
 /// Minimum temperature of gas that counts as flame \[K\].
 const MIN_FLAME_KELVIN: f32 = 600.0;
+
+/// Soot, and fuel burnt in a second [1/s], of gas that shows light or smoke: means of less are below what `flame.frag` shows.
+const VISIBLE_SOOT: f32 = 0.001;
+const VISIBLE_BURNING: f32 = 0.05;
 
 /// Number of rows of bounds. A flame is narrower than its widest part nearly everywhere.
 pub const ROWS: usize = 12;
@@ -31,19 +36,24 @@ pub struct Bounds {
 hearth_core::state! { Bounds: heights rows }
 
 impl Bounds {
-    /// The bounds of the places of both.
-    fn of(lists: [&[Instance]; 2]) -> Bounds {
+    /// The bounds of places.
+    fn of(places: impl Iterator<Item = [f32; 2]> + Clone) -> Bounds {
         let mut bounds = Bounds {
             heights: NOTHING,
             rows: [NOTHING; ROWS],
         };
-        for [_, y] in lists.into_iter().flatten().map(position) {
+        for [_, y] in places.clone() {
             bounds.heights = joined(bounds.heights, [y, y]);
         }
-        for [x, y] in lists.into_iter().flatten().map(position) {
+        for [x, y] in places {
             bounds.add([y, y], [x, x]);
         }
         bounds
+    }
+
+    /// The bounds of particles of any model, or of embers.
+    pub fn of_all(particles: &[Instance]) -> Bounds {
+        Bounds::of(particles.iter().map(position))
     }
 
     /// Widens the rows between two heights to a range.
@@ -89,15 +99,17 @@ impl Bounds {
 /// Sums over all particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParticleBounds {
-    /// Bounds of particles and embers.
-    pub bounds: Bounds,
+    /// Bounds of all particles.
+    pub all: Bounds,
+    /// Bounds of visible gas of the combustion model.
+    pub visible: Bounds,
     /// Gas of the classic model, weighted by its remaining life.
     alive: Gas,
     /// Gas of the combustion model, weighted by its heat.
     hot: Gas,
 }
 
-hearth_core::state! { ParticleBounds: bounds alive hot }
+hearth_core::state! { ParticleBounds: all visible alive hot }
 
 /// Sums over gas: of its weights, and weighted of height \[m\] and upward speed [m/s].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -114,9 +126,9 @@ impl Gas {
 }
 
 impl ParticleBounds {
-    /// The bounds of particles of any model and embers.
+    /// The bounds of particles of any model.
     #[inline(never)]
-    pub fn of(particles: &[Instance], embers: &[Instance]) -> ParticleBounds {
+    pub fn of(particles: &[Instance]) -> ParticleBounds {
         let (mut alive, mut hot) = (Gas::default(), Gas::default());
         for particle in particles {
             let ([_, y], speed) = (position(particle), upward_speed(particle));
@@ -127,8 +139,10 @@ impl ParticleBounds {
                 speed,
             );
         }
+        let visible = particles.iter().filter(|particle| is_visible(particle));
         ParticleBounds {
-            bounds: Bounds::of([particles, embers]),
+            all: Bounds::of_all(particles),
+            visible: Bounds::of(visible.map(position)),
             alive,
             hot,
         }
@@ -144,6 +158,12 @@ impl ParticleBounds {
     }
 }
 
+/// Whether gas of the combustion model shows light or smoke.
+fn is_visible(&gas: &Instance) -> bool {
+    let gas = GasParticle::from(gas);
+    gas.soot >= VISIBLE_SOOT || gas.burn_rate >= VISIBLE_BURNING
+}
+
 #[cfg(test)]
 pub mod tests {
     use super::*;
@@ -155,8 +175,7 @@ pub mod tests {
 
     /// The bounds of places.
     pub fn bounds_of(places: impl IntoIterator<Item = [f32; 2]>) -> Bounds {
-        let places = places.into_iter().map(|[x, y]| particle(x, y, 0.0));
-        Bounds::of([&places.collect::<Vec<_>>(), &[]])
+        Bounds::of(places.into_iter().collect::<Vec<_>>().into_iter())
     }
 
     /// Whether bounds enclose a place.
@@ -177,14 +196,14 @@ pub mod tests {
     }
 
     #[test]
-    fn the_bounds_enclose_particles_and_embers() {
-        let of = ParticleBounds::of(&[particle(-0.3, 0.1, 1.0)], &[particle(0.2, 0.9, 1.0)]);
-        assert_eq!(of.bounds.heights, [0.1, 0.9]);
-        assert_eq!(
-            [of.bounds.rows[0][0], of.bounds.rows[ROWS - 1][1]],
-            [-0.3, 0.2]
-        );
-        let none = ParticleBounds::of(&[], &[]).bounds;
+    fn the_bounds_enclose_particles_and_those_of_a_flame_its_visible_gas() {
+        let mut invisible = particle(0.2, 0.9, 1.0);
+        (invisible[6], invisible[7]) = (0.0, 0.0);
+        let of = ParticleBounds::of(&[particle(-0.3, 0.1, 1.0), invisible]);
+        assert_eq!(of.all.heights, [0.1, 0.9]);
+        assert_eq!([of.all.rows[0][0], of.all.rows[ROWS - 1][1]], [-0.3, 0.2]);
+        assert_eq!(of.visible.heights, [0.1, 0.1]);
+        let none = ParticleBounds::of(&[]).all;
         for bounds in [none, Bounds::around(&[none, none], 0.1)] {
             assert!(bounds.rows.iter().all(|[left, right]| left > right));
         }

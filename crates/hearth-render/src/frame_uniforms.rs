@@ -1,6 +1,6 @@
 //! What the uniforms of all passes of a frame follow from: the fire, the picture and the camera.
 
-use hearth_core::params::{Colour, DisplayMode, Edges, Layers, Model};
+use hearth_core::params::{Colour, DisplayMode, Edges, Layers, Model, Palette};
 use hearth_core::{Parameters, SourcePlace};
 
 use crate::advection::Phase;
@@ -89,6 +89,8 @@ pub struct FrameUniforms<'a> {
     pub embers: usize,
     /// Number of solids.
     pub solids: usize,
+    /// Number of the first of them that are drawn with the lit wall.
+    pub cladding: usize,
     /// The slice.
     pub slice: Slice,
     /// Phase of the advected patterns.
@@ -143,7 +145,13 @@ impl<'a> FrameUniforms<'a> {
             .layout
             .used_field(count, self.kernel.radius, height, behind);
         self.kernel.radius = self.resolved(self.kernel.radius, self.used[1]);
-        self.reach = Bounds::around(&[*bounds], self.kernel.margin.max(self.kernel.radius));
+        // The light of gas with soot is where its kernels are, though displaced gas is read there.
+        let displaced = if self.burns_as(Model::Combustion) && !self.is_premixed() {
+            0.0
+        } else {
+            self.kernel.margin
+        };
+        self.reach = Bounds::around(&[*bounds], displaced.max(self.kernel.radius));
     }
 
     /// Whether the display mode is `mode`.
@@ -160,6 +168,11 @@ impl<'a> FrameUniforms<'a> {
     pub fn is_closed(&self) -> bool {
         let parameters = self.parameters;
         parameters.model() == Model::Classic || parameters.edges == Edges::Periodic
+    }
+
+    /// Whether its gas was mixed with air before it burns, and shines without soot.
+    pub fn is_premixed(&self) -> bool {
+        self.parameters.palette == Palette::Gas && self.parameters.roundness > 0.0
     }
 
     /// Whether it shows a quantity of the gas as a field.
@@ -206,7 +219,12 @@ impl<'a> FrameUniforms<'a> {
 
     /// Size of a pixel \[m\].
     pub fn pixel(&self) -> f32 {
-        self.viewport.metres[1] / self.layout.picture[1] as f32
+        self.texel(self.layout.picture)
+    }
+
+    /// Size of a texel of a target of that size \[m\].
+    pub fn texel(&self, [_, lines]: [u32; 2]) -> f32 {
+        self.viewport.metres[1] / lines as f32
     }
 
     /// Used share of the field.

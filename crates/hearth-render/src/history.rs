@@ -166,7 +166,7 @@ impl History {
         }
         let values = scene.world();
         let source = SourcePlace::first(scene, poses);
-        let bounds = ParticleBounds::of(particles, &[]);
+        let bounds = ParticleBounds::of(particles);
         self.rise.advance(&bounds, time, values.model());
         let surroundings = Surroundings::of(scene, poses, &source);
         if !self.samples.is_empty() {

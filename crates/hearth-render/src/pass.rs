@@ -93,9 +93,11 @@ pub enum Draw {
     Particles,
     /// A quad for each ember.
     Embers,
-    /// A quad for each solid.
+    /// A quad for each solid, or for parts of it.
     Solids,
-    /// The same on the ground.
+    /// The same of the solids that are drawn with the lit wall.
+    Cladding,
+    /// A quad for each solid on the ground.
     Shadows,
 }
 

@@ -33,7 +33,7 @@ mod velocity;
 use crate::pass::Row;
 
 /// Every pass, in the order of a frame.
-pub static PASSES: [Row; 30] = [
+pub static PASSES: [Row; 31] = [
     // Fire of the classic model: particles, field, light.
     Row::of::<splat::Splat>("splat"),
     Row::of::<spread::Spread>("spread"),
@@ -60,6 +60,7 @@ pub static PASSES: [Row; 30] = [
     Row::of::<irradiance::Irradiance>("irradiance"),
     Row::of::<backdrop::Backdrop>("backdrop"),
     Row::of::<shadow::Shadow>("shadow"),
+    Row::of::<solid::Cladding>("cladding"),
     Row::of::<enlarge::Enlarge>("enlarge"),
     // Display modes that draw particles or a quantity.
     Row::of::<paper::Paper>("paper"),

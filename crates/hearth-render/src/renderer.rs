@@ -6,7 +6,7 @@ mod slices;
 
 use std::rc::Rc;
 
-use hearth_core::params::DisplayMode;
+use hearth_core::params::{Backdrop, DisplayMode, Model};
 use hearth_core::scene::Pose;
 use hearth_core::{Charred, Instance, Scene, SourcePlace};
 
@@ -64,6 +64,7 @@ pub struct Renderer<G: Graphics = glow::Context> {
     /// Colour table of a tint.
     tinted: Option<(Tint, G::Texture)>,
     bounds: ParticleBounds,
+    ember_bounds: Bounds,
     /// Past particles.
     ring: Ring<G>,
     /// The advected noise of each slice.
@@ -114,7 +115,8 @@ impl<G: Graphics> Renderer<G> {
             solids: Solids::new(Particles::new(gl, max_rows)?),
             targets: Targets::new(),
             tinted: None,
-            bounds: ParticleBounds::of(&[], &[]),
+            bounds: ParticleBounds::of(&[]),
+            ember_bounds: Bounds::of_all(&[]),
             ring: Ring::new(max_rows),
             noise: Default::default(),
             slices: 0,
@@ -171,7 +173,8 @@ impl<G: Graphics> Renderer<G> {
         instances: &[Instance],
         embers: &[Instance],
     ) {
-        self.bounds = ParticleBounds::of(instances, embers);
+        self.bounds = ParticleBounds::of(instances);
+        self.ember_bounds = Bounds::of_all(embers);
         self.measured = mode.quantity().and_then(|_| extremes(instances));
         self.particles.upload(gl, instances);
         self.embers.upload(gl, self.paths.records(embers));
@@ -224,10 +227,16 @@ impl<G: Graphics> Renderer<G> {
         on_pass: &mut dyn FnMut(&'static str),
     ) -> Result<(), RenderError> {
         let size = [view.width, view.height];
-        let Some(layout) = Layout::new(size, self.limits, self.shared.max_side) else {
+        let parameters = scene.world();
+        let has_wall = parameters.backdrop == Backdrop::Bricks && !view.sheets;
+        let limits = if has_wall {
+            self.limits.before_wall()
+        } else {
+            self.limits
+        };
+        let Some(layout) = Layout::new(size, limits, self.shared.max_side) else {
             return Ok(());
         };
-        let parameters = scene.world();
         let domain = [parameters.domain_width, parameters.domain_height];
         let viewport = Viewport::new(layout.picture, domain, view.camera);
         for capability in [
@@ -277,6 +286,7 @@ impl<G: Graphics> Renderer<G> {
             } else {
                 self.solids.texture.count()
             },
+            cladding: 0,
             sheets: view.sheets,
             slice: present,
             phase: Phase::default(),
@@ -290,7 +300,14 @@ impl<G: Graphics> Renderer<G> {
             behind: None,
             scenery_is_stale: true,
         };
-        frame.fit(&self.bounds.bounds);
+        if frame.enlarges() && frame.has_wall() {
+            frame.cladding = self.solids.cladding;
+        }
+        frame.fit(if frame.burns_as(Model::Combustion) {
+            &self.bounds.visible
+        } else {
+            &self.bounds.all
+        });
         let mut slices = vec![present];
         // Eight bits store roots, which do not blend. The classic model's gas is a cloud without sheets.
         if frame.advects_noise() {

@@ -65,6 +65,14 @@ impl ResolutionLimits {
         }
     }
 
+    /// Those before a lit wall: the light has no more lines than the wall that shows it.
+    pub fn before_wall(self) -> ResolutionLimits {
+        ResolutionLimits {
+            light: self.light.min(self.wall),
+            ..self
+        }
+    }
+
     /// For slow machines.
     pub const LOW: ResolutionLimits = ResolutionLimits {
         full: 270,
@@ -233,6 +241,21 @@ mod tests {
     fn a_picture_without_pixels_has_no_layout() {
         for size in [[0, 0], [0, 480], [640, 0]] {
             assert_eq!(Layout::new(size, ResolutionLimits::MEDIUM, 4096), None);
+        }
+    }
+
+    #[test]
+    fn light_has_no_more_lines_than_the_wall_that_shows_it() {
+        let light = |limits: ResolutionLimits, size| {
+            Layout::new(size, limits, 4096).map(|layout| layout.light[1])
+        };
+        let low = ResolutionLimits::LOW;
+        for size in [[1280, 720], [320, 200], [720, 1280]] {
+            let before = light(low.before_wall(), size);
+            assert_eq!(before, light(low, size).map(|lines| lines.min(low.wall)));
+            for limits in [ResolutionLimits::MEDIUM, ResolutionLimits::HIGH] {
+                assert_eq!(limits.before_wall(), limits);
+            }
         }
     }
 

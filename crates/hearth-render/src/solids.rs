@@ -3,8 +3,8 @@
 
 use std::sync::Arc;
 
-use hearth_core::params::{Material, Solid, Thermal};
-use hearth_core::scene::{Field, Pose, RoundedBox};
+use hearth_core::params::{Material, Shape, Solid, Thermal};
+use hearth_core::scene::{Field, Pose, RoundedBox, Surface};
 use hearth_core::{Charred, CharredSolid, Instance, Scene};
 
 use crate::constants::{FUEL_OFFSET, MATERIAL_FACTOR, PARTICLES_PER_ROW, PLANE_FACTOR};
@@ -20,6 +20,8 @@ const MAX_RECORD_KELVIN: f32 = 2500.0;
 /// solids with a sampled distance, in the layout that `shaders/solid.glsl` reads.
 pub struct Solids<G: Graphics> {
     pub texture: Particles<G>,
+    /// Number of the records of bricks and hangings that come first: they clad the wall, behind all other solids.
+    pub cladding: usize,
     /// The fields in the texture. They are uploaded only when they change.
     fields: Vec<Arc<Field>>,
     /// Records between the first row and the fields.
@@ -30,6 +32,7 @@ impl<G: Graphics> Solids<G> {
     pub fn new(texture: Particles<G>) -> Solids<G> {
         Solids {
             texture,
+            cladding: 0,
             fields: Vec::new(),
             between: 0,
         }
@@ -48,6 +51,7 @@ impl<G: Graphics> Solids<G> {
         let mut fields = Vec::new();
         let mut instances = records(scene, poses, temperatures, charred, &mut fields);
         let count = instances.len();
+        self.cladding = cladding(scene, charred);
         let cells = &charred.records;
         let between = cells.len();
         if between > 0 {
@@ -72,6 +76,24 @@ impl<G: Graphics> Solids<G> {
     }
 }
 
+/// The visible solids, each with its id and its surface.
+fn visible(scene: &Scene) -> impl Iterator<Item = (u32, &Solid, &Surface)> {
+    let all = scene.surfaces();
+    all.filter(|(_, solid, _)| solid.material != Material::None)
+}
+
+/// Number of the records of solids that come first and are of bricks or sheets of cloth.
+fn cladding(scene: &Scene, charred: &Charred) -> usize {
+    let clads = |solid: &Solid| match solid.material {
+        Material::Brick => true,
+        Material::Cloth => solid.shape != Shape::Line,
+        _ => false,
+    };
+    let first = visible(scene).take_while(|(_, solid, _)| clads(solid));
+    let parts = |id| charred.solids.iter().filter(|part| part.id == id).count();
+    first.map(|(id, ..)| parts(id).max(1)).sum()
+}
+
 /// The records of the visible solids, each with those of what has broken off it; appends their fields.
 fn records(
     scene: &Scene,
@@ -81,11 +103,8 @@ fn records(
     fields: &mut Vec<Arc<Field>>,
 ) -> Vec<Instance> {
     let mut place = PARTICLES_PER_ROW + charred.records.len();
-    let visible = scene
-        .surfaces()
-        .filter(|(_, solid, _)| solid.material != Material::None);
     let mut records = Vec::new();
-    for (id, solid, surface) in visible {
+    for (id, solid, surface) in visible(scene) {
         let present = temperatures.iter().find(|(solid, _)| *solid == id);
         let kelvin = present.map_or(solid.temperature, |(_, kelvin)| *kelvin);
         let pose = poses.iter().find(|pose| pose.id == id);
@@ -178,7 +197,6 @@ fn record(solid: &Solid, kelvin: f32, shape: &RoundedBox) -> Instance {
 mod tests {
     use super::*;
     use hearth_core::params::{Choice, Input, Plane};
-    use hearth_core::scene::Surface;
 
     /// The surface of a solid of that material and temperature, and whether it is drawn.
     fn surface(material: &str, kelvin: f64, thermal: &str) -> Option<f32> {
@@ -207,6 +225,35 @@ mod tests {
             assert_eq!(surface(name, 2500.0, "fixed"), hot);
         }
         assert!(surface("stone", 900.0, "fixed") < Some((within + 1.0) * MATERIAL_FACTOR));
+    }
+
+    #[test]
+    fn bricks_and_sheets_of_cloth_before_other_solids_clad_the_wall_in_all_their_parts() {
+        let mut scene = Scene::default();
+        let mut add = |shape, material| {
+            let solid = [("kind", "solid"), ("shape", shape), ("material", material)];
+            let added = scene.add(&solid.map(|(id, value)| (id, Input::Text(value))));
+            assert!(added.is_ok(), "{added:?}");
+        };
+        add("box", "none");
+        add("box", "brick");
+        add("box", "cloth");
+        add("line", "cloth");
+        add("box", "brick");
+        let part = CharredSolid {
+            id: 4,
+            place: 0,
+            left: None,
+            part: None,
+        };
+        let charred = |parts| Charred {
+            records: Vec::new(),
+            solids: vec![part.clone(); parts],
+        };
+        for (parts, expected) in [(0, 2), (1, 2), (3, 4)] {
+            assert_eq!(cladding(&scene, &charred(parts)), expected);
+        }
+        assert_eq!(cladding(&Scene::default(), &charred(0)), 0);
     }
 
     #[test]

@@ -10,7 +10,7 @@ pub struct Enlarge;
 
 impl Pass for Enlarge {
     const TARGET: Image = Image::Picture;
-    const DRAW: Draw = Draw::All;
+    const DRAW: Draw = Draw::Backdrop;
     type Uniforms = uniforms::Enlarge;
 
     fn applies(frame: &FrameUniforms) -> bool {

@@ -1,6 +1,6 @@
 //! Shades the field of the combustion model.
 
-use hearth_core::params::{Model, Palette};
+use hearth_core::params::Model;
 
 use crate::frame_uniforms::{FrameUniforms, wrapped};
 use crate::image::Image;
@@ -39,7 +39,6 @@ impl Pass for Flame {
         let (kernel, slice) = (frame.kernel, &frame.slice);
         let (source_count, sources) = frame.source_places();
         let parameters = frame.parameters;
-        let is_premixed = parameters.palette == Palette::Gas && parameters.roundness > 0.0;
         let tiles = TILES_OF_TONGUES.map(|share| share / (noise::CELLS as f32 * kernel.noise_tile));
         let risen = if frame.advects_noise() {
             0.0
@@ -80,7 +79,7 @@ impl Pass for Flame {
             fire_share: frame.fire_share(),
             roundness: frame.parameters.roundness,
             kernel_variance: KERNEL_VARIANCE * frame.kernel.radius.powi(2),
-            premixed: if is_premixed {
+            premixed: if frame.is_premixed() {
                 parameters.burn_time
             } else {
                 0.0

@@ -27,6 +27,7 @@ impl Pass for Outline {
         uniforms::Outline {
             clip_scale,
             clip_offset,
+            first_solid: 0.0,
             count: frame.solids as f32,
             margin: HALF_LINE_PIXELS * pixel_size,
             pixel_size,

@@ -30,6 +30,7 @@ impl Pass for Shadow {
         uniforms::Shadow {
             clip_scale,
             clip_offset,
+            first_solid: 0.0,
             count: frame.solids as f32,
             margin: 0.0,
             horizon: frame.horizon(),

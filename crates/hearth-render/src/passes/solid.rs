@@ -27,25 +27,48 @@ impl Pass for Solid {
     }
 
     fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Solid {
-        let viewport = &frame.viewport;
-        let [clip_scale, clip_offset] = viewport.to_clip();
-        let (pale, yellow) = Tint::of(frame.parameters).pale();
-        let pixel_size = frame.pixel();
-        uniforms::Solid {
-            clip_scale,
-            clip_offset,
-            count: frame.solids as f32,
-            margin: pixel_size,
-            pixel_size,
-            floor_middle: viewport.floor,
-            picture_size: viewport.metres,
-            per_height: viewport.heights().map(|side| 1.0 / side),
-            light_range: frame.light_on_things(),
-            luminance_exponent: SOLID_LUMINANCE_EXPONENT,
-            gain: RELATIVE_BRIGHTNESS * frame.gain(),
-            sky: frame.sky(),
-            pale,
-            yellow,
-        }
+        of_solids(frame, frame.cladding, frame.pixel())
+    }
+}
+
+/// Bricks and hangings that come first, with as few lines as the lit wall that they clad.
+pub struct Cladding;
+
+impl Pass for Cladding {
+    const TARGET: Image = Image::Plate;
+    const BLEND: Blend = Blend::Over;
+    const DRAW: Draw = Draw::Cladding;
+    type Uniforms = uniforms::Solid;
+
+    fn applies(frame: &FrameUniforms) -> bool {
+        frame.cladding > 0
+    }
+
+    fn uniforms(frame: &FrameUniforms, _: usize) -> uniforms::Solid {
+        of_solids(frame, 0, frame.texel(frame.layout.plate))
+    }
+}
+
+/// Uniforms for solids from the number `first` on, in pixels of that size \[m\].
+fn of_solids(frame: &FrameUniforms, first: usize, pixel_size: f32) -> uniforms::Solid {
+    let viewport = &frame.viewport;
+    let [clip_scale, clip_offset] = viewport.to_clip();
+    let (pale, yellow) = Tint::of(frame.parameters).pale();
+    uniforms::Solid {
+        clip_scale,
+        clip_offset,
+        first_solid: first as f32,
+        count: frame.solids as f32,
+        margin: pixel_size,
+        pixel_size,
+        floor_middle: viewport.floor,
+        picture_size: viewport.metres,
+        per_height: viewport.heights().map(|side| 1.0 / side),
+        light_range: frame.light_on_things(),
+        luminance_exponent: SOLID_LUMINANCE_EXPONENT,
+        gain: RELATIVE_BRIGHTNESS * frame.gain(),
+        sky: frame.sky(),
+        pale,
+        yellow,
     }
 }

@@ -3,6 +3,7 @@
 use super::Renderer;
 use super::slices::SliceFrame;
 use crate::bounds::Bounds;
+use crate::constants::QUADS_PER_INSTANCE;
 use crate::frame_uniforms::{FrameUniforms, background};
 use crate::gl::Graphics;
 use crate::image::{Image, Which};
@@ -137,7 +138,8 @@ impl<G: Graphics> Renderer<G> {
                 draw_quads(gl, frame.particles.count.div_ceil(frame.particles.stride))
             }
             Draw::Embers => draw_quads(gl, self.embers.count()),
-            Draw::Solids => draw_quads(gl, self.solids.texture.count()),
+            Draw::Solids => draw_solids(gl, frame.solids - frame.cladding),
+            Draw::Cladding => draw_solids(gl, frame.cladding),
             Draw::Backdrop | Draw::Shadows => {
                 let is_wall = row.draw == Draw::Backdrop && frame.has_wall();
                 let top = if is_wall {
@@ -145,13 +147,15 @@ impl<G: Graphics> Renderer<G> {
                 } else {
                     frame.horizon()
                 };
-                let upper = frame.viewport.row(top, size[1]).ceil();
+                // An enlarged row blends with the one above it.
+                let above = f32::from(row.target == Image::Plate && frame.enlarges());
+                let upper = frame.viewport.row(top, size[1]).ceil() + above;
                 gl.enable(glow::SCISSOR_TEST);
                 scissor(gl, [0.0; 2], [size[0] as f32, upper]);
                 if row.draw == Draw::Backdrop {
                     gl.draw_triangle();
                 } else {
-                    draw_quads(gl, self.solids.texture.count());
+                    draw_solids(gl, frame.solids);
                 }
                 gl.disable(glow::SCISSOR_TEST);
             }
@@ -183,7 +187,7 @@ impl<G: Graphics> Renderer<G> {
     ) -> Option<&G::Texture> {
         match image {
             Image::Particles if draw == Draw::Embers => Some(self.embers.texture()),
-            Image::Particles if matches!(draw, Draw::Solids | Draw::Shadows) => {
+            Image::Particles if matches!(draw, Draw::Solids | Draw::Cladding | Draw::Shadows) => {
                 Some(self.solids.texture.texture())
             }
             Image::Particles if frame.particles.row.is_some() => self.ring.texture(),
@@ -193,6 +197,11 @@ impl<G: Graphics> Renderer<G> {
             _ => self.target(frame, image, level).map(Target::texture),
         }
     }
+}
+
+/// Draws an instance for each of `count` solids, whose quads are its parts.
+fn draw_solids<G: Graphics>(gl: &G, count: usize) {
+    draw_quads(gl, count * QUADS_PER_INSTANCE);
 }
 
 /// Draws the part of a target that `bounds` touch. Each texel once: passes blend.

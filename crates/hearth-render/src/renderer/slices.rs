@@ -65,11 +65,12 @@ impl<G: Graphics> Renderer<G> {
                 samples,
             });
         }
-        let reaches: Vec<_> = frames.iter().map(|slice| slice.frame.reach).collect();
-        frame.reach = Bounds::around(&reaches, 0.0);
+        let mut reaches: Vec<_> = frames.iter().map(|slice| slice.frame.reach).collect();
         if let (Some(front), Some((_, behind))) = (frames.first_mut(), reaches.split_first()) {
             front.frame.behind = (!behind.is_empty()).then(|| Bounds::around(behind, 0.0));
         }
+        reaches.push(Bounds::around(&[self.ember_bounds], frame.kernel.margin));
+        frame.reach = Bounds::around(&reaches, 0.0);
         frames
     }
 
@@ -87,9 +88,9 @@ impl<G: Graphics> Renderer<G> {
         let moment = slice.moment;
         frame.particles = batch(before, self.ring.row(before)?, moment, 1.0 - share);
         frame.kernel.radius = parcel_radius(before.length);
-        let bounds = after.map_or(before.bounds.bounds, |(after, _)| {
-            Bounds::around(&[before.bounds.bounds, after.bounds.bounds], 0.0)
-        });
+        let [before_it, after_it] =
+            [before, after.map_or(before, |(after, _)| after)].map(|sample| sample.bounds.visible);
+        let bounds = Bounds::around(&[before_it, after_it], 0.0);
         frame.fit(&bounds);
         frame.reach = slice.moved(frame.reach);
         Some(after.map(|(after, row)| batch(after, row, moment, share)))

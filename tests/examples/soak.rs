@@ -4,10 +4,12 @@
 //! `soak [--corners N] [--crowds N] [--heaps N] [--seed S] [--hours H] [--minutes M] [--scenes NAME,…]`: N corners, and
 //! N crowds of solids, of each model, and of the combustion model in the open, of two simulated seconds, and N heaps of
 //! ten; M minutes of each scene, or of those named. With hours, it goes on with other seeds until they have passed.
-//! A scene whose sources alone burn has their power, within a hundredth.
+//! A scene whose sources alone burn has their power, within a hundredth. `--table FILE` writes the scenes' rows into a table,
+//! in which those of other scenes stay; `--of TEXT` is what each states of its program.
 //! Prints how it goes, every corner that fails with all its values, and the corners that lean most on the
 //! guards. `cargo measure soak` calls it.
 
+use std::fs;
 use std::io::{self, Write as _};
 use std::process::ExitCode;
 use std::sync::Mutex;
@@ -75,7 +77,7 @@ fn main() -> ExitCode {
     };
     let (start, mut seed, mut failed) = (Instant::now(), options.seed, 0);
     if options.minutes > 0.0 {
-        failed += scenes(MINUTE * options.minutes, &options.scenes);
+        failed += scenes(&options);
     }
     loop {
         if options.corners > 0 {
@@ -120,23 +122,30 @@ fn visit_all(name: &str, kinds: &[Visit], each: u32, seed: u32) -> u32 {
     failed
 }
 
-/// Burns every scene, or those of these names, for so long, each on the next free core; returns how many failed.
-fn scenes(seconds: f64, names: &[String]) -> u32 {
-    println!(
-        "Scenes: particles at a guard, steps of particles in a second of the clock, its time; their power"
-    );
-    let wanted = |preset: &&Preset| names.is_empty() || names.iter().any(|it| it == preset.name);
+/// The head of the table of scenes.
+const HEAD: &str = "| scene | simulated | at a guard | power | a second takes | verdict | commit |\n\
+                    |---|--:|--:|--:|--:|---|---|\n";
+
+/// Burns every scene, or the named ones, each on the next free core; returns how many failed.
+fn scenes(options: &Options) -> u32 {
+    println!("Scenes:\n{HEAD}");
+    let named = &options.scenes;
+    let wanted = |preset: &&Preset| named.is_empty() || named.iter().any(|it| it == preset.name);
     let presets: Vec<_> = Preset::all().iter().filter(wanted).collect();
     let (next, failed) = (AtomicUsize::new(0), AtomicU32::new(0));
+    let table = Mutex::new(());
     let cores = thread::available_parallelism().map_or(1, usize::from);
     thread::scope(|scope| {
         for _ in 0..cores {
             scope.spawn(|| {
                 while let Some(preset) = presets.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let (line, fault) = burnt(preset, seconds);
+                    let (row, fault) = burnt(preset, options);
                     failed.fetch_add(u32::from(fault.is_some()), Ordering::Relaxed);
+                    let _only = table.lock();
+                    let written = written(&options.table, preset.name, &row);
+                    let fault = fault.or(written.err().map(|error| error.to_string()));
                     let fault = fault.map(|it| format!("FAILED {}: {it}\n", preset.name));
-                    let text = format!("{line}\n{}", fault.unwrap_or_default());
+                    let text = format!("{row}\n{}", fault.unwrap_or_default());
                     let _ = io::stdout().lock().write_all(text.as_bytes());
                 }
             });
@@ -145,8 +154,27 @@ fn scenes(seconds: f64, names: &[String]) -> u32 {
     failed.into_inner()
 }
 
-/// Burns a scene at low quality: what is printed of it, and its fault.
-fn burnt(preset: &'static Preset, seconds: f64) -> (String, Option<String>) {
+/// Writes a scene's row into the table, in the order of scenes.
+fn written(table: &str, name: &str, row: &str) -> io::Result<()> {
+    if table.is_empty() {
+        return Ok(());
+    }
+    let old = fs::read_to_string(table).unwrap_or_default();
+    let of = |name: &str| {
+        old.lines()
+            .find(|line| line.starts_with(&format!("| {name} |")))
+    };
+    let rows = Preset::all().iter().filter_map(|preset| match preset.name {
+        own if own == name => Some(row),
+        other => of(other),
+    });
+    let rows: Vec<_> = rows.map(|row| format!("{row}\n")).collect();
+    fs::write(table, HEAD.to_owned() + &rows.concat())
+}
+
+/// Burns a scene at low quality: its row of the table, and its fault.
+fn burnt(preset: &'static Preset, options: &Options) -> (String, Option<String>) {
+    let seconds = MINUTE * options.minutes;
     let settings = Settings::starting_from(preset);
     let count = ParticleCount::of(&CountInputs {
         settings: settings.resolution(),
@@ -158,21 +186,26 @@ fn burnt(preset: &'static Preset, seconds: f64) -> (String, Option<String>) {
     });
     let scene = settings.at(count.number);
     let (fed, start) = (f64::from(scene.power()), Instant::now());
-    let clock = seconds / f64::from(scene.world().time_scale);
     let mut fire = Simulation::new(scene);
     let outcome = sweep::burn(&mut fire, seconds);
     let fuels = fire.fuel_total().unwrap_or_default();
     let alone = fire.power().is_some() && fuels.state.is_empty() && fed > 0.0;
-    let (work, time) = (outcome.work / clock, start.elapsed().as_secs_f64() / clock);
-    let share = match alone {
-        true => format!("{:8.2} %", 100.0 * outcome.power / fed),
-        false => format!("{:6.1} kW/m", outcome.power),
-    };
-    let (name, clamped) = (preset.name, 100.0 * outcome.clamped);
-    let line = format!("{name:20}{clamped:8.3} %{work:12.0}{time:8.3} s{share}");
     let unbalanced = alone && (outcome.power / fed - 1.0).abs() > BALANCE;
     let words = || format!("{:.2} kW/m burn where {fed:.2} are fed", outcome.power);
-    (line, outcome.fault().or_else(|| unbalanced.then(words)))
+    let fault = outcome.fault().or_else(|| unbalanced.then(words));
+    let cells = [
+        preset.name.to_owned(),
+        format!("{} min", options.minutes),
+        format!("{:.3} %", 100.0 * outcome.clamped),
+        match alone {
+            true => format!("{:.2} % of its sources", 100.0 * outcome.power / fed),
+            false => format!("{:.1} kW/m", outcome.power),
+        },
+        format!("{:.0} ms", 1e3 * start.elapsed().as_secs_f64() / seconds),
+        fault.clone().unwrap_or_else(|| "holds".to_owned()),
+        options.of.clone(),
+    ];
+    (format!("| {} |", cells.join(" | ")), fault)
 }
 
 /// The requested run.
@@ -187,6 +220,9 @@ struct Options {
     /// Simulated time of each scene, and their names; none: all.
     minutes: f64,
     scenes: Vec<String>,
+    /// The file of their table, and what their rows state of this program.
+    table: String,
+    of: String,
 }
 
 fn options() -> Result<Options, String> {
@@ -198,6 +234,8 @@ fn options() -> Result<Options, String> {
         hours: 0.0,
         minutes: 1.0,
         scenes: Vec::new(),
+        table: String::new(),
+        of: String::new(),
     };
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {
@@ -224,6 +262,8 @@ fn options() -> Result<Options, String> {
                     Preset::find(name).map_err(|unknown| unknown.to_string())?;
                 }
             }
+            "--table" => options.table = value,
+            "--of" => options.of = value,
             other => return Err(format!("there is no option {other}")),
         }
     }

@@ -3,6 +3,8 @@
 use std::fs;
 
 use anyhow::{Context, Result};
+use xshell::cmd;
+use xtask::shell::Shell;
 use xtask::{paths, sections};
 
 /// The page with the section of that name.
@@ -32,6 +34,12 @@ pub(crate) fn write(name: &str, section: &str) -> Result<()> {
     Ok(())
 }
 
+/// The commit that is measured, with its date.
+pub(crate) fn commit() -> Result<String> {
+    let (sh, format) = (Shell::new()?, "%h, %cs");
+    Ok(cmd!(sh, "git show --no-patch --abbrev=8 --format={format} HEAD").read()?)
+}
+
 fn page(name: &str) -> Result<String> {
     let file = page_of(name);
     fs::read_to_string(paths::root().join(file)).context(file)
@@ -53,6 +61,10 @@ mod tests {
             "paper",
             "validated",
             "faults",
+            "burnt",
+            "page-soak",
+            "fuzzed",
+            "covered",
             "looked",
             "filmed",
         ] {

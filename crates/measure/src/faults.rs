@@ -20,6 +20,7 @@ pub(crate) fn run(names: &[String]) -> Result<()> {
     variables.extend([
         tools::strace()?,
         ("HEARTH_COMMAND", target.join("debug/hearth")),
+        ("HEARTH_COMMIT", evaluation::commit()?.into()),
     ]);
     let arguments = iter::once(table.clone()).chain(names.iter().map(Into::into));
     let passed = browser::run_script("demand/faults.mjs", arguments, variables);

@@ -39,8 +39,10 @@ xflags::xflags! {
             /// Minutes of a page that does everything at random: then nothing else is done.
             optional --page number: f64
         }
-        /// Sends random values, messages, links and bytes to every decoder.
+        /// Sends random values, messages, links and bytes to every decoder and updates docs/evaluation.md.
         cmd fuzz {
+            /// One of the decoders that coverage guides: then nothing else is tried.
+            optional --decoder name: String
             /// How long each law is tried.
             optional --minutes number: u32
             /// The seed of the first case.
@@ -51,6 +53,8 @@ xflags::xflags! {
             /// A section; `network`, for instance.
             repeated section: String
         }
+        /// Measures which lines own tests of core, settings, engine and scripts reach, and updates docs/evaluation.md.
+        cmd coverage {}
         /// Checks a minute of every scene for flashes and updates their rows of docs/evaluation.md; measures fires beside films.
         cmd look {
             /// How the names of the scenes begin.
@@ -85,8 +89,9 @@ mod tests {
             "soak --seed 7 → corners: None, crowds: None, heaps: None, seed: Some(7), hours: None, minutes: None",
             "soak --hours 0.5 → corners: None, crowds: None, heaps: None, seed: None, hours: Some(0.5)",
             "soak --minutes 60 --scenes forge → minutes: Some(60.0), scenes: Some(\"forge\")",
-            "fuzz --minutes 3 → minutes: Some(3), seed: None",
+            "fuzz --minutes 3 → decoder: None, minutes: Some(3), seed: None",
             "faults network → section: [\"network\"]",
+            "coverage → Coverage",
             "look default → scene: [\"default\"]",
         ] {
             let (line, parsed) = case.split_once(" → ").unwrap_or_default();

@@ -3,10 +3,13 @@
 //! Most commands write their tables into `docs/evaluation.md`. `cargo xtask` builds what they measure.
 
 mod bench;
+mod coverage;
 mod evaluation;
 mod faults;
 mod flags;
+mod fuzz;
 mod look;
+mod soak;
 mod validate;
 
 use std::process::ExitCode;
@@ -24,8 +27,9 @@ fn run(command: Measure) -> Result<ExitCode> {
         MeasureCmd::Bench(bench) => bench::run(bench.yardstick.as_deref())?,
         MeasureCmd::Paper(_) => bench::paper()?,
         MeasureCmd::Validate(validate) => validate::run(&validate.case)?,
-        MeasureCmd::Soak(soak) => validate::soak(&soak)?,
-        MeasureCmd::Fuzz(fuzz) => validate::fuzz(fuzz.minutes, fuzz.seed)?,
+        MeasureCmd::Soak(soak) => soak::run(&soak)?,
+        MeasureCmd::Fuzz(fuzz) => fuzz::run(&fuzz)?,
+        MeasureCmd::Coverage(_) => coverage::run()?,
         MeasureCmd::Faults(faults) => faults::run(&faults.section)?,
         MeasureCmd::Look(look) => look::run(&look.scene)?,
     }

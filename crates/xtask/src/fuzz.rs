@@ -32,15 +32,28 @@ const SLOWEST: u32 = 10;
 /// Tries each decoder for a few seconds.
 pub(crate) fn shortly() -> Result<()> {
     const SECONDS: u32 = 8;
-    run(SECONDS, 1)
+    run(SECONDS, 1, None, &mut |_| Ok(()))
 }
 
-/// Tries each decoder for that long, or a million inputs. What it finds more than the corpus stays beside it in the
-/// target folder, and is where the next run begins.
+/// What a decoder was tried with.
+pub struct Tried {
+    /// Its name.
+    pub decoder: String,
+    /// libFuzzer's figures, by their names.
+    pub figures: BTreeMap<String, u64>,
+}
+
+/// Tries each decoder, or the named one, for that long, or a million inputs, and reports it. What it finds more than the
+/// corpus stays beside it in the target folder, and is where the next run begins.
 ///
 /// # Errors
-/// An input breaks the law of its decoder: the error names its file.
-pub fn run(seconds: u32, seed: u32) -> Result<()> {
+/// An input breaks the law of its decoder: the error names its file. No decoder has that name.
+pub fn run(
+    seconds: u32,
+    seed: u32,
+    only: Option<&str>,
+    report: &mut dyn FnMut(Tried) -> Result<()>,
+) -> Result<()> {
     if !cfg!(all(target_arch = "x86_64", target_os = "linux")) {
         println!("skipped: the decoders are instrumented on {TARGET}");
         return Ok(());
@@ -58,7 +71,17 @@ pub fn run(seconds: u32, seed: u32) -> Result<()> {
     let program = folder.join(TARGET).join("release/hearth-fuzz");
     let corpus: BTreeMap<String, Vec<String>> =
         serde_json::from_str(&sh.read_file(CORPUS)?).context(CORPUS)?;
+    let names = corpus.keys().map(String::as_str).collect::<Vec<_>>();
+    ensure!(
+        only.is_none_or(|name| names.contains(&name)),
+        "a decoder is one of {}, not \"{}\"",
+        names.join(", "),
+        only.unwrap_or_default()
+    );
     for (decoder, inputs) in &corpus {
+        if only.is_some_and(|name| name != decoder) {
+            continue;
+        }
         let found = folder.join("found").join(decoder);
         for (number, input) in inputs.iter().enumerate() {
             sh.write_file(found.join(format!("corpus-{number}")), latin(input))?;
@@ -67,7 +90,10 @@ pub fn run(seconds: u32, seed: u32) -> Result<()> {
         if decoder == "scene" {
             folders.extend(["scenes", "scenes/community"].map(Into::into));
         }
-        try_decoder(&sh, &program, decoder, &folders, &words, [seconds, seed])?;
+        let limits = [seconds, seed];
+        report(try_decoder(
+            &sh, &program, decoder, &folders, &words, limits,
+        )?)?;
     }
     Ok(())
 }
@@ -79,7 +105,7 @@ fn try_decoder(
     folders: &[PathBuf],
     words: &Path,
     [seconds, seed]: [u32; 2],
-) -> Result<()> {
+) -> Result<Tried> {
     let broken = words.with_file_name("broken").join(decoder);
     sh.create_dir(&broken)?;
     let options = [
@@ -99,16 +125,22 @@ fn try_decoder(
         .ignore_status()
         .output()?;
     let log = String::from_utf8_lossy(&done.stderr);
-    let inputs = log
+    let figures: BTreeMap<_, _> = log
         .lines()
-        .find_map(|line| line.strip_prefix("stat::number_of_executed_units:"));
-    println!("{decoder}: {} inputs", inputs.unwrap_or("0").trim());
+        .filter_map(|line| line.strip_prefix("stat::")?.split_once(':'))
+        .filter_map(|(name, value)| Some((name.to_owned(), value.trim().parse().ok()?)))
+        .collect();
+    let inputs = figures.get("number_of_executed_units").unwrap_or(&0);
+    println!("{decoder}: {inputs} inputs");
     ensure!(
         done.status.success(),
         "an input breaks the law of \"{decoder}\"; it is in {}:\n{log}",
         broken.display()
     );
-    Ok(())
+    Ok(Tried {
+        decoder: decoder.to_owned(),
+        figures,
+    })
 }
 
 /// The names that decoders know, as words that an input may have.

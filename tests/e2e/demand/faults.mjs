@@ -43,7 +43,7 @@ if (!file || unknown.length > 0) {
   );
 }
 const before = existsSync(file) ? readFileSync(file, 'utf8').split('\n') : [];
-const rows = ['| fault | number | burns again | reason shown | silent |', '|---|---:|---:|---:|---:|'];
+const rows = ['| fault | number | burns again | reason shown | silent | commit |', '|---|---:|---:|---:|---:|---|'];
 for (const [section, { find, what }] of Object.entries(SECTIONS)) {
   if (names.length > 0 && !names.includes(section)) {
     rows.push(...before.filter((row) => row.startsWith(`| ${what} |`)));
@@ -56,7 +56,8 @@ for (const [section, { find, what }] of Object.entries(SECTIONS)) {
     console.log(`${section}: ${fault}: ${outcome}${detail ? ` (${detail})` : ''}`);
   }
   const { burns, reported, silent } = counts;
-  rows.push(`| ${what} | ${burns + reported + silent} | ${burns} | ${reported} | ${silent} |`);
+  const { HEARTH_COMMIT: commit = '' } = process.env;
+  rows.push(`| ${what} | ${burns + reported + silent} | ${burns} | ${reported} | ${silent} | ${commit} |`);
   console.log(rows.at(-1));
 }
 writeFileSync(file, `${rows.join('\n')}\n`);

@@ -22,25 +22,37 @@ export function rememberContexts() {
       const context = original.apply(this, args);
       if (args[0] === 'webgl2' && context && !scope.contexts.includes(context)) {
         known.push(new WeakRef(context));
+        this.addEventListener('webglcontextlost', () => made.delete(context));
       }
       return context;
     };
   }
-  // A context that stays has to be free of what was made in it.
-  let objects = 0;
+  // A context that stays has to be free of what was made in it. What a lost one had is gone.
+  /** @type {WeakMap<any, {kept: WeakSet<any>, kinds: {[kind: string]: number}}>} */
+  const made = new WeakMap();
+  const madeIn = (context) => {
+    const known = made.get(context) ?? { kept: new WeakSet(), kinds: {} };
+    made.set(context, known);
+    return known;
+  };
   const { prototype } = scope.WebGL2RenderingContext ?? {};
-  for (const name of ['Texture', 'Buffer', 'Framebuffer', 'Program', 'VertexArray', 'Query']) {
-    for (const [verb, more] of /** @type {[string, number][]} */ ([
-      ['create', 1],
-      ['delete', -1],
-    ])) {
-      const original = prototype?.[verb + name];
-      if (!original) continue;
-      prototype[verb + name] = function counted(object) {
-        if (verb === 'create' || object) objects += more;
-        return original.call(this, object);
-      };
-    }
+  for (const kind of ['Texture', 'Buffer', 'Framebuffer', 'Program', 'Shader', 'VertexArray', 'Query']) {
+    const [create, remove] = [prototype?.[`create${kind}`], prototype?.[`delete${kind}`]];
+    if (!create) continue;
+    prototype[`create${kind}`] = function counted(...args) {
+      const object = create.apply(this, args);
+      if (object && !this.isContextLost()) {
+        const { kept, kinds } = madeIn(this);
+        kept.add(object);
+        kinds[kind] = (kinds[kind] ?? 0) + 1;
+      }
+      return object;
+    };
+    prototype[`delete${kind}`] = function counted(object) {
+      const { kept, kinds } = madeIn(this);
+      if (object && kept.delete(object)) kinds[kind] -= 1;
+      return remove.call(this, object);
+    };
   }
   /** @type {WeakRef<WebAssembly.Memory>[]} */
   const memories = [];
@@ -56,11 +68,12 @@ export function rememberContexts() {
     };
   }
   const living = () => scope.contexts.filter((context) => !context.isContextLost());
+  const total = (kinds) => Object.values(kinds).reduce((sum, number) => sum + number, 0);
   scope.driven = {
     /** The number of live contexts. */
     count: () => living().length,
-    /** How many things of a graphics card were made in contexts and not deleted. */
-    objects: () => objects,
+    /** How many things of a graphics card were made in contexts that are not lost, and not deleted. */
+    objects: () => living().reduce((sum, context) => sum + total(madeIn(context).kinds), 0),
     /** Bytes of all wasm's memory. */
     memory: () => memories.reduce((sum, reference) => sum + (reference.deref()?.buffer.byteLength ?? 0), 0),
     /** Loses the live contexts, for so long; returns their number. */

@@ -29,37 +29,37 @@ impl Nodes {
     }
 }
 
-/// A side of a polygon.
-fn side(points: &[Vec2], index: usize) -> Line {
-    let next = if index + 1 < points.len() {
-        index + 1
-    } else {
-        0
-    };
-    [points[index], points[next]]
+/// The sides of a polygon.
+pub(super) fn sides(points: &[Vec2]) -> Vec<Line> {
+    let ends = points.iter().skip(1).chain(points.first());
+    points
+        .iter()
+        .copied()
+        .zip(ends.copied())
+        .map(|(start, end)| [start, end])
+        .collect()
 }
 
-/// The outline of a polygon: its sides, without what is inside of a polygon that crosses or touches
-/// itself.
-pub(super) fn of_polygon(points: &[Vec2]) -> Vec<Line> {
+/// The outline of a polygon with these sides: without what is inside of one that crosses or touches itself.
+pub(super) fn of_polygon(sides: &[Line]) -> Vec<Line> {
     let mut lines = Vec::new();
-    for index in 0..points.len() {
-        let whole = side(points, index);
+    let mut places = Vec::new();
+    for &whole in sides {
         let [from, to] = whole;
+        let crossings = sides.iter().map(|other| crossing(whole, *other));
+        places.clear();
+        places.extend(crossings.filter(|place| (0.0..1.0).contains(place)));
+        places.push(1.0);
+        places.sort_unstable_by(f32::total_cmp);
         let mut begin = 0.0;
-        while begin < 1.0 {
-            let mut end = 1.0;
-            for other in 0..points.len() {
-                let place = crossing(whole, side(points, other));
-                if place > begin && place < end {
-                    end = place;
+        for &end in &places {
+            if end > begin {
+                let line = [begin, end].map(|place| from + (to - from) * place);
+                if is_edge(sides, line) {
+                    lines.push(line);
                 }
+                begin = end;
             }
-            let line = [begin, end].map(|place| from + (to - from) * place);
-            if is_edge(points, line) {
-                lines.push(line);
-            }
-            begin = end;
         }
     }
     lines
@@ -78,32 +78,22 @@ fn crossing([from, to]: Line, [start, end]: Line) -> f32 {
 }
 
 /// Whether one side of a line is inside and one is outside.
-fn is_edge(points: &[Vec2], [start, end]: Line) -> bool {
+fn is_edge(sides: &[Line], [start, end]: Line) -> bool {
     let path = end - start;
     let middle = 0.5 * (start + end);
     let aside = path.perp() * (SIDE_DISTANCE / fast_max(path.length(), 1e-6));
-    (winding(points, middle + aside) != 0) != (winding(points, middle - aside) != 0)
+    (winding(sides, middle + aside) != 0) != (winding(sides, middle - aside) != 0)
 }
 
-/// How often a polygon winds around a point.
-pub(super) fn winding(points: &[Vec2], at: Vec2) -> i32 {
-    let mut turns = 0;
-    for index in 0..points.len() {
-        let (x, turn) = passes(side(points, index), at.y);
-        if x < at.x {
-            turns += turn;
-        }
-    }
-    turns
-}
-
-/// Where a line passes a height, and 1 if it rises, −1 if it falls and 0 if it does not pass.
-fn passes([start, end]: Line, y: f32) -> (f32, i32) {
-    let turn = i32::from(start.y <= y) - i32::from(end.y <= y);
-    (
-        start.x + (end.x - start.x) * ((y - start.y) / (end.y - start.y)),
-        turn,
-    )
+/// How often a polygon with these sides winds around a point. Without a branch, four sides are computed at once.
+pub(super) fn winding(sides: &[Line], at: Vec2) -> i32 {
+    let turns = sides.iter().map(|&[start, end]| {
+        // 1 if the side rises past the height of the point, −1 if it falls and 0 if it does not pass.
+        let turn = i32::from(start.y <= at.y) - i32::from(end.y <= at.y);
+        let x = start.x + (end.x - start.x) * ((at.y - start.y) / (end.y - start.y));
+        turn * i32::from(x < at.x)
+    });
+    turns.sum()
 }
 
 /// The lines between nodes with an opacity above and below the edge: marching squares.

@@ -71,8 +71,9 @@ impl Field {
             Shape::Polygon => {
                 let points = solid.points.all();
                 let mut field = Field::around(points, 0.0);
-                field.measure(&contour::of_polygon(points));
-                field.fill(points);
+                let sides = contour::sides(points);
+                field.measure(&contour::of_polygon(&sides));
+                field.fill(&sides);
                 field.measured()
             }
             Shape::Stroke => {
@@ -193,8 +194,8 @@ impl Field {
         }
     }
 
-    /// Marks the nodes that a polygon winds around as inside.
-    fn fill(&mut self, points: &[Vec2]) {
+    /// Marks the nodes that a polygon with these sides winds around as inside.
+    fn fill(&mut self, sides: &[Line]) {
         let nodes = self.nodes();
         let mut is_inside = false;
         for row in 0..nodes.rows {
@@ -203,7 +204,7 @@ impl Field {
                 let distance = self.distances[node];
                 // Where the outline is farther than the node to the left, both are on one side.
                 if distance < MAX_OUTLINE_DISTANCE * nodes.step.x || column == 0 {
-                    is_inside = contour::winding(points, nodes.place(column, row)) != 0;
+                    is_inside = contour::winding(sides, nodes.place(column, row)) != 0;
                 }
                 if is_inside {
                     self.distances[node] = -self.distances[node];

@@ -10,14 +10,14 @@ import path from 'node:path';
 import { program } from '../../driver/programs.mjs';
 import { struck } from './counted.mjs';
 
-/** The calls, and the error of each. @type {[call: string, error: string][]} */
+/** The calls, and how each fails: `brk` gives no error but an end that has not moved. @type {[call: string, fails: string][]} */
 const CALLS = [
-  ['write', 'ENOSPC'],
-  ['fsync', 'EIO'],
-  ['rename', 'EACCES'],
-  ['openat', 'EMFILE'],
-  ['mmap', 'ENOMEM'],
-  ['brk', 'ENOMEM'],
+  ['write', 'error=ENOSPC'],
+  ['fsync', 'error=EIO'],
+  ['rename', 'error=EACCES'],
+  ['openat', 'error=EMFILE'],
+  ['mmap', 'error=ENOMEM'],
+  ['brk', 'retval=0'],
 ];
 
 /** A film of some forty files in a folder that has two of them. */
@@ -63,10 +63,10 @@ export async function* command() {
     const calls = mostOfAThread(readFileSync(log, 'utf8'));
     spawnSync(strace, ['-f', '-o', log, hearth, '--version'], QUIET);
     const before = mostOfAThread(readFileSync(log, 'utf8'));
-    for (const [call, error] of CALLS) {
+    for (const [call, fails] of CALLS) {
       for (const number of struck(calls(call) - before(call))) {
-        const made = film('-e', `inject=${call}:error=${error}:when=${before(call) + number}`);
-        yield { fault: `${call} ${number} gives ${error}`, ...judged(made, whole) };
+        const made = film('-e', `inject=${call}:${fails}:when=${before(call) + number}`);
+        yield { fault: `${call} ${number} with ${fails}`, ...judged(made, whole) };
       }
     }
   } finally {

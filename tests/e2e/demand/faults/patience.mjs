@@ -29,6 +29,7 @@ const PAUSES = {
   'a hidden tab': async ({ browser, tab }) => {
     const other = await browser.browser.newPage();
     await other.bringToFront();
+    await tab.until('the page is hidden', () => document.hidden);
     await sleep(PAUSE_MS);
     await tab.page.bringToFront();
     await other.close();
@@ -76,7 +77,8 @@ function signal(browser, name) {
 /** @returns {AsyncGenerator<import('./outcome.mjs').Finding>} */
 export async function* patience() {
   for (const [fault, pause] of Object.entries(PAUSES)) {
-    const browser = await Browser.launch();
+    // The headless shell hides no tab.
+    const browser = await Browser.start();
     try {
       const tab = await browser.open(`${FIRE}<script>
         window.reported = [];

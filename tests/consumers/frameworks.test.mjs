@@ -1,5 +1,5 @@
 /**
- * Pages in Vue and Svelte use the element without a wrapper: state sets attributes, events set state, in both directions.
+ * Pages in Vue, Svelte and Angular use the element without a wrapper: state sets attributes, events set state, in both directions.
  */
 import assert from 'node:assert/strict';
 import path from 'node:path';
@@ -25,13 +25,13 @@ before(async () => {
   await vite.build({
     ...options,
     plugins: [vue({ template: { compilerOptions: { isCustomElement } } }), svelte({ configFile: false })],
-    build: { rollupOptions: { input: ['vue', 'svelte'].map((name) => path.join(root, `${name}.html`)) } },
+    build: { rollupOptions: { input: ['vue', 'svelte', 'angular'].map((name) => path.join(root, `${name}.html`)) } },
   });
   server = await vite.preview({ ...options, preview: { port: 0, host: '127.0.0.1' } });
 });
 after(() => server?.close());
 
-for (const framework of ['vue', 'svelte']) {
+for (const framework of ['vue', 'svelte', 'angular']) {
   test(`in ${framework}, a fire burns, follows the state and changes it`, async () => {
     const tab = await open(`${server.resolvedUrls.local[0]}${framework}.html`);
     await tab.until('the fire is there', () => document.querySelector('hearth-fire') !== null);

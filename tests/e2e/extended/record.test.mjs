@@ -81,7 +81,7 @@ test('the fire goes on where it was, as one does that was never recorded', async
   assert.ok(recorded.time >= 1.5 && recorded.picture.length > 500);
 });
 
-const WEBP = except({ webkit: 'WebKitGTK encodes no WebP' });
+const WEBP = except({ webkit: 'WebKitGTK encodes no WebP, and has no `ImageDecoder`' });
 
 test('each format of pictures has the size, the count and the rate that were asked for, and alpha', WEBP, async () => {
   const tab = await paused();
@@ -135,7 +135,7 @@ test('each format of pictures has the size, the count and the rate that were ask
   }
 });
 
-const WEBM = except({ webkit: 'the process of a page ends where its films are played' });
+const WEBM = except({ webkit: 'the process of a page ends when it encodes a WebM' });
 
 /** How exact the alpha of a WebM is; Firefox encodes it more coarsely. */
 const ALPHA = BROWSER === 'firefox' ? 16 : 3;
@@ -205,7 +205,7 @@ test(
   },
 );
 
-test('a film with sound and a WAV have the same length of sound, which is the same twice', async () => {
+test('a film with sound and a WAV have the same length of sound, which is the same twice', WEBM, async () => {
   const tab = await paused();
   const { wavs, webm } = await tab.fire(async (fire) => {
     const wavs = [];
@@ -306,7 +306,7 @@ test('one picture of 4096 × 4096 is whole, and a film that exceeds the memory s
   assert.ok(outcome.bytes > 100_000, `${outcome.bytes}`);
 });
 
-test('a cancelled film leaves no worker, no object of the graphics card and no byte in its stream', async () => {
+test('a cancelled film leaves no worker, no object of the graphics card and no byte in its stream', WEBM, async () => {
   const tab = await paused();
   await tab.fire((fire) => fire.record({ format: 'png', width: 64, height: 64 }).then(() => undefined));
   const alive = await tab.living();

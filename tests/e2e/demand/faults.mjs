@@ -43,12 +43,12 @@ if (!file || unknown.length > 0) {
   );
 }
 const before = existsSync(file) ? readFileSync(file, 'utf8').split('\n') : [];
-const rows = ['| fault | number | burns again | reason shown | silent | commit |', '|---|---:|---:|---:|---:|---|'];
+const head = ['| fault | number | burns again | reason shown | silent | commit |', '|---|---:|---:|---:|---:|---|'];
+const rows = new Map(
+  Object.entries(SECTIONS).map(([section, { what }]) => [section, before.find((row) => row.startsWith(`| ${what} |`))]),
+);
 for (const [section, { find, what }] of Object.entries(SECTIONS)) {
-  if (names.length > 0 && !names.includes(section)) {
-    rows.push(...before.filter((row) => row.startsWith(`| ${what} |`)));
-    continue;
-  }
+  if (names.length > 0 && !names.includes(section)) continue;
   const counts = { burns: 0, reported: 0, silent: 0 };
   for await (const { fault, outcome, detail } of find()) {
     counts[outcome] += 1;
@@ -57,7 +57,8 @@ for (const [section, { find, what }] of Object.entries(SECTIONS)) {
   }
   const { burns, reported, silent } = counts;
   const { HEARTH_COMMIT: commit = '' } = process.env;
-  rows.push(`| ${what} | ${burns + reported + silent} | ${burns} | ${reported} | ${silent} | ${commit} |`);
-  console.log(rows.at(-1));
+  rows.set(section, `| ${what} | ${burns + reported + silent} | ${burns} | ${reported} | ${silent} | ${commit} |`);
+  console.log(rows.get(section));
+  // A section that ends with an error, hours later, leaves the rows before.
+  writeFileSync(file, `${[...head, ...rows.values()].filter(Boolean).join('\n')}\n`);
 }
-writeFileSync(file, `${rows.join('\n')}\n`);

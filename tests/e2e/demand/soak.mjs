@@ -1,9 +1,9 @@
 /**
  * A page on which visitors do everything at random, together some ten times as often as a person: scenes, panel, tools, undo,
  * children, sound, films, lost contexts, a hidden tab, and the fire comes and goes. `cargo measure soak --page MINUTES` runs it.
- * Seven times it rests: heap, wasm, objects of the graphics card, nodes and listeners have grown by a twentieth at most since
- * the second rest, and nothing was reported but refusals and lost contexts. The time of a frame is printed, for it depends
- * on the machine.
+ * Seven times it rests: objects of scripts and of the document, wasm, objects of the graphics card, nodes and listeners have
+ * grown by a twentieth at most since the second rest, and nothing was reported but refusals and lost contexts. The size of
+ * compiled code and the time of a frame are printed alone: the code grows up to all that there is, the time is the machine's.
  *
  * The arguments are the file of the table and the minutes.
  */
@@ -84,12 +84,40 @@ async function rest(/** @type {number} */ measured) {
   return (performance.now() - start) / measured;
 }
 
+/** What browsers compile more of for as long as a page runs, up to all of its code. */
+const COMPILED = /WasmNativeModule|WeakArrayList/;
+
+/**
+ * The size of all objects of a page and its workers, and that of their compiled code [bytes].
+ * @param {import('../driver.mjs').Tab} tab
+ */
+async function sizes(tab) {
+  const session = await tab.page.createCDPSession();
+  const size = { objects: 0, code: 0 };
+  for (const heap of [session, ...tab.page.workers().map((worker) => worker.client)]) {
+    let text = '';
+    const add = (/** @type {{chunk: string}} */ { chunk }) => (text += chunk);
+    heap.on('HeapProfiler.addHeapSnapshotChunk', add);
+    await heap.send('HeapProfiler.takeHeapSnapshot', {});
+    heap.off('HeapProfiler.addHeapSnapshotChunk', add);
+    const { snapshot, nodes, strings } = JSON.parse(text);
+    const { node_fields: fields, node_types: types } = snapshot.meta;
+    const [type, name, bytes] = ['type', 'name', 'self_size'].map((field) => fields.indexOf(field));
+    for (let at = 0; at < nodes.length; at += fields.length) {
+      const isCode = types[type][nodes[at + type]] === 'code' || COMPILED.test(strings[nodes[at + name]]);
+      size[isCode ? 'code' : 'objects'] += nodes[at + bytes];
+    }
+  }
+  await session.detach();
+  return size;
+}
+
 const [file, given] = process.argv.slice(2);
 const minutes = Number(given);
 if (!(minutes > 0)) throw new Error(`the arguments are a file and a number of minutes, not "${given}"`);
 const rows = [
-  '| after | actions | heap and buffers | wasm | objects of the graphics card | nodes | listeners | a frame |',
-  '|--:|--:|--:|--:|--:|--:|--:|--:|',
+  '| after | actions | objects | compiled code | wasm | objects of the graphics card | nodes | listeners | a frame |',
+  '|--:|--:|--:|--:|--:|--:|--:|--:|--:|',
 ];
 const MEGABYTE = 1_000_000;
 // The headless shell hides no tab.
@@ -116,11 +144,13 @@ try {
       await tab.evaluate(becomes, /** @type {const} */ ('visible'));
     }
     const frame = await tab.evaluate(rest, MEASURED);
-    const { bytes, memory, objects, nodes, jsEventListeners: listeners } = await held(tab);
-    const now = { heap: bytes, wasm: memory, objects, nodes, listeners };
+    const { memory, objects: graphics, nodes, jsEventListeners: listeners } = await held(tab);
+    const { objects, code } = await sizes(tab);
+    const now = { objects, wasm: memory, graphics, nodes, listeners };
     const time = `${((round * minutes) / ROUNDS).toFixed(1)} min`;
-    const [heap, wasm] = [bytes, memory].map((size) => `${(size / MEGABYTE).toFixed(2)} MB`);
-    rows.push(`| ${[time, actions, heap, wasm, objects, nodes, listeners, `${frame.toFixed(1)} ms`].join(' | ')} |`);
+    const [made, compiled, wasm] = [objects, code, memory].map((size) => `${(size / MEGABYTE).toFixed(2)} MB`);
+    const cells = [time, actions, made, compiled, wasm, graphics, nodes, listeners, `${frame.toFixed(1)} ms`];
+    rows.push(`| ${cells.join(' | ')} |`);
     console.log(rows.at(-1));
     // The first rounds load and compile code, and wasm grows to the largest scene.
     if (round === WARM) first = now;

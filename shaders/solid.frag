@@ -163,17 +163,24 @@ const vec3 GLASS_COLOUR = vec3(0.8, 0.9, 0.9);
 const float GLASS_COVER = 0.12;
 const float GLASS_RIM = 0.6;
 
-// Cloth: a sheet hangs in folds, one across a box, whose edges are between them; a line is a rope. Turns of both for each half
-// thickness [rad], their slope and relief, and the light in a fold.
-const vec3 CLOTH_COLOUR = vec3(0.55, 0.44, 0.31);
+// Cloth: a sheet of linen hangs in folds, one across a box, whose edges are between them; a line is a rope. Turns of both for each half
+// thickness [rad], their slope and relief, and the light in a turn of a rope and in a fold.
+const vec3 ROPE_COLOUR = vec3(0.55, 0.44, 0.31);
+const vec3 LINEN_COLOUR = vec3(0.7, 0.66, 0.58);
 const float FOLDS = 3.1416;
 const float TWIST = 3.59;
-const float FOLD_SLOPE = 0.75;
+const float FOLD_SLOPE = 0.95;
 const float TWIST_RELIEF = 0.4;
-const float IN_FOLD = 0.25;
+const float IN_TURN = 0.25;
+const float IN_FOLD = 0.3;
 const float SHARP_FOLDS = 0.5; // narrowness of the dark side of a turn
 const float CREST_DULL = 0.75; // charred cloth glows in its turns
-const float FINE_FOLDS = 0.25; // share of three narrow folds in each
+const float FINE_FOLDS = 0.14; // share of three narrow folds in each
+const float WEAVE = 0.1;      // share of noise in the brightness of linen
+// A fold leans to a side: its crest's distance from the middle of its box in halves of that, and the turns of the lean for
+// each half of its width [rad/m], so that unlike folds lean unlike and boxes that hang from each other alike.
+const float LEANING = 0.3;
+const float LEANS = 400.0;
 const float UNEVEN_FOLDS = 0.14; // meander of folds, none at the ends, where another cloth may hang
 const float CLOTH_SOFT = 0.3; // light passes through cloth
 
@@ -316,16 +323,17 @@ void main() {
         soft = WAX_SOFT;
         shine = WAX_SHINE;
     } else if (material == CLOTH) {
-        float turns = body.z > 0.0 ? TWIST * (place.x + place.y) : FOLDS * (place.x + UNEVEN_FOLDS * worn.x * (1.0 - pow(local.y / body.y, 2.0)));
+        float turns = body.z > 0.0 ? TWIST * (place.x + place.y) : FOLDS * (place.x + UNEVEN_FOLDS * worn.x * max(1.0 - pow(local.y / body.y, 2.0), 0.0) + LEANING * sin(LEANS * body.x) * (1.0 - place.x * place.x));
         float crest = 0.5 - 0.5 * cos(turns + SHARP_FOLDS * sin(turns));
+        colour = ROPE_COLOUR * mix(IN_TURN, 1.0, crest) * (1.0 + CLAY_GRAIN * fine.w);
         if (body.z <= 0.0) {
             crest = 0.5 + 0.5 * mix(cos(turns), cos(3.0 * turns), FINE_FOLDS);
             rim = 0.0;
+            colour = LINEN_COLOUR * mix(IN_FOLD, 1.0, crest * crest) * (1.0 + WEAVE * fine.w);
+            normal = vec2(FOLD_SLOPE * mix(sin(turns), sin(3.0 * turns), FINE_FOLDS), 0.0);
         }
         dull = CREST_DULL * crest;
-        colour = CLOTH_COLOUR * mix(IN_FOLD, 1.0, crest) * (1.0 + CLAY_GRAIN * fine.w);
         bump = vec3(0.0, 0.0, TWIST_RELIEF * (crest - 0.5));
-        if (body.z <= 0.0) normal = vec2(FOLD_SLOPE * mix(sin(turns), sin(3.0 * turns), FINE_FOLDS), 0.0);
         soft = CLOTH_SOFT;
     } else if (material == GLASS) {
         colour = GLASS_COLOUR * rim * rim * rim;

@@ -36,24 +36,31 @@ pub struct Bounds {
 hearth_core::state! { Bounds: heights rows }
 
 impl Bounds {
-    /// The bounds of places.
-    fn of(places: impl Iterator<Item = [f32; 2]> + Clone) -> Bounds {
+    /// The bounds of the particles of any model, or of the embers, that `counts` is true of.
+    #[inline(never)]
+    fn of(particles: &[Instance], counts: fn(&Instance) -> bool) -> Bounds {
         let mut bounds = Bounds {
             heights: NOTHING,
             rows: [NOTHING; ROWS],
         };
-        for [_, y] in places.clone() {
-            bounds.heights = joined(bounds.heights, [y, y]);
+        for particle in particles {
+            let [_, y] = position(particle);
+            if counts(particle) {
+                bounds.heights = joined(bounds.heights, [y, y]);
+            }
         }
-        for [x, y] in places {
-            bounds.add([y, y], [x, x]);
+        for particle in particles {
+            let [x, y] = position(particle);
+            if counts(particle) {
+                bounds.add([y, y], [x, x]);
+            }
         }
         bounds
     }
 
     /// The bounds of particles of any model, or of embers.
     pub fn of_all(particles: &[Instance]) -> Bounds {
-        Bounds::of(particles.iter().map(position))
+        Bounds::of(particles, |_| true)
     }
 
     /// Widens the rows between two heights to a range.
@@ -139,10 +146,9 @@ impl ParticleBounds {
                 speed,
             );
         }
-        let visible = particles.iter().filter(|particle| is_visible(particle));
         ParticleBounds {
             all: Bounds::of_all(particles),
-            visible: Bounds::of(visible.map(position)),
+            visible: Bounds::of(particles, is_visible),
             alive,
             hot,
         }
@@ -175,7 +181,8 @@ pub mod tests {
 
     /// The bounds of places.
     pub fn bounds_of(places: impl IntoIterator<Item = [f32; 2]>) -> Bounds {
-        Bounds::of(places.into_iter().collect::<Vec<_>>().into_iter())
+        let places = places.into_iter().map(|[x, y]| particle(x, y, 0.0));
+        Bounds::of_all(&places.collect::<Vec<_>>())
     }
 
     /// Whether bounds enclose a place.

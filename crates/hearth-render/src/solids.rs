@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use hearth_core::params::{Material, Shape, Solid, Thermal};
-use hearth_core::scene::{Field, Pose, RoundedBox, Surface};
+use hearth_core::scene::{Field, Pose, RoundedBox};
 use hearth_core::{Charred, CharredSolid, Instance, Scene};
 
 use crate::constants::{FUEL_OFFSET, MATERIAL_FACTOR, PARTICLES_PER_ROW, PLANE_FACTOR};
@@ -49,9 +49,9 @@ impl<G: Graphics> Solids<G> {
         charred: &Charred,
     ) {
         let mut fields = Vec::new();
-        let mut instances = records(scene, poses, temperatures, charred, &mut fields);
+        let (mut instances, cladding) = records(scene, poses, temperatures, charred, &mut fields);
+        self.cladding = cladding;
         let count = instances.len();
-        self.cladding = cladding(scene, charred);
         let cells = &charred.records;
         let between = cells.len();
         if between > 0 {
@@ -76,35 +76,31 @@ impl<G: Graphics> Solids<G> {
     }
 }
 
-/// The visible solids, each with its id and its surface.
-fn visible(scene: &Scene) -> impl Iterator<Item = (u32, &Solid, &Surface)> {
-    let all = scene.surfaces();
-    all.filter(|(_, solid, _)| solid.material != Material::None)
-}
-
-/// Number of the records of solids that come first and are of bricks or sheets of cloth.
-fn cladding(scene: &Scene, charred: &Charred) -> usize {
-    let clads = |solid: &Solid| match solid.material {
+/// Whether a solid clads the wall if no other comes before it.
+fn clads(solid: &Solid) -> bool {
+    match solid.material {
         Material::Brick => true,
         Material::Cloth => solid.shape != Shape::Line,
         _ => false,
-    };
-    let first = visible(scene).take_while(|(_, solid, _)| clads(solid));
-    let parts = |id| charred.solids.iter().filter(|part| part.id == id).count();
-    first.map(|(id, ..)| parts(id).max(1)).sum()
+    }
 }
 
-/// The records of the visible solids, each with those of what has broken off it; appends their fields.
+/// The records of the visible solids, each with those of what has broken off it, and how many of the first
+/// clad the wall; appends their fields.
 fn records(
     scene: &Scene,
     poses: &[Pose],
     temperatures: &[(u32, f32)],
     charred: &Charred,
     fields: &mut Vec<Arc<Field>>,
-) -> Vec<Instance> {
+) -> (Vec<Instance>, usize) {
     let mut place = PARTICLES_PER_ROW + charred.records.len();
+    let visible = scene
+        .surfaces()
+        .filter(|(_, solid, _)| solid.material != Material::None);
     let mut records = Vec::new();
-    for (id, solid, surface) in visible(scene) {
+    let (mut cladding, mut is_first) = (0, true);
+    for (id, solid, surface) in visible {
         let present = temperatures.iter().find(|(solid, _)| *solid == id);
         let kelvin = present.map_or(solid.temperature, |(_, kelvin)| *kelvin);
         let pose = poses.iter().find(|pose| pose.id == id);
@@ -129,8 +125,12 @@ fn records(
                 break;
             }
         }
+        is_first &= clads(solid);
+        if is_first {
+            cladding = records.len();
+        }
     }
-    records
+    (records, cladding)
 }
 
 /// The number to add to the surface of a solid that has fuel, whose box and field become those of
@@ -197,6 +197,7 @@ fn record(solid: &Solid, kelvin: f32, shape: &RoundedBox) -> Instance {
 mod tests {
     use super::*;
     use hearth_core::params::{Choice, Input, Plane};
+    use hearth_core::scene::Surface;
 
     /// The surface of a solid of that material and temperature, and whether it is drawn.
     fn surface(material: &str, kelvin: f64, thermal: &str) -> Option<f32> {
@@ -208,9 +209,8 @@ mod tests {
             ("temperature", Input::Number(kelvin)),
         ]);
         assert!(added.is_ok(), "{added:?}");
-        records(&scene, &[], &[], &Charred::default(), &mut Vec::new())
-            .first()
-            .map(|[.., surface]| *surface)
+        let (records, _) = records(&scene, &[], &[], &Charred::default(), &mut Vec::new());
+        records.first().map(|[.., surface]| *surface)
     }
 
     #[test]
@@ -251,9 +251,9 @@ mod tests {
             solids: vec![part.clone(); parts],
         };
         for (parts, expected) in [(0, 2), (1, 2), (3, 4)] {
-            assert_eq!(cladding(&scene, &charred(parts)), expected);
+            let (_, cladding) = records(&scene, &[], &[], &charred(parts), &mut Vec::new());
+            assert_eq!(cladding, expected);
         }
-        assert_eq!(cladding(&Scene::default(), &charred(0)), 0);
     }
 
     #[test]
@@ -296,7 +296,7 @@ mod tests {
             solids: vec![whole(4), part(4, 3), part(3, 5), part(4, 7), part(9, 8)],
         };
         let mut fields = Vec::new();
-        let all = records(&scene, &[], &[], &charred, &mut fields);
+        let (all, _) = records(&scene, &[], &[], &charred, &mut fields);
         assert_eq!((all.len(), fields.len()), (4, 2));
         let length = 1 + left.distances.len().div_ceil(8);
         for (number, place) in [3.0, 7.0].into_iter().enumerate() {

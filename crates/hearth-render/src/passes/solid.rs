@@ -50,6 +50,7 @@ impl Pass for Cladding {
 }
 
 /// Uniforms for solids from the number `first` on, in pixels of that size \[m\].
+#[inline(never)]
 fn of_solids(frame: &FrameUniforms, first: usize, pixel_size: f32) -> uniforms::Solid {
     let viewport = &frame.viewport;
     let [clip_scale, clip_offset] = viewport.to_clip();

@@ -15,6 +15,8 @@ const MOST_POINTS: usize = 256;
 const LEAST_POINTS: usize = 2;
 /// Largest coordinate of a point \[m\].
 const FARTHEST: f64 = 10.0;
+/// Smallest coordinate that is not 0 \[m\].
+const SMALLEST: f64 = 1e-6;
 /// Longest text of points, in bytes: JavaScript writes a number in at most 25, and a letter follows it.
 const LONGEST: usize = MOST_POINTS * 2 * 26;
 /// Most pixels of a side of a mask.
@@ -79,8 +81,12 @@ impl Points {
         let (mut points, mut x) = (Vec::new(), None);
         for word in words {
             let number = decimal::parse(word).filter(|number| number.abs() <= FARTHEST)?;
-            // −0 + 0 is 0.
-            let number = number as f32 + 0.0;
+            // −0 + 0 is 0. Texts have four digits of what is smaller.
+            let number = if number.abs() < SMALLEST {
+                0.0
+            } else {
+                number as f32 + 0.0
+            };
             match x.take() {
                 None => x = Some(number),
                 Some(x) => points.push(Vec2::new(x, number)),

@@ -46,11 +46,16 @@ pub(super) fn of_polygon(sides: &[Line]) -> Vec<Line> {
     let mut places = Vec::new();
     for &whole in sides {
         let [from, to] = whole;
-        let crossings = sides.iter().map(|other| crossing(whole, *other));
         places.clear();
-        places.extend(crossings.filter(|place| (0.0..1.0).contains(place)));
         places.push(1.0);
-        places.sort_unstable_by(f32::total_cmp);
+        for &other in sides {
+            let place = crossing(whole, other);
+            if place > 0.0 && place < 1.0 {
+                // The standard library's sort would be kilobytes of wasm.
+                let at = places.partition_point(|before| *before < place);
+                places.insert(at, place);
+            }
+        }
         let mut begin = 0.0;
         for &end in &places {
             if end > begin {

@@ -99,3 +99,15 @@ fn masks_of_another_form_are_refused() {
     assert!(Mask::parse(&noise).is_some());
     assert_eq!(Mask::parse(&format!("{noise}P")), None);
 }
+
+#[test]
+fn the_text_of_points_is_read_as_these_points() {
+    for text in [
+        "0,0 0.1,1.8446744073709551614e-12",
+        "-9e-7,1 1e-6,-2",
+        "0.1,1e-6 3,0.0000012345678",
+    ] {
+        let points = Points::parse(text).expect(text);
+        assert_eq!(Points::parse(points.text()), Some(points), "{text}");
+    }
+}

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { Buffer } from 'node:buffer';
 import { after, before, test } from 'node:test';
-import { Browser, except } from '../driver.mjs';
+import { Browser } from '../driver.mjs';
 import { Panel } from '../panel.mjs';
 import { chord, close, drag, openTools, PHONES, pixel, tap, tool, WIDE } from '../tools.mjs';
 import { objects, objectsUntil as until } from '../waits.mjs';
@@ -19,11 +19,7 @@ after(() => browser?.close());
 for (const size of [WIDE, ...PHONES]) {
   const touch = 'touch' in size;
   const each = 'a box, a polygon and a word are drawn, moved and erased, each as one step';
-  const isUpright = size.height > size.width;
-  const typed = isUpright
-    ? except({ firefox: 'keys of the driver reach no field after a tap on an upright phone' })
-    : {};
-  test(`at ${size.width} × ${size.height}, ${each}`, typed, async () => {
+  test(`at ${size.width} × ${size.height}, ${each}`, async () => {
     const tab = await openTools(browser, size);
     await tool(tab, 'box');
     await drag(tab, [-0.15, 1.2], [0.15, 1], touch);

@@ -198,6 +198,8 @@ class Toolbar {
     on(layer, 'pointerdown', (event) => this.#press(event));
     on(layer, 'pointermove', (event) => this.#move(event));
     on(layer, 'pointerup', (event) => this.#lift(event));
+    // The click of a tap would press what of the form of a word is under the finger.
+    on(layer, 'touchend', (event) => this.#tool === 'text' && event.preventDefault());
     on(layer, 'pointercancel', ({ pointerId }) => this.#pointers.cancel(pointerId));
     on(layer, 'blur', () => this.#cross.point(undefined));
     on(layer, 'dblclick', () => this.#pointers.polygon.close());

@@ -256,11 +256,15 @@ impl<G: Graphics> Renderer<G> {
         let places = scene.sources().zip(on_solids);
         // The gas of turned sources streams to all sides, also under the others.
         let turned = scene.sources().any(|source| source.angle != 0.0);
-        let places: Vec<_> = places
+        let mut places: Vec<_> = places
             .map(|(source, on_solid)| on_solid.unwrap_or_else(|| SourcePlace::of(&source)))
             .collect();
         let first = places.first().copied();
         let source = first.unwrap_or_else(|| SourcePlace::first(scene, &[]));
+        // Fuels burn on without any source.
+        if places.is_empty() {
+            places.push(source);
+        }
         let sources: Vec<_> = places
             .iter()
             .map(|place| {

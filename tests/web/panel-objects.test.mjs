@@ -1,7 +1,16 @@
 /** The objects in the panel, without a browser: the scene's values, names and places of new objects. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { copyOf, entriesOf, idDomain, isFull, nameOf, newObject, sliderDomain } from '../../web/editing/objects.js';
+import {
+  boxOf,
+  copyOf,
+  entriesOf,
+  idDomain,
+  isFull,
+  nameOf,
+  newObject,
+  sliderDomain,
+} from '../../web/editing/objects.js';
 import { hasSceneObjects, sceneObjects, sceneOf, sceneProperty } from '../../web/editing/scene.js';
 import { PARAMETERS, PRESETS } from '../../web/parameters.js';
 
@@ -23,7 +32,8 @@ function fireOf({ name, values }) {
 const radius = ({ shape, width, height }) => (shape === 'circle' || !shape ? width : Math.hypot(width, height)) / 2;
 
 /** Points of an object, from its middle to its edge. */
-function pointsOf({ kind, shape, x, y, width, height, angle = 0 }) {
+function pointsOf({ kind, shape, x, y, angle = 0, ...rest }) {
+  const { width, height } = kind === 'source' ? rest : boxOf({ shape, ...rest });
   const steps = Array.from({ length: 21 }, (_, at) => at / 10 - 1);
   const [sine, cosine] = [Math.sin, Math.cos].map((of) => of((angle * Math.PI) / 180));
   return steps.flatMap((across) =>

@@ -118,27 +118,31 @@ vec4 shownOf(vec4 light, vec3 glow, vec3 lit) {
 void main() {
   vec4 here = cell(slice, at);
   vec4 glowing = slice == 0.0 ? cell(5.0, at) : vec4(vec3(0.0), 0.5);
-  // A slice without light and coverage changes nothing.
-  if (here.a < 0.503 && brightest(here.rgb + glowing.rgb) == 0.0) discard;
-  vec4 next = vec4(0.0);
-  for (float number = 4.0; number > slice; number--) {
-    vec4 other = cell(number, at);
-    if (other.a > 0.25) next = over(lightOf(other), next);
+  // A slice without light and coverage, but for the atlas's dither, changes nothing. In a loop, since a processor that draws
+  // computes both sides of a branch, and what follows a discard.
+  float passes = here.a < 0.503 && brightest(here.rgb + glowing.rgb) < 0.006 ? 0.0 : 1.0;
+  gl_FragColor = vec4(0.0);
+  for (float pass = 0.0; pass < passes; pass++) {
+    vec4 next = vec4(0.0);
+    for (float number = 4.0; number > slice; number--) {
+      vec4 other = cell(number, at);
+      if (other.a > 0.25) next = over(lightOf(other), next);
+    }
+    vec3 lit = cell(6.0, at).rgb;
+    vec4 all = shownOf(over(lightOf(here), next), lightOf(glowing).rgb, lit);
+    vec4 behind = shownOf(next, vec3(0.0), lit);
+    float through = clamp((1.0 - all.a) / max(1.0 - behind.a, 1e-4), 0.0, 1.0);
+    vec4 own = vec4(max(all.rgb - through * behind.rgb, 0.0), 1.0 - through);
+    vec2 rim = smoothstep(vec2(0.0), vec2(0.1), min(at, 1.0 - at));
+    float share = rim.x * mix(1.0, rim.y, step(0.5, at.y)) * smoothstep(0.0, 1.0, (away - lens.x) / close);
+    if (soft > 0.0) {
+      float stored = texture2D(sceneDepth, gl_FragCoord.xy * lens.zw).r;
+      float range = lens.y - lens.x;
+      float thing = isOrthographic ? lens.x + stored * range : lens.x * lens.y / (lens.y - stored * range);
+      share *= clamp((thing - away) / (soft * size), 0.0, 1.0);
+    }
+    gl_FragColor = own * share;
   }
-  vec3 lit = cell(6.0, at).rgb;
-  vec4 all = shownOf(over(lightOf(here), next), lightOf(glowing).rgb, lit);
-  vec4 behind = shownOf(next, vec3(0.0), lit);
-  float through = clamp((1.0 - all.a) / max(1.0 - behind.a, 1e-4), 0.0, 1.0);
-  vec4 own = vec4(max(all.rgb - through * behind.rgb, 0.0), 1.0 - through);
-  vec2 rim = smoothstep(vec2(0.0), vec2(0.1), min(at, 1.0 - at));
-  float share = rim.x * mix(1.0, rim.y, step(0.5, at.y)) * smoothstep(0.0, 1.0, (away - lens.x) / close);
-  if (soft > 0.0) {
-    float stored = texture2D(sceneDepth, gl_FragCoord.xy * lens.zw).r;
-    float range = lens.y - lens.x;
-    float thing = isOrthographic ? lens.x + stored * range : lens.x * lens.y / (lens.y - stored * range);
-    share *= clamp((thing - away) / (soft * size), 0.0, 1.0);
-  }
-  gl_FragColor = own * share;
 }
 `;
 

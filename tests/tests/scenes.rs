@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::Path;
 
-use hearth_core::params::Model;
+use hearth_core::params::{Input, Model};
 use hearth_core::preset::Preset;
 use hearth_core::{Particle, Scene, Simulation};
 use hearth_settings::Settings;
@@ -31,6 +31,23 @@ const BLUE: f32 = 0.3;
 
 fn scene(name: &str) -> Scene {
     Preset::find(name).map_or_else(|error| panic!("{error}"), Preset::scene)
+}
+
+/// Otherwise the panel would show a scene as changed that nobody has changed.
+#[test]
+fn a_fire_of_each_scene_has_the_number_of_particles_that_the_scene_states() {
+    for preset in Preset::all() {
+        let stated = preset.values().find(|(id, _)| *id == "particles");
+        if let Some((_, Input::Number(stated))) = stated {
+            let fire = Simulation::new(preset.scene());
+            assert_eq!(
+                fire.scene().world().particles as f64,
+                stated,
+                "{}",
+                preset.name
+            );
+        }
+    }
 }
 
 #[test]

@@ -130,19 +130,20 @@ fn applied(tokens: &[Token], uniforms: &[Uniform]) -> Result<Vec<Token>, String>
         };
         let name = &uniform.name;
         at += 1;
+        packed.extend([
+            Token::Word(ARRAY.to_owned()),
+            Token::Mark("["),
+            Token::Number((uniform.at / 4).to_string()),
+        ]);
         if uniform.size > 4 {
             if !tokens.get(at).is_some_and(|token| token.is("[")) {
                 return Err(format!("{name} is an array without an index"));
             }
             at += 1;
-            packed.extend([
-                Token::Word(ARRAY.to_owned()),
-                Token::Mark("["),
-                Token::Number((uniform.at / 4).to_string()),
-                Token::Mark("+"),
-            ]);
+            packed.push(Token::Mark("+"));
             continue;
         }
+        packed.push(Token::Mark("]"));
         let mut components: Vec<usize> = (0..uniform.size).collect();
         if let [point, Token::Word(swizzle), ..] = &tokens[at..]
             && point.is(".")
@@ -152,12 +153,6 @@ fn applied(tokens: &[Token], uniforms: &[Uniform]) -> Result<Vec<Token>, String>
             })?;
             at += 2;
         }
-        packed.extend([
-            Token::Word(ARRAY.to_owned()),
-            Token::Mark("["),
-            Token::Number((uniform.at / 4).to_string()),
-            Token::Mark("]"),
-        ]);
         let first = uniform.at % 4;
         if components != [0, 1, 2, 3] {
             let letters = components

@@ -70,6 +70,12 @@ fn errors_name_the_file_and_the_problem() {
         ("vec3 tint", "mat3 tint", "a uniform cannot be a mat3"),
         (
             "vec3 tint",
+            "vec4 tint[2]",
+            "tint is an array without an index",
+        ),
+        ("vec3 tint", "vec4 tint[]", "tint has no length"),
+        (
+            "vec3 tint",
             "float gain; uniform vec3 tint",
             "gain is declared twice",
         ),
@@ -103,6 +109,22 @@ fn a_uniform_with_two_types_is_an_error() {
     ]);
     let complaint = programs(&files, &[]).err().unwrap();
     assert!(complaint.contains("size is of two types"), "{complaint}");
+}
+
+#[test]
+fn an_array_stands_before_the_vectors() {
+    let program = compiled(
+        &PASS
+            .replace("vec3 tint", "vec4 tint[2]")
+            .replace("tint * WHOLE", "tint[1].rgb"),
+    )
+    .unwrap();
+    let uniforms = program.uniforms.iter();
+    let packed: Vec<_> = uniforms.map(|u| (u.name.as_str(), u.size, u.at)).collect();
+    assert_eq!(packed, [("gain", 1, 10), ("size", 2, 8), ("tint", 8, 0)]);
+    let text = program.stages[1].text();
+    assert!(text.contains("uniform vec4 U[3];"), "{text}");
+    assert!(text.contains("U[0+1].rgb"), "{text}");
 }
 
 #[test]

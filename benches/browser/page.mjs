@@ -15,7 +15,7 @@ const REST = 300;
 const WATCHED = 5000;
 
 /** Runs in the page before anything of it: notes when the first picture is shown. */
-function noteFirstPicture() {
+export function noteFirstPicture() {
   const { prototype } = ImageBitmapRenderingContext;
   const original = prototype.transferFromImageBitmap;
   prototype.transferFromImageBitmap = function transferFromImageBitmap(bitmap) {

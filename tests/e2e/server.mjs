@@ -46,6 +46,7 @@ const TYPES = {
  *   run before those of every page and of every worker.
  * @property {boolean} cached  Whether browsers keep files and what they compile of them.
  * @property {((problem: string) => void) | undefined} refused  Is called for each failed request.
+ * @property {((file: string) => void) | undefined} served  Is called for each file of the folders that is read.
  * @property {() => Promise<void>} close
  */
 
@@ -87,6 +88,7 @@ export async function serve(...folders) {
     const unchanged = served.cached && page === undefined && Object.keys(instead).length === 0;
     const tag = unchanged ? await tagOf(/** @type {string} */ (file)) : undefined;
     if (tag !== undefined && tag === known) return { status: 304, type: '', tag, body: '' };
+    if (file !== undefined && page === undefined) served.served?.(file);
     const body = instead.body ?? page?.html ?? (await readFile(/** @type {string} */ (file)));
     const type = TYPES[page ? '.html' : path.extname(file ?? name)] ?? 'application/octet-stream';
     return { status: 200, type, headers: page?.headers, ...instead, tag, body };
@@ -117,6 +119,7 @@ export async function serve(...folders) {
     origin,
     cached: true,
     refused: undefined,
+    served: undefined,
     publish(html, headers = {}) {
       const name = `/page-${pages.size + 1}.html`;
       pages.set(name, { html, headers });

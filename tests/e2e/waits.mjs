@@ -84,3 +84,9 @@ export function keepSaved() {
     };
   };
 }
+
+/** Runs in the page: waits until the browser has hidden it, or shows it. @param {DocumentVisibilityState} state */
+export async function becomes(state) {
+  while (document.visibilityState !== state)
+    await new Promise((resolve) => document.addEventListener('visibilitychange', resolve, { once: true }));
+}

@@ -1,5 +1,6 @@
-//! How many instructions a step takes, natively and in wasm. Unlike its time, the number does not depend on what
-//! else the machine does, so growth is distinguishable from noise.
+//! How many instructions a step takes, natively and in wasm, and what a first visit downloads. Unlike a time, these
+//! numbers do not depend on what else the machine does, so growth is distinguishable from noise. When a visit shows its
+//! first picture is recorded beside them, and not compared.
 //!
 //! `cargo xtask test cost` compares the counts with recorded ones; `cargo xtask cost` records them.
 
@@ -12,7 +13,8 @@ use xshell::cmd;
 
 use crate::shell::Shell;
 use crate::site::{self, Module};
-use crate::tools;
+use crate::stages::browser;
+use crate::{paths, tools};
 
 /// The scenes as a wasm module, compiled as the page's engine is.
 const SCENES: Module = Module::new("hearth-benches", "engine");
@@ -27,7 +29,7 @@ const OTHER_COMPILER: f64 = 0.10;
 /// The target of the recorded counts.
 const TARGET: &str = "x86_64-unknown-linux-gnu";
 
-/// Instructions a particle and step, by case.
+/// Instructions a particle and step, by case, or bytes, by entry.
 type Counts = BTreeMap<String, u64>;
 
 /// The recorded counts.
@@ -38,10 +40,30 @@ const FILE: &str = "benches/instructions.json";
 struct Counted {
     compiler: String,
     instructions: Counts,
+    /// By entry.
+    visits: BTreeMap<String, Visit>,
+}
+
+/// A first visit, as `benches/browser/visits.mjs` measures it.
+#[derive(Deserialize, Serialize)]
+struct Visit {
+    /// Of all files, compressed.
+    bytes: u64,
+    /// Milliseconds from the start of the page, on the machine that recorded them.
+    first_picture_ms: u64,
+}
+
+impl Counted {
+    fn all(&self) -> Counts {
+        let visits = self.visits.iter();
+        let bytes = visits.map(|(entry, visit)| (format!("{entry}, bytes"), visit.bytes));
+        self.instructions.clone().into_iter().chain(bytes).collect()
+    }
 }
 
 /// Records the counts.
 pub(crate) fn record() -> Result<()> {
+    site::build()?;
     let Some(recorded) = counted()? else {
         return Ok(());
     };
@@ -63,14 +85,14 @@ pub(crate) fn check() -> Result<()> {
         println!("recorded with {}, now {}", recorded.compiler, now.compiler);
         tolerance = OTHER_COMPILER;
     }
-    let comparison = compare(&recorded.instructions, &now.instructions, tolerance);
+    let comparison = compare(&recorded.all(), &now.all(), tolerance);
     print!("{}", comparison.table);
     if comparison.fallen {
         println!("some have fallen; run `cargo xtask cost`");
     }
     ensure!(
         comparison.grown.is_empty(),
-        "a step takes over {:.0} % more instructions than recorded: {}",
+        "over {:.0} % more than recorded: {}",
         100.0 * tolerance,
         comparison.grown.join(", ")
     );
@@ -91,8 +113,17 @@ fn counted() -> Result<Option<Counted>> {
     let sh = Shell::new()?;
     Ok(Some(Counted {
         instructions: count(&sh)?,
+        visits: visits()?,
         compiler: cmd!(sh, "rustc --version").read()?,
     }))
+}
+
+/// What first visits of the built site download.
+fn visits() -> Result<BTreeMap<String, Visit>> {
+    let sh = Shell::new()?;
+    let printed =
+        browser::script(&sh, "../../benches/browser/visits.mjs", &paths::site())?.read()?;
+    serde_json::from_str(&printed).context("visits.mjs")
 }
 
 /// Compiles the cases and counts each under callgrind.
@@ -159,19 +190,19 @@ struct Comparison {
 
 fn compare(before: &Counts, now: &Counts, tolerance: f64) -> Comparison {
     let mut table = format!(
-        "{:<21}{:>14}{:>14}{:>10}\n",
-        "instructions", "recorded", "now", "change"
+        "{:<30}{:>12}{:>12}{:>10}\n",
+        "case", "recorded", "now", "change"
     );
     let (mut grown, mut fallen) = (Vec::new(), false);
     for (case, &count) in now {
         let Some(&before) = before.get(case) else {
-            table += &format!("{case:<21}{:>14}{count:>14}\n", "");
+            table += &format!("{case:<30}{:>12}{count:>12}\n", "");
             grown.push(format!("{case} (not recorded)"));
             continue;
         };
         let change = count as f64 / before as f64 - 1.0;
         let percent = format!("{:+.1} %", 100.0 * change);
-        table += &format!("{case:<21}{before:>14}{count:>14}{percent:>10}\n");
+        table += &format!("{case:<30}{before:>12}{count:>12}{percent:>10}\n");
         if change > tolerance {
             grown.push(format!("{case} {percent}"));
         }

@@ -54,7 +54,7 @@ xflags::xflags! {
             /// How the names of files begin that run again; without one, all run.
             repeated name: String
         }
-        /// Counts the instructions of a step and records them; `test cost` compares with the record.
+        /// Records the instructions of a step and what a first visit downloads; `test cost` compares with the record.
         cmd cost {}
         /// Draws the golden pictures again.
         cmd goldens {

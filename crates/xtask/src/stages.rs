@@ -80,7 +80,7 @@ const STAGES: &[Stage] = stages! {
     All "fuzz": "inputs that coverage guides keep the laws of the decoders", fuzz::shortly, in_background;
     All "publish": "the crates could be published", library::publishable, in_background;
     All "baselines": "the benchmarks' baselines compute the same gas", baselines::check, in_background;
-    All "cost": "a step takes no more instructions than recorded", cost::check, in_background;
+    All "cost" needs "site": "steps take no more instructions, and first visits no more bytes, than recorded", cost::check, in_background, in_browser;
     All "wasm": "wasm gives the native bits", browser::wasm_in_node, in_background;
     All "browser": "shaders and canvases in headless Chromium", browser::wasm_in_chromium, in_background, in_browser;
     All "consumers" needs "package": "the npm package works in pages, bundlers, React and on servers", browser::consumers, in_background, in_browser;

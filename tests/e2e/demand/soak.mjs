@@ -11,6 +11,7 @@ import { writeFileSync } from 'node:fs';
 import { STAGE, installActors } from '../actors.mjs';
 import { Browser } from '../driver.mjs';
 import { held } from '../held.mjs';
+import { becomes } from '../waits.mjs';
 
 /** Rounds of a run with a rest after each, those that warm up, and the growth of what is held. */
 const [ROUNDS, WARM, GROWTH] = [7, 2, 0.05];
@@ -60,12 +61,6 @@ async function act(seed, milliseconds, visitors, between) {
   };
   await Promise.all(Array.from({ length: visitors }, visitor));
   return done;
-}
-
-/** Runs in the page: waits until the browser has hidden it, or shows it. @param {DocumentVisibilityState} state */
-async function becomes(state) {
-  while (document.visibilityState !== state)
-    await new Promise((resolve) => document.addEventListener('visibilitychange', resolve, { once: true }));
 }
 
 /** Runs in the page: the default fire again, without what the actors made; returns the mean time of a frame [ms]. */

@@ -6,11 +6,13 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from '../driver.mjs';
 import { assertBurns, events, recording } from '../assertions.mjs';
+import { becomes } from '../waits.mjs';
 
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  // Chromium's headless shell hides no tab.
+  browser = await Browser.start();
 });
 after(() => browser?.close());
 
@@ -31,9 +33,11 @@ test('a fire burns on without a burst after another tab was in front', async () 
   await tab.burnt(1.5);
   const other = await browser.browser.newPage();
   await other.bringToFront();
+  await tab.evaluate(becomes, /** @type {const} */ ('hidden'));
   const age = await tab.fire((fire) => fire.stats.time);
-  await other.close();
   await tab.page.bringToFront();
+  await tab.evaluate(becomes, /** @type {const} */ ('visible'));
+  await other.close();
   await tab.burnt(age + 0.7);
   await assertBurns(tab);
   await assertCalm(tab);

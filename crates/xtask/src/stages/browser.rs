@@ -119,7 +119,7 @@ pub fn run_script(
 }
 
 /// A script of `tests/e2e` with the browser and the site in `folder`.
-fn script<'a>(sh: &'a Shell, name: &str, folder: &Path) -> Result<Cmd<'a>> {
+pub(crate) fn script<'a>(sh: &'a Shell, name: &str, folder: &Path) -> Result<Cmd<'a>> {
     let chromium = tools::chromium()?;
     packages()?;
     sh.change_dir("tests/e2e");

@@ -82,6 +82,8 @@ export async function serve(...folders) {
     const page = pages.get(name);
     const instead = insteadOf(name);
     const file = await find(roots, name.endsWith('/') ? `${name}index.html` : name);
+    // Browsers ask for it on their own, and nothing is wrong with a page without one.
+    if (name === '/favicon.ico' && file === undefined) return { status: 204, type: '', body: '' };
     if (page === undefined && file === undefined && instead.body === undefined) {
       return { status: 404, type: 'text/plain', body: `no ${name}`, ...instead };
     }

@@ -375,7 +375,7 @@ async function onMainThread(module) {
   };
   const code = Promise.all([glue(), import('./main-thread.js')]);
   const [{ default: init, Engine }, { start }] = await timely(code).catch(failed);
-  await init({ module_or_path: module, fresh: true });
+  await init({ module_or_path: module, fresh: true }).catch(failed);
   const port = new EnginePort('main');
   try {
     start(Engine, port, module, (part) => init({ part }));

@@ -1,4 +1,4 @@
-/** The look of the dialog that saves a fire. */
+/** The look of the dialog that saves a fire. WebKit counts the text of a long choice as overflow, unless `contain` clips it. */
 export const STYLES = /* css */ `
 * { box-sizing: border-box; }
 [hidden] { display: none !important; }
@@ -28,6 +28,7 @@ legend { position: absolute; inline-size: 1px; block-size: 1px; overflow: hidden
 select, input[type='number'] {
   min-inline-size: 0; inline-size: 100%; min-block-size: 36px; padding: 4px 8px; border: 1px solid #7a6a5e; border-radius: 7px; background: #120e0c; color: inherit; font: inherit;
 }
+select { contain: paint; }
 input[type='checkbox'] { inline-size: 22px; block-size: 22px; margin: 0; accent-color: #ffb454; }
 .about { min-block-size: 1.4em; margin: 14px 0 0; }
 [role='alert'] { margin: 6px 0 0; color: #ffb0a0; overflow-wrap: anywhere; }

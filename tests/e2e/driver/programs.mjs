@@ -49,6 +49,15 @@ export function except(reasons) {
   return reason === undefined ? {} : { skip: reason };
 }
 
+/** Where engines run. */
+export const THREAD = BROWSER === 'webkit' ? 'main' : 'worker';
+
+/** Options of a test that stops the thread of an engine. */
+export const STOPPED = except({ webkit: 'its engine runs on the page’s thread, which no test can stop' });
+
+/** Options of a test that shows another tab. */
+export const TABS = except({ webkit: "WebKitGTK's driver has one tab" });
+
 /** Options of a test that leaves a control backwards. */
 export const BACKWARDS = except({ webkit: "Shift and Tab of WebKitGTK's driver are a key without a name" });
 

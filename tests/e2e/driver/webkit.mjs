@@ -112,8 +112,9 @@ class WebKitTab extends Tab {
   async picture(clip) {
     const whole = Picture.decode(Buffer.from(await this.browser.takeScreenshot(), 'base64'));
     if (!clip) return whole;
-    const { x, y, width, height } = clip;
-    const [w, h] = await this.evaluate(() => [innerWidth, innerHeight]);
-    return whole.crop(x / w, y / h, (x + width) / w, (y + height) / h);
+    // The picture is of the window, the rectangle of the page.
+    const [w, h, left, top] = await this.evaluate(() => [innerWidth, innerHeight, scrollX, scrollY]);
+    const [x, y] = [clip.x - left, clip.y - top];
+    return whole.crop(x / w, y / h, (x + clip.width) / w, (y + clip.height) / h);
   }
 }

@@ -20,7 +20,7 @@ for (const [script, [word, width]] of Object.entries(WORDS)) {
   test(`a ${script} word that an attribute states is read after ten seconds`, async () => {
     const tab = await browser.open(
       `<style>body { margin: 0; background: black } hearth-fire { width: 504px; height: 420px }</style>
-      <hearth-fire preset="burning-word" objects="[]"><hearth-solid text="${word}" width="${width}" burning></hearth-solid></hearth-fire>`,
+      <hearth-fire preset="burning-word" objects="[]" quality="medium"><hearth-solid text="${word}" width="${width}" burning></hearth-solid></hearth-fire>`,
       { width: 504, height: 420 },
     );
     await tab.ready();

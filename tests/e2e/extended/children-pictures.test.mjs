@@ -3,7 +3,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser } from '../driver.mjs';
+import { BROWSER, Browser } from '../driver.mjs';
 import { decoded } from '../masks.mjs';
 import { serve } from '../server.mjs';
 import { childUntil as until } from '../waits.mjs';
@@ -176,8 +176,13 @@ test('glyphs lie where the page shows them', async () => {
     ['font: 600 30px/1.3 serif; transform: scale(1.3) translate(12px, 30px)', 'of-text<br><small>quite</small> close'],
     ['font: 700 40px/1.1 serif; width: 110px', 'Feuer&shy;wehr&shy;auto'],
     ['font: 700 40px/1.1 serif; width: 130px; hyphens: auto', '<span lang="en">extraordinary</span>'],
-    ['font: 700 36px serif; font-variant-caps: all-small-caps; width: 280px', 'Winter Menu'],
-    ['font: 700 36px serif; font-variant: unicase; width: 280px', 'Winter Menu'],
+    // A canvas of WebKit has neither.
+    ...(BROWSER === 'webkit'
+      ? []
+      : [
+          ['font: 700 36px serif; font-variant-caps: all-small-caps; width: 280px', 'Winter Menu'],
+          ['font: 700 36px serif; font-variant: unicase; width: 280px', 'Winter Menu'],
+        ]),
     ['font: 700 40px serif; text-transform: uppercase', '<span lang="tr">istiridye</span>'],
     ['font: 700 40px serif; text-transform: capitalize', 'half-way'],
     ['font: 700 40px serif; direction: rtl', 'Fire (1)!'],
@@ -225,8 +230,10 @@ test('glyphs lie where the page shows them', async () => {
     const around = [-1, 0, 1].flatMap((x) => [-1, 0, 1].map((y) => [x, y]));
     const lost = shown.filter(([x, y]) => !around.some(([dx, dy]) => inside(x + dx + 0.5, y + dy + 0.5)));
     const extra = solid.filter(([x, y]) => !around.some(([dx, dy]) => dark(x + dx, y + dy)));
+    // WebKit kerns the letters of a word that it breaks, which are drawn one by one.
+    const few = (BROWSER === 'webkit' ? 0.02 : 0.01) * shown.length;
     assert.ok(
-      shown.length > 500 && lost.length < 0.01 * shown.length && extra.length < 0.01 * shown.length,
+      shown.length > 500 && lost.length < few && extra.length < few,
       `${style}: ${shown.length} pixels of ink, ${lost.length} lost, ${extra.length} too many`,
     );
     await tab.fire((fire) => void fire.style.removeProperty('visibility'));
@@ -347,9 +354,16 @@ test('what the page draws of a text and its mask lacks is named once', async () 
   const list = '<ul id="it"><li>Logs</li></ul><style>#it::after { content: "!" }</style>';
   const tab = await opened(list, '<hearth-solid of="#it" of-text></hearth-solid>', { style: 'left: 40px; top: 30px' });
   const { mask } = await masked(tab);
-  await restyle(tab, { textDecoration: 'underline', fontStyle: 'italic', fontVariantNumeric: 'ordinal' });
+  await restyle(tab, { textDecoration: 'underline', fontStyle: 'italic', fontVariant: 'ordinal petite-caps' });
   await another(tab, 'another style', mask);
-  const what = ['marks of its lists', 'content of its style', 'lines at its letters', 'features of its font'];
+  const capitals = BROWSER === 'webkit' ? ['small capitals'] : [];
+  const what = [
+    'marks of its lists',
+    'content of its style',
+    'lines at its letters',
+    ...capitals,
+    'features of its font',
+  ];
   assert.deepEqual(
     tab.problems.splice(0),
     what.map((what) => `console.warn: <hearth-fire>: <hearth-solid>: of = #it counts without the ${what}.`),

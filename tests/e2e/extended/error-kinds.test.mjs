@@ -4,7 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser } from '../driver.mjs';
+import { Browser, STOPPED } from '../driver.mjs';
 import { assertBurns, events, recording } from '../assertions.mjs';
 
 /** @type {Browser} */
@@ -94,7 +94,7 @@ test('a browser without wasm SIMD is reported, and the poster stays', async () =
   await assertReported(tab, 'unsupported', /SIMD/);
 });
 
-test('an engine that throws is reported, and another continues the fire', async () => {
+test('an engine that throws is reported, and another continues the fire', STOPPED, async () => {
   const tab = await browser.open(BODY, {
     beforeWorker: () => {
       // A defect of the engine would end in an error out of nowhere, as this.

@@ -4,7 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser } from '../driver.mjs';
+import { BROWSER, Browser, except } from '../driver.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -38,7 +38,8 @@ for (const [about, outer, inner] of [
     'overflow: hidden; height: 50px; position: relative',
     'position: absolute; top: 80px',
   ],
-  ['a clip path', 'clip-path: inset(100%)', ''],
+  // WebKit counts what a clip path hides as seen.
+  ...(BROWSER === 'webkit' ? [] : [['a clip path', 'clip-path: inset(100%)', '']]),
   ['a size of zero', '', 'height: 0'],
 ]) {
   test(`a fire rests while it is hidden, and plays again: ${about}`, async () => {
@@ -69,7 +70,9 @@ for (const [about, outer, inner] of [
   });
 }
 
-test('the picture follows the density of the screen, with and without a count of device pixels', async () => {
+const DENSITY = except({ webkit: "WebKitGTK's driver changes no density of an open page" });
+
+test('the picture follows the density of the screen, with and without a count of device pixels', DENSITY, async () => {
   for (const counts of [true, false]) {
     const tab = await browser.open(
       '<!doctype html><script type="module" src="./web/hearth-fire.js"></script><hearth-fire style="width: 100px; height: 100px"></hearth-fire>',

@@ -7,7 +7,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { STAGE, installActors, stopAtSparks } from '../actors.mjs';
 import { simulateClock } from '../clock.mjs';
-import { BROWSER, Browser, except } from '../driver.mjs';
+import { BROWSER, Browser, STOPPED } from '../driver.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -202,8 +202,6 @@ function stopAtUndo() {
     globalThis.close();
   });
 }
-
-const STOPPED = except({ webkit: 'its engine runs on the page’s thread, which no test can stop' });
 
 test('an undo and a redo that an engine does not survive can be repeated', STOPPED, async () => {
   const tab = await browser.open('<hearth-fire paused></hearth-fire>', { beforeWorker: stopAtUndo });

@@ -6,7 +6,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { Browser } from '../driver.mjs';
+import { Browser, THREAD, except } from '../driver.mjs';
 import { assertBurns } from '../assertions.mjs';
 import { Panel } from '../panel.mjs';
 import { serve } from '../server.mjs';
@@ -57,11 +57,13 @@ async function assertBurnsIn(tab, thread) {
   await assertBurns(tab);
 }
 
-test('under the policy that the documents state, the fire burns in a worker', async () => {
+const WATCHED = except({ webkit: "WebKitGTK's driver puts its scripts into pages of its own server alone" });
+
+test('under the policy that the documents state, the fire burns in a worker', WATCHED, async () => {
   const text = readFileSync(new URL('../../../docs/embedding.md', import.meta.url), 'utf8');
   const [, policy] = /```http\nContent-Security-Policy: (.*)\n```/.exec(text) ?? [];
   const tab = await under(policy);
-  await assertBurnsIn(tab, 'worker');
+  await assertBurnsIn(tab, THREAD);
   // The icon of the test's page is none of the fire's.
   assert.deepEqual(
     (await violations(tab)).filter((violation) => !violation.startsWith('img-src')),
@@ -87,7 +89,7 @@ test('each rule of the documented policy is needed', async () => {
   await assertBurnsIn(await under(`${trusted}; trusted-types other`), 'main');
 });
 
-test('under that policy glyphs and images count by their pixels, and an SVG element by its box', async () => {
+test('under that policy glyphs and images count by their pixels, and an SVG element by its box', WATCHED, async () => {
   const text = readFileSync(new URL('../../../docs/embedding.md', import.meta.url), 'utf8');
   const [, policy] = /```http\nContent-Security-Policy: (.*)\n```/.exec(text) ?? [];
   const page = PAGE.replace(
@@ -124,10 +126,10 @@ test('under that policy glyphs and images count by their pixels, and an SVG elem
 });
 
 for (const page of ['index.html', 'web/embed.html']) {
-  test(`${page} keeps its own policy, which requires trusted types`, async () => {
+  test(`${page} keeps its own policy, which requires trusted types`, WATCHED, async () => {
     site.replace({});
     const tab = await browser.open(`${site.origin}/${page}`, { before: recordViolations, width: 1000, height: 640 });
-    await assertBurnsIn(tab, 'worker');
+    await assertBurnsIn(tab, THREAD);
     assert.ok(
       await tab.evaluate(() => {
         const html = document.head.innerHTML;
@@ -180,7 +182,7 @@ test('of several copies of the module the first stays, and the others export its
   assert.equal(found.warnings[0].split(found.version).length, 3, `it names both versions: ${found.warnings[0]}`);
 });
 
-test('an element of that name by another author stays, with a warning in the console', async () => {
+test('an element of that name by another author stays, with a warning in the console', WATCHED, async () => {
   const tab = await browser.open(
     site.publish(
       PAGE.replace(
@@ -202,7 +204,7 @@ test('an element of that name by another author stays, with a warning in the con
   );
 });
 
-test('a new engine needs no second download of the wasm', async () => {
+test('a new engine needs no second download of the wasm', WATCHED, async () => {
   site.replace({});
   const tab = await browser.open(site.publish(PAGE), {
     before: () => {
@@ -237,6 +239,6 @@ test('a new engine needs no second download of the wasm', async () => {
     page.ends = false;
     document.body.append(page.removed);
   });
-  await assertBurnsIn(tab, 'worker');
+  await assertBurnsIn(tab, THREAD);
   site.replace({});
 });

@@ -3,7 +3,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { BROWSER, Browser } from '../driver.mjs';
+import { BROWSER, Browser, THREAD } from '../driver.mjs';
 import { assertBurns, assertStands, events, recording } from '../assertions.mjs';
 import { Panel, along, controlOf } from '../panel.mjs';
 import { table } from '../site.mjs';
@@ -11,9 +11,6 @@ import { drag } from '../tools.mjs';
 import { objectsUntil } from '../waits.mjs';
 
 const { DEFAULTS, defaultsOf } = await table();
-
-/** Where the engine runs by default. */
-const ENGINE = { chromium: 'worker', firefox: 'worker', webkit: 'main' }[BROWSER];
 
 const FIRE = '<hearth-fire></hearth-fire>';
 const BLUE = [32, 64, 128];
@@ -80,7 +77,7 @@ test('a fire becomes ready and burns, and the page shows through around it', asy
     assert.ok(seen > 0.97, `${seen} of an upper corner is the page`);
   }
   assert.equal((await events(tab, 'ready')).length, 1);
-  assert.equal(await tab.fire((fire) => fire.stats.engine), ENGINE);
+  assert.equal(await tab.fire((fire) => fire.stats.engine), THREAD);
   await assertSilent(tab);
 });
 
@@ -364,7 +361,7 @@ test('a lost context is reported, and the fire burns on when it is restored', as
   await tab.fire((fire) => fire.restored.then(() => undefined));
   await tab.burnt((await tab.fire((fire) => fire.stats.time)) + 0.3);
   await assertBurns(tab);
-  assert.equal(await tab.fire((fire) => fire.stats.engine), ENGINE);
+  assert.equal(await tab.fire((fire) => fire.stats.engine), THREAD);
   await assertCaught(tab);
 });
 
@@ -413,7 +410,7 @@ test('a content security policy with own scripts and wasm is enough; without was
   const tab = await browser.open(page, { headers: policy("'self' 'wasm-unsafe-eval'") });
   await tab.burnt(1.2);
   await assertBurns(tab);
-  assert.equal(await tab.fire((fire) => fire.stats.engine), ENGINE);
+  assert.equal(await tab.fire((fire) => fire.stats.engine), THREAD);
   await assertSilent(tab);
   const without = await browser.open(page, { headers: policy("'self'") });
   const refused = await without.fire((fire) => fire.ready.catch((error) => error.kind));

@@ -4,7 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser, eventually } from '../driver.mjs';
+import { Browser, THREAD, eventually, except } from '../driver.mjs';
 import { held } from '../held.mjs';
 
 /** @type {Browser} */
@@ -28,7 +28,7 @@ function comeAndGo(tab, count) {
   }, count);
 }
 
-for (const engine of ['worker', 'main']) {
+for (const engine of THREAD === 'main' ? ['main'] : ['worker', 'main']) {
   test(`hundreds of fires that come and go leave nothing behind, with the engine in: ${engine}`, async () => {
     const tab = await browser.open(`
       <script type="module">
@@ -95,6 +95,9 @@ test('of thirty fires, those out of sight cost nothing', async () => {
     `${passed.slice(0, 12)}`,
   );
   assert.deepEqual(passed.slice(12), Array(18).fill(0));
+  assert.deepEqual(tab.problems, []);
+  // An engine of the page's thread transfers no picture.
+  if (THREAD === 'main') return;
   const shown = await tab.evaluate(() => {
     const { pictures } = /** @type {any} */ (window);
     return [...document.querySelectorAll('hearth-fire')].map(
@@ -106,43 +109,46 @@ test('of thirty fires, those out of sight cost nothing', async () => {
     `${shown.slice(0, 12)}`,
   );
   assert.deepEqual(shown.slice(12), Array(18).fill(0));
-  assert.deepEqual(tab.problems, []);
 });
 
-test('the page’s thread hardly works while ten thousand particles burn', async () => {
-  const tab = await browser.show('<hearth-fire edges="periodic" particles="10000"></hearth-fire>');
-  await tab.burnt(0.3);
-  const { engine, particles } = await tab.fire((fire) => fire.stats);
-  assert.equal(engine, 'worker');
-  assert.ok(particles > 9000, `${particles} particles burn`);
-  // CPU time, which other programs do not lengthen.
-  const session = await tab.page.createCDPSession();
-  await session.send('Performance.enable');
-  const worked = async () => {
-    const { metrics } = await session.send('Performance.getMetrics');
-    return 1000 * metrics.find(({ name }) => name === 'ThreadTime').value;
-  };
-  const start = await worked();
-  const pictures = 40;
-  await tab.evaluate(
-    (wanted) =>
-      new Promise((resolve) => {
-        const { prototype } = ImageBitmapRenderingContext;
-        const original = prototype.transferFromImageBitmap;
-        let count = 0;
-        prototype.transferFromImageBitmap = function counted(bitmap) {
-          original.call(this, bitmap);
-          count += 1;
-          if (count < wanted) return;
-          prototype.transferFromImageBitmap = original;
-          resolve(undefined);
-        };
-      }),
-    pictures,
-  );
-  const pageMs = ((await worked()) - start) / pictures;
-  const { drawMs, stepMs, stepsPerFrame } = await tab.fire((fire) => fire.stats);
-  const engineMs = drawMs + stepMs * stepsPerFrame;
-  assert.ok(pageMs < 0.5 * engineMs, `the page works ${pageMs} ms for a picture, the engine ${engineMs} ms`);
-  assert.deepEqual(tab.problems, []);
-});
+test(
+  'the page’s thread hardly works while ten thousand particles burn',
+  except({ webkit: 'its engine runs there' }),
+  async () => {
+    const tab = await browser.show('<hearth-fire edges="periodic" particles="10000"></hearth-fire>');
+    await tab.burnt(0.3);
+    const { engine, particles } = await tab.fire((fire) => fire.stats);
+    assert.equal(engine, 'worker');
+    assert.ok(particles > 9000, `${particles} particles burn`);
+    // CPU time, which other programs do not lengthen.
+    const session = await tab.page.createCDPSession();
+    await session.send('Performance.enable');
+    const worked = async () => {
+      const { metrics } = await session.send('Performance.getMetrics');
+      return 1000 * metrics.find(({ name }) => name === 'ThreadTime').value;
+    };
+    const start = await worked();
+    const pictures = 40;
+    await tab.evaluate(
+      (wanted) =>
+        new Promise((resolve) => {
+          const { prototype } = ImageBitmapRenderingContext;
+          const original = prototype.transferFromImageBitmap;
+          let count = 0;
+          prototype.transferFromImageBitmap = function counted(bitmap) {
+            original.call(this, bitmap);
+            count += 1;
+            if (count < wanted) return;
+            prototype.transferFromImageBitmap = original;
+            resolve(undefined);
+          };
+        }),
+      pictures,
+    );
+    const pageMs = ((await worked()) - start) / pictures;
+    const { drawMs, stepMs, stepsPerFrame } = await tab.fire((fire) => fire.stats);
+    const engineMs = drawMs + stepMs * stepsPerFrame;
+    assert.ok(pageMs < 0.5 * engineMs, `the page works ${pageMs} ms for a picture, the engine ${engineMs} ms`);
+    assert.deepEqual(tab.problems, []);
+  },
+);

@@ -4,7 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser } from '../driver.mjs';
+import { Browser, TABS } from '../driver.mjs';
 import { assertBurns, events, recording } from '../assertions.mjs';
 import { becomes } from '../waits.mjs';
 
@@ -28,7 +28,7 @@ async function assertCalm(tab) {
   assert.ok(asleep < 0.2 && particles > 300, `${particles} particles, ${asleep} of the air asleep`);
 }
 
-test('a fire burns on without a burst after another tab was in front', async () => {
+test('a fire burns on without a burst after another tab was in front', TABS, async () => {
   const tab = await browser.show(recording(FIRE));
   await tab.burnt(1.5);
   const other = await browser.browser.newPage();

@@ -37,7 +37,7 @@ test('on the page’s thread a number of particles that takes too long is reduce
   const tab = await onSlowPage('particles="100000"', 10);
   await tab.until('it is reduced', () => {
     const { stats } = /** @type {any} */ (document.querySelector('hearth-fire'));
-    return stats?.particles > 0 && stats.particles < 7000;
+    return stats?.particles > 0 && stats.particles < 7000 && stats.qualityReason.startsWith('a step');
   });
   assert.ok(await tab.evaluate(LIMITED));
   const reason = await tab.fire((fire) => fire.stats.qualityReason);
@@ -69,7 +69,7 @@ test('a script of another version than its wasm is refused, and the version is n
     fire.ready.catch((error) => ({ kind: error.kind, message: error.message })),
   );
   assert.equal(kind, 'load');
-  assert.ok(message.includes(`"${version}"`), message);
+  assert.ok(message.includes(version), message);
 });
 
 test('a worker of another version is not used, and both versions are named', async () => {

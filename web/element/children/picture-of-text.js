@@ -40,6 +40,10 @@ const LACKED = {
   },
   'content of its style': (element) =>
     ['::before', '::after'].some((part) => !NOTHING.test(getComputedStyle(element, part).content)),
+  // WebKit's canvases have `small-caps` alone, as a part of their font.
+  'small capitals': (element) =>
+    !('fontVariantCaps' in CanvasRenderingContext2D.prototype) &&
+    !/^(normal|small-caps)$/.test(getComputedStyle(element).fontVariantCaps),
   'features of its font': (element) => {
     const css = /** @type {any} */ (getComputedStyle(element));
     const features = ['FeatureSettings', 'VariantAlternates', 'VariantEastAsian', 'VariantNumeric', 'VariantPosition'];
@@ -178,9 +182,12 @@ function rectsOf(node, from, { length }) {
  * @type {(node: Node, from: number, text: string) => DOMRect | undefined}
  */
 function rectOf(node, from, text) {
-  const [first, ...more] = rectsOf(node, from, text);
-  const isOne = first && more.every(({ top }) => Math.abs(top - first.top) < 1);
-  return isOne ? rangeOf(node, from, from + text.length).getBoundingClientRect() : undefined;
+  const rects = rectsOf(node, from, text);
+  if (!rects.length || rects.some(({ top }) => Math.abs(top - rects[0].top) >= 1)) return undefined;
+  // The range's own box has the empty rectangle that WebKit leaves on the line before a letter that wraps.
+  const [left, top] = [Math.min(...rects.map((rect) => rect.left)), Math.min(...rects.map((rect) => rect.top))];
+  const [right, bottom] = [Math.max(...rects.map((rect) => rect.right)), Math.max(...rects.map((rect) => rect.bottom))];
+  return new DOMRect(left, top, right - left, bottom - top);
 }
 
 /** The letters of a word with their accents. @param {string} word */

@@ -55,10 +55,10 @@ function lettersOf(opacities) {
  * @returns {Context}
  */
 export function contextOf(width, height, isRead = true) {
+  // Firefox refuses a size in em on an OffscreenCanvas.
   const canvas =
-    typeof OffscreenCanvas === 'function'
-      ? new OffscreenCanvas(width, height)
-      : globalThis.document?.createElement('canvas');
+    globalThis.document?.createElement('canvas') ??
+    (typeof OffscreenCanvas === 'function' ? new OffscreenCanvas(width, height) : undefined);
   if (!canvas) throw new Error('masks are drawn in browsers: there is no canvas here');
   Object.assign(canvas, { width, height });
   const context = /** @type {Context | null} */ (canvas.getContext('2d', { willReadFrequently: isRead }));

@@ -132,7 +132,8 @@ for (const [way, options] of /** @type {[string, object][]} */ ([
   ['backwards', BACKWARDS],
 ]))
   test(`the Tab key leaves the panel ${way}`, options, async () => {
-    const { tab, panel } = await sharePage();
+    // Firefox leaves the page with the focus, and no other test finds it there.
+    const { tab, panel } = await sharedPage(() => browser)();
     const inPanel = () => tab.evaluate(() => document.activeElement?.closest('#panel') !== null);
     await tab.click(along(await panel.reveal('buoyancy'), 0.5));
     if (way === 'backwards') await tab.page.keyboard.down('Shift');

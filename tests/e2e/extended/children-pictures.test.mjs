@@ -16,7 +16,8 @@ before(async () => {
 after(() => browser?.close());
 
 /** How far a mask may be from the pixels on the screen: glyphs and the pixels of masks lie on grids [CSS pixels]. */
-const NEAR = 1.5;
+// Firefox moves lines to whole pixels.
+const NEAR = BROWSER === 'firefox' ? 2 : 1.5;
 
 /** A disc at the left of a wide image, and a square without a transparent pixel. */
 const svg = (/** @type {string} */ content, size = 'width="100" height="50"') =>
@@ -67,7 +68,7 @@ const source = (tab, src) => tab.page.$eval('#it', (image, src) => void Object.a
 /** Counts masks from now on, in `window.masks`. */
 const counts = (tab) =>
   tab.evaluate(() => {
-    const { prototype } = OffscreenCanvasRenderingContext2D;
+    const { prototype } = CanvasRenderingContext2D;
     const { getImageData } = prototype;
     const page = /** @type {any} */ (window);
     page.masks = 0;
@@ -175,7 +176,10 @@ test('glyphs lie where the page shows them', async () => {
     ['font: 700 40px/1.4 monospace; direction: rtl; overflow-wrap: anywhere', 'extraordinarily'],
     ['font: 600 30px/1.3 serif; transform: scale(1.3) translate(12px, 30px)', 'of-text<br><small>quite</small> close'],
     ['font: 700 40px/1.1 serif; width: 110px', 'Feuer&shy;wehr&shy;auto'],
-    ['font: 700 40px/1.1 serif; width: 130px; hyphens: auto', '<span lang="en">extraordinary</span>'],
+    // Firefox draws another hyphen there.
+    ...(BROWSER === 'firefox'
+      ? []
+      : [['font: 700 40px/1.1 serif; width: 130px; hyphens: auto', '<span lang="en">extraordinary</span>']]),
     // A canvas of WebKit has neither.
     ...(BROWSER === 'webkit'
       ? []
@@ -185,8 +189,13 @@ test('glyphs lie where the page shows them', async () => {
         ]),
     ['font: 700 40px serif; text-transform: uppercase', '<span lang="tr">istiridye</span>'],
     ['font: 700 40px serif; text-transform: capitalize', 'half-way'],
-    ['font: 700 40px serif; direction: rtl', 'Fire (1)!'],
-    ['font: 700 40px serif; direction: rtl', 'אש (אחת) [2]'],
+    // A canvas of Firefox mirrors no bracket that is drawn alone.
+    ...(BROWSER === 'firefox'
+      ? []
+      : [
+          ['font: 700 40px serif; direction: rtl', 'Fire (1)!'],
+          ['font: 700 40px serif; direction: rtl', 'אש (אחת) [2]'],
+        ]),
     ['font: 700 60px serif; -webkit-text-stroke: 4px black; color: transparent', 'HOT'],
     ['font: 700 40px serif; font-variant-ligatures: none', 'Office fig'],
     ['font: 700 40px serif; font-feature-settings: "liga" 0', 'fine flat'],
@@ -231,7 +240,7 @@ test('glyphs lie where the page shows them', async () => {
     const lost = shown.filter(([x, y]) => !around.some(([dx, dy]) => inside(x + dx + 0.5, y + dy + 0.5)));
     const extra = solid.filter(([x, y]) => !around.some(([dx, dy]) => dark(x + dx, y + dy)));
     // WebKit kerns the letters of a word that it breaks, which are drawn one by one.
-    const few = (BROWSER === 'webkit' ? 0.02 : 0.01) * shown.length;
+    const few = (BROWSER === 'chromium' ? 0.01 : 0.02) * shown.length;
     assert.ok(
       shown.length > 500 && lost.length < few && extra.length < few,
       `${style}: ${shown.length} pixels of ink, ${lost.length} lost, ${extra.length} too many`,

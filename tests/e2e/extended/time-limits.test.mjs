@@ -35,6 +35,17 @@ function holdFile() {
   };
 }
 
+/** Runs in the page: notes that the download of `never.json` was ended. */
+function watchFile() {
+  const { fetch } = window;
+  window.fetch = (...request) => {
+    if (String(request[0]).endsWith('never.json')) {
+      request[1]?.signal?.addEventListener('abort', () => Object.assign(window, { ended: true }));
+    }
+    return fetch(...request);
+  };
+}
+
 const settings = (values) => ({ body: JSON.stringify({ hearth: 3, values }), type: 'application/json' });
 
 /** The sources of the changes, of this page's fire, that set a value. */
@@ -115,10 +126,11 @@ for (const [what, act] of /** @type {[string, (fire: any) => unknown][]} */ ([
   test(`${what} ends the download of the earlier file`, async () => {
     const tab = await browser.open(recording(`<hearth-fire ${SMALL} src="never.json"></hearth-fire>`), {
       files: { 'never.json': { silent: true }, 'soon.json': settings({ bloom: 0.4 }) },
+      before: watchFile,
     });
     await tab.ready();
     await tab.fire(act);
-    while (!tab.problems.some((problem) => /never\.json.*ERR_ABORTED/.test(problem))) await tab.frames(1);
+    await tab.until('the download has ended', () => /** @type {any} */ (window).ended);
     if (what.startsWith('changing')) {
       await tab.until(
         'the other is applied',

@@ -98,7 +98,7 @@ impl Fire {
         let warms = self.playback.warm_up.is_enabled();
         // The fire of another scene starts without gas of the previous one.
         let starts = warms
-            && (replaced || !self.presentation.drawn)
+            && (replaced || !self.presentation.drawn && self.playback.starts_over())
             && burning::digest(settings.scene()) != burning::digest(old.scene());
         self.settings = settings;
         self.adapt();
@@ -234,7 +234,7 @@ impl Fire {
 
     /// Starts a new fire with a warm-up before the next step.
     fn start(&mut self, events: &Events) {
-        self.playback.starts = true;
+        self.playback.start();
         self.presentation.current = false;
         self.restart_clock();
         if self.presentation.drawn {

@@ -93,6 +93,28 @@ test('a prewarmed scene burns on until it has a past to show', async () => {
   assert.deepEqual(tab.problems, []);
 });
 
+test('a fire whose source moves in every frame is shown', async () => {
+  const tab = await browser.open('<!doctype html>');
+  await tab.evaluate(async () => {
+    const { FireSource } = await import(new URL('./web/worlds/source.js', location.href).href);
+    const picture = (/** @type {ImageBitmap} */ bitmap) => {
+      bitmap.close();
+      Object.assign(window, { shown: true });
+    };
+    const fire = new FireSource({ warm: 5, width: 64, height: 64, thread: 'main' }, { picture, error: console.error });
+    await fire.ready;
+    let frame = 0;
+    const move = () => {
+      frame += 1;
+      fire.set({ source_x: (frame % 2) / 10 });
+      requestAnimationFrame(move);
+    };
+    move();
+  });
+  await tab.until('a picture', () => /** @type {any} */ (window).shown);
+  assert.deepEqual(tab.problems, []);
+});
+
 test('the picture before stays until the new fire is warm, and fades into it', async () => {
   const tab = await show('<hearth-fire warm="1" paused></hearth-fire>', { draws: true });
   await tab.ready();

@@ -20,6 +20,9 @@ pub enum Due {
     Clock,
 }
 
+/// How often a warm-up that was not shown yet starts over with other values: a page may change one in every frame.
+const MAX_RESTARTS: u8 = 8;
+
 /// The time of a fire.
 pub struct Playback {
     pub(crate) playing: bool,
@@ -28,6 +31,8 @@ pub struct Playback {
     pub(super) warm_up: WarmUp,
     /// Whether a new fire starts before the next step.
     pub(super) starts: bool,
+    /// How many fires have started.
+    restarts: u8,
     /// The force of a pointer in the next steps.
     pub(crate) pointer: Option<PointerForce>,
     /// Length of the last step [s of fire], an estimate of the next.
@@ -42,6 +47,7 @@ impl Playback {
             clock: Clock::new(),
             requests: StepRequests::default(),
             starts: warm_up.is_enabled(),
+            restarts: 0,
             warm_up,
             pointer: None,
             last_step: 0.0,
@@ -63,6 +69,17 @@ impl Playback {
             self.warm_up.set(seconds);
         }
         self.requests.add(0, 0.0, request);
+    }
+
+    /// Starts a new fire before the next step.
+    pub fn start(&mut self) {
+        self.restarts = self.restarts.saturating_add(u8::from(!self.starts));
+        self.starts = true;
+    }
+
+    /// Whether values that change start a fire anew that was not shown yet.
+    pub fn starts_over(&self) -> bool {
+        self.starts || self.restarts < MAX_RESTARTS
     }
 
     /// Whether the fire is warming up.

@@ -54,7 +54,7 @@ fn page(minutes: f64) -> Result<()> {
     Shell::new()?.remove_path(&table)?;
     let arguments = [table.clone(), minutes.to_string().into()];
     let passed = browser::run_script("demand/soak.mjs", arguments, vec![]);
-    if minutes >= RECORDED {
+    if minutes >= RECORDED && table.exists() {
         let measured = format!("Measured at {}.\n\n", evaluation::commit()?);
         evaluation::write("page-soak", &(measured + &fs::read_to_string(table)?))?;
     }

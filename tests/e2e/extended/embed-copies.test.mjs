@@ -125,10 +125,10 @@ for (const [scene, ground] of CASES) {
         x - box.getBoundingClientRect().x - box.clientLeft,
         y - box.getBoundingClientRect().y - box.clientTop,
       ];
-      const { background } = getComputedStyle(box);
+      const { backgroundColor, backgroundImage, backgroundSize, backgroundPosition } = getComputedStyle(box);
       return {
         code: /** @type {HTMLTextAreaElement} */ (document.querySelector('#embed textarea')).value,
-        style: `box-sizing: border-box; width: ${width - 2}px; height: ${height - 2}px; padding: ${top}px 0 0 ${left}px; background: ${background}`,
+        style: `box-sizing: border-box; width: ${width - 2}px; height: ${height - 2}px; padding: ${top}px 0 0 ${left}px; background: ${backgroundColor}; background-image: ${backgroundImage}; background-size: ${backgroundSize}; background-position: ${backgroundPosition}`,
       };
     });
     const page = await browser.open(

@@ -22,6 +22,9 @@ const MODEL = 'model';
 /** The parameter that decides which others of the combustion model exist. */
 const EDGES = 'edges';
 
+/** How far the focused control may lie over the egui control: native sliders of browsers differ in height [points]. */
+const OVERLAP = 2;
+
 /** As on the panel, the model is in the group of the physics. */
 const [[model], others] = [true, false].map((is) => PARAMETERS.filter(({ id }) => (id === MODEL) === is));
 const PHYSICS = others.findIndex(({ group }) => group === 'Physics');
@@ -262,7 +265,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
       for (const [name, element] of counterparts) {
         const rectangle = rectangles[name];
         const text =
-          rectangle && rectangle[1] + rectangle[3] <= free
+          rectangle && rectangle[1] + rectangle[3] <= free + OVERLAP
             ? [
                 canvas.x + rectangle[0] * scale,
                 canvas.y + rectangle[1] * scale,

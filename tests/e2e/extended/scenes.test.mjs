@@ -1,7 +1,7 @@
 /** The scene chooser of the panel: pictures that keys and fingers select. `history.test.mjs` undoes a choice. */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { Browser } from '../driver.mjs';
+import { Browser, except } from '../driver.mjs';
 import { Panel, actionOf } from '../panel.mjs';
 import { table } from '../site.mjs';
 
@@ -136,33 +136,37 @@ describe('the scenes', () => {
   });
 });
 
-test('a finger pushes and taps the scenes in the sheet of a phone', async () => {
-  const tab = await browser.open('index.html?scene=default', PHONE);
-  await tab.ready();
-  const panel = await new Panel(tab).mounted();
-  await panel.openScenes();
-  const rowBox = (name) =>
-    panel.in((root, wanted) => {
-      const { x, y, width, height } = root.querySelector(`[data-scene="${wanted}"]`).getBoundingClientRect();
-      return { x: x + width / 2, y: y + height / 2, top: y, bottom: y + height };
-    }, name);
-  const { top, bottom } = await rowBox('default');
-  assert.ok(top >= 0.55 * PHONE.height && bottom <= PHONE.height, 'the fire stays in sight');
-  const cut = await panel.in((root) =>
-    [...root.querySelectorAll('[data-scene] > span')]
-      .filter((name) => name.scrollHeight > name.clientHeight + 1 || name.scrollWidth > name.clientWidth + 1)
-      .map((name) => name.textContent),
-  );
-  assert.deepEqual(cut, [], 'names are read to their ends');
-  for (const name of [PRESETS[1].name, PRESETS[5].name]) {
-    for (let pushes = 0; (await rowBox(name)).x > PHONE.width - 20 && pushes < 20; pushes += 1) {
-      const { y } = await rowBox('default');
-      await tab.touchDrag({ x: 300, y }, { x: 60, y });
-      await tab.frames(20);
+test(
+  'a finger pushes and taps the scenes in the sheet of a phone',
+  except({ firefox: "touches of Firefox's driver scroll nothing" }),
+  async () => {
+    const tab = await browser.open('index.html?scene=default', PHONE);
+    await tab.ready();
+    const panel = await new Panel(tab).mounted();
+    await panel.openScenes();
+    const rowBox = (name) =>
+      panel.in((root, wanted) => {
+        const { x, y, width, height } = root.querySelector(`[data-scene="${wanted}"]`).getBoundingClientRect();
+        return { x: x + width / 2, y: y + height / 2, top: y, bottom: y + height };
+      }, name);
+    const { top, bottom } = await rowBox('default');
+    assert.ok(top >= 0.55 * PHONE.height && bottom <= PHONE.height, 'the fire stays in sight');
+    const cut = await panel.in((root) =>
+      [...root.querySelectorAll('[data-scene] > span')]
+        .filter((name) => name.scrollHeight > name.clientHeight + 1 || name.scrollWidth > name.clientWidth + 1)
+        .map((name) => name.textContent),
+    );
+    assert.deepEqual(cut, [], 'names are read to their ends');
+    for (const name of [PRESETS[1].name, PRESETS[5].name]) {
+      for (let pushes = 0; (await rowBox(name)).x > PHONE.width - 20 && pushes < 20; pushes += 1) {
+        const { y } = await rowBox('default');
+        await tab.touchDrag({ x: 300, y }, { x: 60, y });
+        await tab.frames(20);
+      }
+      const { x, y } = await rowBox(name);
+      await (await tab.page.touchscreen.touchStart(x, y)).end();
+      await isScene(tab, name);
     }
-    const { x, y } = await rowBox(name);
-    await (await tab.page.touchscreen.touchStart(x, y)).end();
-    await isScene(tab, name);
-  }
-  assert.deepEqual(tab.problems, []);
-});
+    assert.deepEqual(tab.problems, []);
+  },
+);

@@ -4,7 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser } from '../driver.mjs';
+import { Browser, eventually } from '../driver.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -35,11 +35,15 @@ for (const [page, name] of [
         },
         name,
       );
-      const picture = await tab.picture();
       // The flame of the wisp is pale blue.
       const isPale = (/** @type {number} */ red, /** @type {number} */ _, /** @type {number} */ blue) =>
         blue > 120 && blue >= red;
-      assert((page === 'wisp' ? picture.share(isPale) : picture.glowing()) > 0.001);
+      await eventually(
+        'it is on the screen',
+        () => tab.picture(),
+        (picture) => (page === 'wisp' ? picture.share(isPale) : picture.glowing()) > 0.001,
+        () => tab.frames(3),
+      );
       assert.deepEqual(await tab.problemsAfterFrame(), []);
     });
   }

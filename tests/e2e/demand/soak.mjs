@@ -83,12 +83,12 @@ async function rest(/** @type {number} */ measured) {
 const COMPILED = /WasmNativeModule|WeakArrayList/;
 
 /**
- * The size of all objects of a page and its workers, and that of their compiled code [bytes].
+ * The size of all objects of a page and its workers, in all and by name, and that of their compiled code [bytes].
  * @param {import('../driver.mjs').Tab} tab
  */
 async function sizes(tab) {
   const session = await tab.page.createCDPSession();
-  const size = { objects: 0, code: 0 };
+  const size = { objects: 0, code: 0, byName: new Map() };
   for (const heap of [session, ...tab.page.workers().map((worker) => worker.client)]) {
     let text = '';
     const add = (/** @type {{chunk: string}} */ { chunk }) => (text += chunk);
@@ -101,6 +101,9 @@ async function sizes(tab) {
     for (let at = 0; at < nodes.length; at += fields.length) {
       const isCode = types[type][nodes[at + type]] === 'code' || COMPILED.test(strings[nodes[at + name]]);
       size[isCode ? 'code' : 'objects'] += nodes[at + bytes];
+      if (isCode) continue;
+      const of = `${types[type][nodes[at + type]]} ${strings[nodes[at + name]].slice(0, 40)}`;
+      size.byName.set(of, (size.byName.get(of) ?? 0) + nodes[at + bytes]);
     }
   }
   await session.detach();
@@ -111,8 +114,8 @@ const [file, given] = process.argv.slice(2);
 const minutes = Number(given);
 if (!(minutes > 0)) throw new Error(`the arguments are a file and a number of minutes, not "${given}"`);
 const rows = [
-  '| after | actions | objects | compiled code | wasm | objects of the graphics card | nodes | listeners | a frame |',
-  '|--:|--:|--:|--:|--:|--:|--:|--:|--:|',
+  '| after | actions | objects | compiled code | wasm | objects of the graphics card | nodes | listeners | workers | a frame |',
+  '|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|',
 ];
 const MEGABYTE = 1_000_000;
 // The headless shell hides no tab.
@@ -127,6 +130,8 @@ try {
   const length = (minutes * 60_000) / ROUNDS / parts;
   /** @type {any} */
   let first;
+  /** @type {Map<string, number>} */
+  let before = new Map();
   const wrong = [];
   for (let round = 1; round <= ROUNDS; round += 1) {
     let actions = 0;
@@ -141,14 +146,18 @@ try {
       await tab.evaluate(becomes, /** @type {const} */ ('visible'));
     }
     const frame = await tab.evaluate(rest, MEASURED);
-    const { memory, objects: graphics, nodes, jsEventListeners: listeners } = await held(tab);
-    const { objects, code } = await sizes(tab);
-    const now = { objects, wasm: memory, graphics, nodes, listeners };
+    const { memory, objects: graphics, nodes, jsEventListeners: listeners, workers } = await held(tab);
+    const { objects, code, byName } = await sizes(tab);
+    const now = { objects, wasm: memory, graphics, nodes, listeners, workers };
     const time = `${((round * minutes) / ROUNDS).toFixed(1)} min`;
     const [made, compiled, wasm] = [objects, code, memory].map((size) => `${(size / MEGABYTE).toFixed(2)} MB`);
-    const cells = [time, actions, made, compiled, wasm, graphics, nodes, listeners, `${frame.toFixed(1)} ms`];
+    const cells = [time, actions, made, compiled, wasm, graphics, nodes, listeners, workers, `${frame.toFixed(1)} ms`];
     rows.push(`| ${cells.join(' | ')} |`);
     console.log(rows.at(-1));
+    const more = [...byName].map(([name, bytes]) => [bytes - (before.get(name) ?? 0), name]);
+    const most = more.toSorted(([a], [b]) => b - a).slice(0, 5);
+    console.log(`  most more than before: ${most.map(([bytes, name]) => `${bytes} ${name}`).join(', ')}`);
+    before = byName;
     // The first rounds load and compile code, and wasm grows to the largest scene.
     if (round === WARM) first = now;
     const problems = tab.problems.splice(0).filter((problem) => !EXPECTED.test(problem));

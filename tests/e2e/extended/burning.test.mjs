@@ -20,12 +20,14 @@ for (const [script, [word, width]] of Object.entries(WORDS)) {
   test(`a ${script} word that an attribute states is read after ten seconds`, async () => {
     const tab = await browser.open(
       `<style>body { margin: 0; background: black } hearth-fire { width: 504px; height: 420px }</style>
-      <hearth-fire preset="burning-word" objects="[]" quality="medium"><hearth-solid text="${word}" width="${width}" burning></hearth-solid></hearth-fire>`,
+      <hearth-fire preset="burning-word" objects="[]" quality="medium" paused><hearth-solid text="${word}" width="${width}" burning></hearth-solid></hearth-fire>`,
       { width: 504, height: 420 },
     );
     await tab.ready();
     await tab.until('the word', hasMask);
-    await tab.burnt(10);
+    // The word differs from moment to moment, and a busy machine looks late.
+    await tab.fire((fire) => fire.advance(10));
+    await tab.frames(5);
     const found = correlation(await tab.picture(), await solidOf(tab));
     assert.ok(found >= 0.6, `correlation ${found.toFixed(2)}`);
   });

@@ -9,7 +9,7 @@
  * test; `HEARTH_BROWSERS=firefox` names another browser than Chromium.
  */
 export { Browser } from './driver/browser.mjs';
-export { BACKWARDS, BROWSER, BROWSERS, STOPPED, TABS, THREAD, except } from './driver/programs.mjs';
+export { BACKWARDS, BROWSER, BROWSERS, STOPPED, TABS, THREAD, THREADS, except } from './driver/programs.mjs';
 export { eventually } from './driver/tab.mjs';
 
 /** @typedef {import('./driver/tab.mjs').Tab} Tab */

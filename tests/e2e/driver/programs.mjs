@@ -49,8 +49,9 @@ export function except(reasons) {
   return reason === undefined ? {} : { skip: reason };
 }
 
-/** Where engines run. */
-export const THREAD = BROWSER === 'webkit' ? 'main' : 'worker';
+/** Where engines can run, and where they do by default. */
+export const THREADS = /** @type {const} */ (['worker', 'main']).slice(BROWSER === 'webkit' ? 1 : 0);
+export const [THREAD] = THREADS;
 
 /** Options of a test that stops the thread of an engine. */
 export const STOPPED = except({ webkit: 'its engine runs on the page’s thread, which no test can stop' });

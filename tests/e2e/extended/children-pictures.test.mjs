@@ -15,8 +15,10 @@ before(async () => {
 });
 after(() => browser?.close());
 
-/** How far a mask may be from the pixels on the screen: glyphs and the pixels of masks lie on grids [CSS pixels]. */
-// Firefox moves lines to whole pixels.
+/**
+ * How far a mask may be from the pixels on the screen: glyphs and the pixels of masks lie on grids, and lines of Firefox
+ * too [CSS pixels].
+ */
 const NEAR = BROWSER === 'firefox' ? 2 : 1.5;
 
 /** A disc at the left of a wide image, and a square without a transparent pixel. */
@@ -239,7 +241,7 @@ test('glyphs lie where the page shows them', async () => {
     const around = [-1, 0, 1].flatMap((x) => [-1, 0, 1].map((y) => [x, y]));
     const lost = shown.filter(([x, y]) => !around.some(([dx, dy]) => inside(x + dx + 0.5, y + dy + 0.5)));
     const extra = solid.filter(([x, y]) => !around.some(([dx, dy]) => dark(x + dx, y + dy)));
-    // WebKit kerns the letters of a word that it breaks, which are drawn one by one.
+    // Firefox moves lines to whole pixels; WebKit kerns the letters of a word that it breaks, which are drawn one by one.
     const few = (BROWSER === 'chromium' ? 0.01 : 0.02) * shown.length;
     assert.ok(
       shown.length > 500 && lost.length < few && extra.length < few,

@@ -4,7 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser, THREAD, eventually, except } from '../driver.mjs';
+import { Browser, THREAD, THREADS, eventually, except } from '../driver.mjs';
 import { held } from '../held.mjs';
 
 /** @type {Browser} */
@@ -28,7 +28,7 @@ function comeAndGo(tab, count) {
   }, count);
 }
 
-for (const engine of THREAD === 'main' ? ['main'] : ['worker', 'main']) {
+for (const engine of THREADS) {
   test(`hundreds of fires that come and go leave nothing behind, with the engine in: ${engine}`, async () => {
     const tab = await browser.open(`
       <script type="module">

@@ -4,7 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser, THREAD } from '../driver.mjs';
+import { Browser, THREADS } from '../driver.mjs';
 import { assertBurns, assertStands } from '../assertions.mjs';
 
 /** @type {Browser} */
@@ -26,7 +26,7 @@ const loaded = (tab) =>
     performance.getEntriesByType('resource').some(({ name }) => name.endsWith('hearth-engine_bg.wasm')),
   );
 
-for (const thread of THREAD === 'main' ? ['main'] : ['worker', 'main']) {
+for (const thread of THREADS) {
   test(`with the engine in: ${thread}, a fire burns, pauses, survives a lost context and is destroyed`, async () => {
     const tab = await browser.open(at(thread, '<hearth-fire></hearth-fire>'), { draws: true });
     await tab.burnt(1);

@@ -6,7 +6,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { Browser, THREAD } from '../driver.mjs';
+import { Browser, THREADS } from '../driver.mjs';
 import { assertBurns, events, recording } from '../assertions.mjs';
 import { SITE } from '../site.mjs';
 
@@ -40,7 +40,7 @@ const page = (thread, body) =>
   </script><script>`,
   );
 
-for (const thread of THREAD === 'main' ? ['main'] : ['worker', 'main']) {
+for (const thread of THREADS) {
   test(`the first classic fire fetches the part, and calls keep their order (${thread})`, async () => {
     const tab = await browser.open(page(thread, '<hearth-fire></hearth-fire><hearth-fire></hearth-fire>'));
     await tab.burnt(0.3);

@@ -68,7 +68,8 @@ test('one card burns while the pointer or the focus is on it, and goes on after 
   await tab.page.hover('h1');
   assert.deepEqual(await burning(tab), []);
   await tab.page.click(picture('candle'));
-  await tab.page.hover('h1');
+  // At the edge of the window no picture comes under the pointer when focus scrolls the page.
+  await tab.page.mouse.move(1, 400);
   assert.deepEqual(await burning(tab), ['candle']);
   assert.equal(await tab.page.$eval(picture('candle'), (it) => it.getAttribute('aria-pressed')), 'true');
   // By keys: the next control after the links of a card is the next picture.

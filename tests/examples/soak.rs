@@ -4,11 +4,13 @@
 //! `soak [--corners N] [--crowds N] [--heaps N] [--seed S] [--hours H] [--minutes M] [--scenes NAME,…]`: N corners, and
 //! N crowds of solids, of each model, and of the combustion model in the open, of two simulated seconds, and N heaps of
 //! ten; M minutes of each scene, or of those named. With hours, it goes on with other seeds until they have passed.
-//! A scene whose sources alone burn has their power, within a hundredth. `--table FILE` writes the scenes' rows into a table,
-//! in which those of other scenes stay; `--of TEXT` is what each states of its program.
+//! A scene whose sources alone burn has their power, within a hundredth, with that of the fuel that leaves its air unburnt.
+//! `--table FILE` writes the scenes' rows into a table, in which those of other scenes stay; `--of TEXT` is what each states of
+//! its program.
 //! Prints how it goes, every corner that fails with all its values, and the corners that lean most on the
 //! guards. `cargo measure soak` calls it.
 
+use std::collections::HashMap;
 use std::fs;
 use std::io::{self, Write as _};
 use std::process::ExitCode;
@@ -26,6 +28,7 @@ use hearth_settings::Settings;
 use hearth_tests::sweep::crowd::Crowd;
 use hearth_tests::sweep::heap::Heap;
 use hearth_tests::sweep::{self, Outcome};
+use hearth_tests::validation;
 
 /// Length of a minute \[s\], and how far the power of a scene may be from that of its sources.
 const MINUTE: f64 = 60.0;
@@ -187,18 +190,30 @@ fn burnt(preset: &'static Preset, options: &Options) -> (String, Option<String>)
     let scene = settings.at(count.number);
     let (fed, start) = (f64::from(scene.power()), Instant::now());
     let mut fire = Simulation::new(scene);
-    let outcome = sweep::burn(&mut fire, seconds);
+    let mut unburnt = Unburnt::default();
+    let outcome = sweep::watched(&mut fire, seconds, &mut |fire| {
+        unburnt.watch(fire);
+        None
+    });
+    let left = unburnt.power(seconds);
     let fuels = fire.fuel_total().unwrap_or_default();
     let alone = fire.power().is_some() && fuels.state.is_empty() && fed > 0.0;
-    let unbalanced = alone && (outcome.power / fed - 1.0).abs() > BALANCE;
-    let words = || format!("{:.2} kW/m burn where {fed:.2} are fed", outcome.power);
+    let unbalanced = alone && ((outcome.power + left) / fed - 1.0).abs() > BALANCE;
+    let words = || {
+        let burns = outcome.power;
+        format!("{burns:.2} kW/m burn and {left:.2} leave where {fed:.2} are fed")
+    };
     let fault = outcome.fault().or_else(|| unbalanced.then(words));
     let cells = [
         preset.name.to_owned(),
         format!("{} min", options.minutes),
         format!("{:.3} %", 100.0 * outcome.clamped),
         match alone {
-            true => format!("{:.2} % of its sources", 100.0 * outcome.power / fed),
+            true => {
+                let [burns, leaves] = [outcome.power, left].map(|power| 100.0 * power / fed);
+                let beside = (leaves > 0.1).then(|| format!(", {leaves:.2} % leave unburnt"));
+                format!("{burns:.2} % of its sources{}", beside.unwrap_or_default())
+            }
             false => format!("{:.1} kW/m", outcome.power),
         },
         format!("{:.0} ms", 1e3 * start.elapsed().as_secs_f64() / seconds),
@@ -206,6 +221,35 @@ fn burnt(preset: &'static Preset, options: &Options) -> (String, Option<String>)
         options.of.clone(),
     ];
     (format!("| {} |", cells.join(" | ")), fault)
+}
+
+/// Fuel that leaves open air before it has burnt, because a flame is taller than its air.
+#[derive(Default)]
+struct Unburnt {
+    /// The fuel of each particle in the step before, by their numbers.
+    before: HashMap<u64, f32>,
+    /// The energy of fuel that has left [kJ/m].
+    energy: f64,
+}
+
+impl Unburnt {
+    /// Adds the fuel of the particles that a step has removed.
+    fn watch(&mut self, fire: &Simulation) {
+        let fuels = fire.fuels().unwrap_or_default();
+        let now: HashMap<_, _> = fire.ids().into_iter().zip(fuels).collect();
+        let gone = self.before.iter().filter(|(id, _)| !now.contains_key(*id));
+        let fuel: f32 = gone.map(|(_, fuel)| fuel).sum();
+        let values = fire.parameters();
+        // The heat capacity of the gas is 1 kJ/(kg K).
+        let heat = f64::from(values.flame_rise * (1.0 + values.air_demand));
+        self.energy += f64::from(fuel) * heat * validation::mass(fire);
+        self.before = now;
+    }
+
+    /// Its mean power [kW/m].
+    fn power(&self, seconds: f64) -> f64 {
+        self.energy / seconds
+    }
 }
 
 /// The requested run.

@@ -199,7 +199,7 @@ pub fn burn(fire: &mut Simulation, seconds: f64) -> Outcome {
 }
 
 /// Simulates for a time and checks the fire. `after_step` returns what else is wrong.
-fn watched(
+pub fn watched(
     fire: &mut Simulation,
     seconds: f64,
     after_step: &mut dyn FnMut(&mut Simulation) -> Option<String>,

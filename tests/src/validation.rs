@@ -30,6 +30,7 @@ pub mod table;
 pub mod viscous;
 pub mod waves;
 
+pub use boxes::mass;
 pub use plot::Plot;
 pub use row::{Expected, Row, Verdict};
 

@@ -132,7 +132,7 @@ fn set(scene: &mut Scene, id: &str, choice: &str) {
 }
 
 /// Mass of a particle [kg/m].
-pub(super) fn mass(fire: &Simulation) -> f64 {
+pub fn mass(fire: &Simulation) -> f64 {
     let p = fire.parameters();
     let area = match p.edges {
         Edges::Open => f64::from(p.spacing()).powi(2),

@@ -74,8 +74,6 @@ fn of_rust(sh: &Shell, folder: &Path) -> Result<String> {
             .env("RUSTFLAGS", "-C instrument-coverage")
             .env("CARGO_TARGET_DIR", folder)
             .env("LLVM_PROFILE_FILE", profiles.join("%m-%p.profraw"))
-            // Threads that count in the same cache lines take turns at each line of code.
-            .env("RUST_TEST_THREADS", "1")
     };
     let described = test("--no-run --message-format=json").read()?;
     let programs: Vec<PathBuf> = described

@@ -208,13 +208,15 @@ fn burnt(preset: &'static Preset, options: &Options) -> (String, Option<String>)
         preset.name.to_owned(),
         format!("{} min", options.minutes),
         format!("{:.3} %", 100.0 * outcome.clamped),
-        match alone {
-            true => {
+        match fire.power() {
+            _ if alone => {
                 let [burns, leaves] = [outcome.power, left].map(|power| 100.0 * power / fed);
                 let beside = (leaves > 0.1).then(|| format!(", {leaves:.2} % leave unburnt"));
                 format!("{burns:.2} % of its sources{}", beside.unwrap_or_default())
             }
-            false => format!("{:.1} kW/m", outcome.power),
+            Some(_) => format!("{:.1} kW/m", outcome.power),
+            // The classic model burns no fuel.
+            None => "–".to_owned(),
         },
         format!("{:.0} ms", 1e3 * start.elapsed().as_secs_f64() / seconds),
         fault.clone().unwrap_or_else(|| "holds".to_owned()),

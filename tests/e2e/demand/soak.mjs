@@ -1,9 +1,10 @@
 /**
  * A page on which visitors do everything at random, together some ten times as often as a person: scenes, panel, tools, undo,
  * children, sound, films, lost contexts, a hidden tab, and the fire comes and goes. `cargo measure soak --page MINUTES` runs it.
- * Seven times it rests: objects of scripts and of the document, arrays, wasm, objects of the graphics card, nodes, listeners and workers have
- * grown by a twentieth at most since the second rest, and nothing was reported but refusals and lost contexts. The size of
- * compiled code and the time of a frame are printed alone: the code grows up to all that there is, the time is the machine's.
+ * Seven times it rests: objects of scripts and of the document, arrays, wasm, objects of the graphics card, nodes, listeners
+ * and workers have grown by a twentieth at most since the second rest, and nothing was reported but refusals and lost contexts.
+ * The size of compiled code and the time of a frame are printed alone: the code grows up to all that there is, the time is the
+ * machine's.
  *
  * The arguments are the file of the table and the minutes.
  */

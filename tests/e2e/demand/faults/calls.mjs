@@ -181,9 +181,9 @@ async function judged(tab, done, fault, whole, lasts = false) {
     const unanswered = new Promise((resolve) => setTimeout(() => resolve(['undo never settled']), SETTLED_MS));
     const asked = tab.evaluate(lost, done.steps).catch((error) => [`undo: ${error.message}`]);
     wrong.push(.../** @type {string[]} */ (await Promise.race([asked, unanswered])));
-    // The fault may end the fire while undo leads back.
-    const after = lasts && wrong.length > 0 && (await outcome(tab, fault));
-    if (after && after.outcome === 'reported') return after;
+    // The fault may end the fire while undo leads back. Nothing else excuses a step that is lost.
+    const ended = lasts && wrong[0]?.startsWith('undo: ') && (await outcome(tab, fault));
+    if (ended && ended.outcome === 'reported') return ended;
   }
   return wrong.length === 0 ? found : { fault, outcome: 'silent', detail: wrong.join('; ') };
 }
